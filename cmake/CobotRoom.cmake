@@ -1,0 +1,48 @@
+# A room is one folder, one namespace, one library and one test program.
+# A room states its sources and the rooms and libraries that it may use; arrows point down only.
+
+add_library(cobot_warnings INTERFACE)
+target_compile_options(cobot_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
+                                                $<$<BOOL:${COBOT_WARNINGS_AS_ERRORS}>:-Werror>)
+
+add_library(cobot_sanitizers INTERFACE)
+if(COBOT_SANITIZE)
+  target_compile_options(cobot_sanitizers INTERFACE -fsanitize=${COBOT_SANITIZE} -fno-omit-frame-pointer
+                                                    -fno-sanitize-recover=all)
+  target_link_options(cobot_sanitizers INTERFACE -fsanitize=${COBOT_SANITIZE})
+endif()
+
+# cobot_add_room(<name> SOURCES <file>... [USES <target>...] [PRIVATELY_USES <target>...])
+# Makes the library cobot_<name>, known to the others as cobot_command::<name>.
+function(cobot_add_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATELY_USES" ${ARGN})
+  add_library(cobot_${name} ${ROOM_SOURCES})
+  add_library(cobot_command::${name} ALIAS cobot_${name})
+  target_compile_features(cobot_${name} PUBLIC cxx_std_17)
+  target_include_directories(
+    cobot_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(
+    cobot_${name}
+    PUBLIC ${ROOM_USES} cobot_sanitizers
+    PRIVATE ${ROOM_PRIVATELY_USES} $<BUILD_INTERFACE:cobot_warnings>)
+  set_property(GLOBAL APPEND PROPERTY COBOT_INSTALLED_LIBRARIES cobot_${name})
+endfunction()
+
+# cobot_add_program(<name> SOURCES <file>... USES <target>...)
+function(cobot_add_program name)
+  cmake_parse_arguments(PROGRAM "" "" "SOURCES;USES" ${ARGN})
+  add_executable(${name} ${PROGRAM_SOURCES})
+  target_link_libraries(${name} PRIVATE ${PROGRAM_USES} cobot_warnings)
+  set_property(GLOBAL APPEND PROPERTY COBOT_INSTALLED_PROGRAMS ${name})
+endfunction()
+
+# cobot_add_test(<name> SOURCES <file>... USES <target>...)
+# Makes one GoogleTest program; each of its tests is a CTest entry of its own, named <name>.<Suite>.<test>.
+function(cobot_add_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})
+  add_executable(test_${name} ${TEST_SOURCES})
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test/support)
+  target_compile_definitions(test_${name} PRIVATE COBOT_TEST_DATA="${PROJECT_SOURCE_DIR}/test/data")
+  target_link_libraries(test_${name} PRIVATE ${TEST_USES} GTest::gmock GTest::gtest_main cobot_warnings)
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 120)
+endfunction()

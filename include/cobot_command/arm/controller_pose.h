@@ -1,0 +1,23 @@
+// Poses and joints as the controller writes them (mm and degrees), and their conversion to SI.
+//
+// R = Rz(RZ) Ry(RY) Rx(RX): fixed axes X, Y, Z (fact sheet 4.3). Angles are reported in (-180, 180]; at RY =
+// +-90 degrees RZ is reported as 0.
+#pragma once
+
+#include <array>
+
+#include "cobot_command/arm/types.h"
+
+namespace cobot_command::arm {
+
+/// X, Y, Z [mm], RX, RY, RZ [deg].
+using ControllerPose = std::array<double, 6>;
+/// J1..J6 [deg].
+using ControllerJoints = std::array<double, 6>;
+
+[[nodiscard]] Pose toPose(const ControllerPose& pose_mm_deg);
+[[nodiscard]] ControllerPose toControllerPose(const Pose& pose);
+[[nodiscard]] JointVector toJointVector(const ControllerJoints& joints_deg);
+[[nodiscard]] ControllerJoints toControllerJoints(const JointVector& joints);
+
+}  // namespace cobot_command::arm

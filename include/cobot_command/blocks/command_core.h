@@ -1,0 +1,115 @@
+// The command core of one robot: goals and bytes in, frames and outcomes out.
+//
+// It owns the link, the blocks and the arbiter. No socket, no thread, no clock: whoever drives it hands in
+// events with the time and carries out the actions. Not thread-safe: one thread owns it. Every goal gets
+// exactly one GoalEnded.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/blocks/command_status.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/outcome.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/link/connection.h"
+#include "cobot_command/link/robot_status.h"
+
+namespace cobot_command::blocks {
+
+// --- Actions: what the driver has to do or to tell, in this order.
+
+/// Open a TCP connection; answer with opened() or openFailed(), carrying the same connection id.
+struct OpenConnection {
+  link::ConnectionId id;
+  link::Channel channel;
+  std::string host;
+  int port = 0;
+  Duration timeout{};
+};
+/// Close a connection, or give up opening it. No event with its id is expected any more; late ones are
+/// ignored.
+struct CloseConnection {
+  link::ConnectionId id;
+};
+struct SendBytes {
+  link::ConnectionId id;
+  std::string bytes;
+};
+struct GoalAccepted {
+  GoalId goal;
+};
+struct GoalProgressed {
+  GoalId goal;
+  Progress progress;
+};
+/// The one and only end of a goal. Rejected comes without a GoalAccepted before it, the others with one.
+struct GoalEnded {
+  GoalId goal;
+  Outcome outcome;
+};
+struct StatusChanged {
+  CommandStatus status;
+};
+struct RobotStatusReceived {
+  link::RobotStatus status;
+};
+/// The flight recorder: every frame and every fault, sent and received.
+struct FrameTraced {
+  Instant time;
+  link::Channel channel;
+  bool sent = false;
+  std::string bytes;
+  std::string meaning;
+};
+enum class Severity { Info, Warning, Error };
+struct LogMessage {
+  Severity severity;
+  std::string text;
+};
+
+using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed,
+                            GoalEnded, StatusChanged, RobotStatusReceived, FrameTraced, LogMessage>;
+
+class CommandCore {
+ public:
+  /// `arm`: the model for planning and checks; without one, moves are sent unplanned. See CoreSettings for
+  /// the rest.
+  CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings);
+  ~CommandCore();
+  CommandCore(CommandCore&&) noexcept;
+  CommandCore& operator=(CommandCore&&) noexcept;
+
+  // --- Goals.
+  void submit(GoalId id, const Goal& goal, Instant now);
+  /// The falling edge of Execute while Busy. A goal that has ended already is left alone.
+  void cancel(GoalId id, Instant now);
+  /// Ends everything: open goals as CommandAborted, connections closed. Nothing is sent to the robot
+  /// afterwards.
+  void shutDown(Instant now);
+
+  // --- Connections.
+  void opened(link::ConnectionId id, Instant now);
+  void openFailed(link::ConnectionId id, link::OpenFailure failure, Instant now);
+  void received(link::ConnectionId id, std::string_view bytes, Instant now);
+  void closed(link::ConnectionId id, const std::string& reason, Instant now);
+
+  // --- Time.
+  void advance(Instant now);
+  /// When advance() has to be called at the latest; nothing while there is nothing to wait for.
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  [[nodiscard]] std::vector<Action> takeActions();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cobot_command::blocks

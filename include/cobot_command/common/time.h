@@ -1,0 +1,29 @@
+// Time as the core sees it: always handed in, never read from a clock.
+#pragma once
+
+#include <chrono>
+
+namespace cobot_command {
+
+/// The clock of whoever drives the core: real, scaled, or invented by a test. It is never read here.
+struct DriverClock {
+  using rep = std::chrono::nanoseconds::rep;
+  using period = std::chrono::nanoseconds::period;
+  using duration = std::chrono::nanoseconds;
+  using time_point = std::chrono::time_point<DriverClock>;
+  static constexpr bool is_steady = true;
+};
+
+using Duration = std::chrono::nanoseconds;
+using Instant = DriverClock::time_point;
+
+[[nodiscard]] constexpr double toSeconds(Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+/// Rounds up to whole nanoseconds, so that a motion of this duration is really over at its end.
+[[nodiscard]] constexpr Duration fromSeconds(double seconds) {
+  return std::chrono::ceil<Duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace cobot_command

@@ -1,0 +1,21 @@
+// The one place where the controller's mm and degrees become SI (m, rad) and back.
+#pragma once
+
+namespace cobot_command {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+[[nodiscard]] constexpr double degToRad(double degrees) {
+  return degrees * (kPi / 180.0);
+}
+[[nodiscard]] constexpr double radToDeg(double radians) {
+  return radians * (180.0 / kPi);
+}
+[[nodiscard]] constexpr double mmToM(double millimetres) {
+  return millimetres * 1e-3;
+}
+[[nodiscard]] constexpr double mToMm(double metres) {
+  return metres * 1e3;
+}
+
+}  // namespace cobot_command

@@ -1,0 +1,45 @@
+// The connections of one robot, as the core names them, and the times that rule them.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::link {
+
+enum class Channel { Script, Status };  ///< ports 5890 and 5891
+
+/// Given by the core, never twice: what is late carries an old id and is ignored.
+using ConnectionId = std::uint64_t;
+
+/// Why a connection could not be opened.
+struct OpenFailure {
+  enum class Kind {
+    Refused,      ///< nobody listens: no project running, or the wrong port
+    Unreachable,  ///< no route, host down
+    UnknownHost,  ///< the name cannot be resolved
+    TimedOut,     ///< no answer in time
+    Other
+  };
+  Kind kind = Kind::Other;
+  std::string message;  ///< the system's own words
+};
+
+/// Deadlines and periods; each is injectable and has a range that the setter of parameters checks.
+struct LinkSettings {
+  int status_port = 5891;                                 ///< 0: no status link
+  Duration open_timeout = std::chrono::seconds(2);        ///< for one try
+  Duration retry_min = std::chrono::milliseconds(100);    ///< back-off between tries, doubling ...
+  Duration retry_max = std::chrono::seconds(1);           ///< ... up to this
+  Duration reply_timeout = std::chrono::seconds(1);       ///< for OK / ERROR and for TMSTA answers
+  Duration supervision_period = std::chrono::seconds(1);  ///< lifesign: TMSTA 00 (thesis 5.3.1)
+  int supervision_misses = 3;                         ///< unanswered lifesigns until the link counts as lost
+  Duration status_timeout = std::chrono::seconds(1);  ///< without a status frame: status link reopened
+  double tag_deadline_factor = 1.5;                   ///< times the planned duration ...
+  Duration tag_deadline_margin = std::chrono::seconds(2);         ///< ... plus this
+  Duration unplanned_motion_timeout = std::chrono::seconds(300);  ///< when the motion could not be planned
+};
+
+}  // namespace cobot_command::link

@@ -1,0 +1,64 @@
+// What can be asked of an arm: point-to-point, line and circle, as plain values in SI.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/arm/pose_bits.h"
+#include "cobot_command/arm/types.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::motion {
+
+/// A target pose of the TCP in the active base. Without bits the posture keeps the bits of the start (FB
+/// section 4.3.1).
+struct PoseTarget {
+  arm::Pose pose;
+  std::optional<arm::PoseBits> bits;
+};
+
+/// A move in joint space, all joints starting and ending together.
+struct Ptp {
+  std::variant<arm::JointVector, PoseTarget> target;
+  double speed_ratio = 1.0;  ///< (0, 1] of the rated joint speeds
+  Duration time_to_top_speed{};
+};
+
+/// Speed of a TCP along its path: as a ratio (0, 1] of the model's typical maximum, or in m/s.
+struct SpeedRatio {
+  double value = 1.0;
+};
+struct TcpSpeed {
+  double metres_per_second = 0.0;
+};
+using PathSpeed = std::variant<SpeedRatio, TcpSpeed>;
+
+/// A straight line of the TCP; the orientation turns about one axis, in step with the distance.
+struct Line {
+  arm::Pose target;  ///< TCP in the active base
+  PathSpeed speed;
+  Duration time_to_top_speed{};
+};
+
+/// An arc of the TCP from the start through `via` to `end` (thesis 4.3.3).
+struct Circle {
+  arm::Pose via;  ///< TCP in the active base; its orientation is not used
+  arm::Pose end;  ///< TCP in the active base
+  /// Absent: to `end`, the orientation turning towards it. Present: this angle [rad, not 0] along the circle
+  /// through the three points, the orientation held.
+  std::optional<double> arc_angle;
+  PathSpeed speed;
+  Duration time_to_top_speed{};
+};
+
+using Command = std::variant<Ptp, Line, Circle>;
+
+/// What the controller knows when it plans a motion.
+struct Setting {
+  arm::Pose base = arm::Pose::Identity();  ///< the active base in the robot base
+  arm::Pose tcp = arm::Pose::Identity();   ///< the active TCP in the flange
+  double speed_override = 1.0;             ///< project speed, (0, 1]
+};
+
+}  // namespace cobot_command::motion

@@ -1,0 +1,25 @@
+// From a command to a trajectory: planned wholly before the start, or refused by name with the first
+// offending point.
+//
+// The same code answers a check in the command layer and moves the simulated arm.
+#pragma once
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/common/result.h"
+#include "cobot_command/motion/command.h"
+#include "cobot_command/motion/refusal.h"
+#include "cobot_command/motion/trajectory.h"
+
+namespace cobot_command::motion {
+
+/// Plans `command` from the posture `start` [rad].
+///
+/// PTP: synchronised trapezoids in joint space; the slowest joint runs at speed_ratio x speed_override of its
+/// rated speed and reaches it in time_to_top_speed (short moves stay triangular, with the same acceleration).
+/// Line, Circle: a trapezoid along the path; every sample (at most 1 ms apart) must be reachable with the
+/// pose bits of the start, inside the joint limits and the rated joint speeds, and away from the
+/// singularities.
+[[nodiscard]] Result<TrajectoryPtr, Refusal> plan(const arm::ArmModel& arm, const arm::JointVector& start,
+                                                  const Command& command, const Setting& setting);
+
+}  // namespace cobot_command::motion

@@ -1,0 +1,39 @@
+// One frame of the TM protocol: $HEADER,LENGTH,DATA,*CS\r\n (I848-E-03 section 7.3; thesis 4.2).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace cobot_command::protocol {
+
+/// Upper limit of DATA that is accepted or sent [bytes]. The controller documents only int32; a trajectory in
+/// one frame has some 100 kB, so this leaves room and still bounds what a peer can make us store.
+inline constexpr std::size_t kMaxDataLength = 16u * 1024u * 1024u;
+
+namespace header {
+inline constexpr std::string_view kScript = "TMSCT";  ///< external script, port 5890
+inline constexpr std::string_view kStatus = "TMSTA";  ///< status of the script control, port 5890
+inline constexpr std::string_view kItems = "TMSVR";   ///< Ethernet Slave items, port 5891
+inline constexpr std::string_view kCommunicationError = "CPERR";
+}  // namespace header
+
+/// A frame as values. `header` may be unknown: whether it is known is for the receiver to say (CPERR 03).
+struct Frame {
+  std::string header;
+  std::string data;
+
+  friend bool operator==(const Frame& a, const Frame& b) { return a.header == b.header && a.data == b.data; }
+};
+
+/// XOR of all bytes: of those between '$' and '*', for a frame.
+[[nodiscard]] std::uint8_t checksum(std::string_view bytes);
+
+/// The frame as bytes: decimal length, upper-case checksum. `data` may hold any bytes.
+/// Preconditions: the header is not empty and has only letters; data.size() <= kMaxDataLength.
+[[nodiscard]] std::string encodeFrame(std::string_view header, std::string_view data);
+
+/// For people: control characters and bytes that are not UTF-8 shown as \r, \n, \xNN.
+[[nodiscard]] std::string printable(std::string_view bytes);
+
+}  // namespace cobot_command::protocol

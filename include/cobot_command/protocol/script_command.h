@@ -1,0 +1,139 @@
+// The script commands of the Listen node (thesis 4.3, I848-E-03 chapter 8) as types, and their text, both
+// ways.
+//
+// Units are the controller's own: mm, degrees, ms, %, mm/s, kg, kg mm^2. Numbers are written with the
+// shortest text that gives the same value back, without exponent, whatever the locale; values are limited to
+// what the controller can read.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cobot_command/common/result.h"
+
+namespace cobot_command::protocol {
+
+/// Six numbers: X Y Z [mm] RX RY RZ [deg], or J1..J6 [deg], as the data format says.
+using SixNumbers = std::array<double, 6>;
+
+/// The three letters in front of a motion, e.g. "CPP".
+struct DataFormat {
+  enum class Target : char { Joint = 'J', Cartesian = 'C', Tool = 'T' };
+  enum class Speed : char { Percent = 'P', Absolute = 'A' };   ///< % or mm/s
+  enum class Blending : char { Percent = 'P', Radius = 'R' };  ///< % or mm
+  Target target = Target::Cartesian;
+  Speed speed = Speed::Percent;
+  Blending blending = Blending::Percent;
+
+  [[nodiscard]] std::string text() const;
+  friend bool operator==(const DataFormat& a, const DataFormat& b) {
+    return a.target == b.target && a.speed == b.speed && a.blending == b.blending;
+  }
+};
+
+/// How a motion is made; the same for all motion commands.
+struct MotionOptions {
+  int speed = 0;       ///< % or mm/s, as the format says
+  int accel_time = 0;  ///< time to top speed [ms]
+  int blending = 0;    ///< % or mm, as the format says; 0: none
+  /// The controller's own sense: true switches precise positioning OFF (4.3.1).
+  bool disable_precise_positioning = false;
+};
+
+struct Ptp {  ///< JPP, CPP
+  DataFormat format;
+  SixNumbers target{};
+  MotionOptions options;
+  std::optional<std::array<int, 3>> pose_bits;  ///< Config1..3, only with CPP
+};
+struct Line {  ///< CPP, CPR, CAP, CAR
+  DataFormat format;
+  SixNumbers target{};
+  MotionOptions options;
+};
+struct Circle {  ///< CPP, CAP
+  DataFormat format;
+  SixNumbers via{};
+  SixNumbers end{};
+  MotionOptions options;
+  int arc_angle = 0;  ///< [deg]; 0: to the end point
+};
+struct MovePtp {  ///< CPP, TPP, JPP
+  DataFormat format;
+  SixNumbers offset{};
+  MotionOptions options;
+};
+struct MoveLine {  ///< CPP, CPR, CAP, CAR, TPP, TPR, TAP, TAR
+  DataFormat format;
+  SixNumbers offset{};
+  MotionOptions options;
+};
+struct ChangeBase {
+  std::variant<SixNumbers, std::string> base;  ///< value, or the name of a base in the project ("RobotBase")
+};
+struct ToolInertia {
+  std::array<double, 3> moment{};  ///< Ixx, Iyy, Izz [kg mm^2]
+  SixNumbers mass_center{};        ///< frame of the mass centre in the tool
+};
+struct ChangeTcp {
+  std::variant<SixNumbers, std::string> tcp;  ///< value, or the name of a TCP in the project ("NOTOOL")
+  std::optional<double> weight;               ///< [kg]; only with a value
+  std::optional<ToolInertia> inertia;         ///< only with a weight
+};
+struct ChangeLoad {
+  double weight = 0;  ///< [kg]
+};
+struct QueueTag {
+  int tag = 1;  ///< 1..15
+  bool wait = false;
+};
+struct WaitQueueTag {
+  int tag = 1;
+  std::optional<int> timeout;  ///< [ms]; absent or <= 0: for ever
+};
+struct StopAndClearBuffer {
+  std::optional<int> mode;  ///< 0..2, TMflow 1.82 and later
+};
+struct Pause {};
+struct Resume {};
+struct ScriptExit {
+  std::optional<int> mode;  ///< 0, 1, TMflow 1.82 and later
+};
+
+using ScriptCommand = std::variant<Ptp, Line, Circle, MovePtp, MoveLine, ChangeBase, ChangeTcp, ChangeLoad,
+                                   QueueTag, WaitQueueTag, StopAndClearBuffer, Pause, Resume, ScriptExit>;
+
+/// One line of script. Precondition: all numbers are finite.
+[[nodiscard]] std::string toText(const ScriptCommand& command);
+/// Lines joined by CR LF, without one at the end.
+[[nodiscard]] std::string toText(const std::vector<ScriptCommand>& script);
+
+/// Why a line is not one of the commands above: syntax, unknown function, argument count or type, format,
+/// range.
+struct ScriptFault {
+  int line = 1;         ///< from 1, empty lines count
+  std::string message;  ///< found, expected
+};
+
+/// One line of script. Arguments may be written as the controller takes them: `p6` as six numbers or as
+/// {...}, blanks between tokens, integers where floats are expected. A float where an integer is expected is
+/// a fault here; the controller warns and cuts it (fact sheet 1.3).
+[[nodiscard]] Result<ScriptCommand, ScriptFault> parseCommand(std::string_view line);
+
+struct ParsedScript {
+  struct Line {
+    int number = 1;
+    ScriptCommand command;
+  };
+  std::vector<Line> lines;
+};
+
+/// A whole script; every faulty line is reported. Separators: CR LF or LF; empty lines and // comments are
+/// passed over.
+[[nodiscard]] Result<ParsedScript, std::vector<ScriptFault>> parseScript(std::string_view script);
+
+}  // namespace cobot_command::protocol

@@ -1,0 +1,33 @@
+// The true state of the simulated robot, in SI.
+#pragma once
+
+#include <string>
+
+#include "cobot_command/arm/types.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::simulator {
+
+struct RobotState {
+  Instant time{};
+  arm::JointVector joints = arm::JointVector::Zero();      ///< [rad]
+  arm::JointVector velocities = arm::JointVector::Zero();  ///< [rad/s]
+  arm::Pose flange = arm::Pose::Identity();                ///< in the robot base [m]
+  arm::Pose base = arm::Pose::Identity();                  ///< the active base in the robot base [m]
+  arm::Pose tcp = arm::Pose::Identity();                   ///< the active TCP in the flange [m]
+  std::string base_name = "RobotBase";
+  std::string tcp_name = "NOTOOL";
+  double load = 0;  ///< [kg]
+  bool in_motion = false;
+  bool project_running = false;
+  bool project_paused = false;
+  bool listening = false;
+  bool emergency_stop = false;
+  bool error = false;
+  int error_code = 0;  ///< as the controller's Error_Code (fact sheet 2.6)
+  std::string error_text;
+  int queued_motions = 0;
+  int project_speed_percent = 100;
+};
+
+}  // namespace cobot_command::simulator

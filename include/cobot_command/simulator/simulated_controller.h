@@ -1,0 +1,88 @@
+// The simulated TM controller: bytes and time in, bytes and robot state out. A peer, not a mock.
+//
+// Owns no socket, no thread and no clock. Not thread-safe: one thread owns it. The same calls at the same
+// times give bit-identical outputs and joint paths.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/simulator/robot_state.h"
+#include "cobot_command/simulator/settings.h"
+
+namespace cobot_command::simulator {
+
+enum class Port { Script, Status };
+
+/// Chosen by whoever owns the sockets; never used twice.
+using ClientId = std::uint64_t;
+
+/// Bytes for one client.
+struct Send {
+  Port port;
+  ClientId client;
+  std::string bytes;
+};
+/// The controller drops a client.
+struct CloseClient {
+  Port port;
+  ClientId client;
+};
+/// The script port is served only while a project runs (fact sheet 1.2): with it closed, clients are refused.
+struct OpenPort {
+  Port port;
+};
+struct ClosePort {
+  Port port;
+};
+/// One line of the traffic log, for people.
+struct LogLine {
+  Instant time;
+  std::string text;
+};
+
+using Output = std::variant<Send, CloseClient, OpenPort, ClosePort, LogLine>;
+
+class SimulatedController {
+ public:
+  SimulatedController(arm::ArmModel arm, Settings settings, Instant now);
+  ~SimulatedController();
+  SimulatedController(SimulatedController&&) noexcept;
+  SimulatedController& operator=(SimulatedController&&) noexcept;
+
+  // --- The wire.
+  void clientConnected(Port port, ClientId client, Instant now);
+  void clientDisconnected(Port port, ClientId client, Instant now);
+  void received(Port port, ClientId client, std::string_view bytes, Instant now);
+
+  // --- Time.
+  /// Brings the robot to `now`. Times never go back.
+  void advance(Instant now);
+  /// When advance() has to be called at the latest: a status frame is due, a motion ends, a wait runs out.
+  [[nodiscard]] Instant nextEvent() const;
+
+  // --- The operator's side of the controller.
+  void runProject(Instant now);  ///< opens the script port and enters the Listen node
+  void stopProject(
+      Instant now);  ///< stops the arm, empties the queue, closes the script port and its clients
+  void setEmergencyStop(bool pressed, Instant now);
+
+  // --- What comes out.
+  /// All outputs since the last call, in order.
+  [[nodiscard]] std::vector<Output> takeOutputs();
+  /// The robot's true state at the time of the last call.
+  [[nodiscard]] RobotState state() const;
+  [[nodiscard]] const arm::ArmModel& arm() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cobot_command::simulator
