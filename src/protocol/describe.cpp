@@ -1,0 +1,133 @@
+// The lines for people: what a frame or a message says.
+#include <algorithm>
+#include <iterator>
+
+#include "characters.h"
+#include <fmt/format.h>
+
+#include "cobot_command/protocol/message.h"
+#include "cobot_command/protocol/status_items.h"
+
+namespace cobot_command::protocol {
+
+namespace {
+
+constexpr std::size_t kMaxQuoted = 80;
+
+std::string shortened(std::string_view text) {
+  return printable(text.substr(0, kMaxQuoted)) + (text.size() > kMaxQuoted ? "..." : "");
+}
+
+std::string lineList(const std::vector<int>& lines) {
+  std::string text = lines.size() == 1 ? "line" : "lines";
+  for (const int line : lines) fmt::format_to(std::back_inserter(text), " {}", line);
+  return text;
+}
+
+std::string described(const ScriptRequest& request) {
+  const auto further = std::count(request.script.begin(), request.script.end(), '\n');
+  std::string_view script = request.script;
+  std::string_view first = takeUntil('\n', script);
+  if (!first.empty() && first.back() == '\r') first.remove_suffix(1);
+  std::string text = fmt::format("run script {}: {}", request.id, shortened(first));
+  if (further > 0)
+    fmt::format_to(std::back_inserter(text), " (and {} more {})", further, further == 1 ? "line" : "lines");
+  return text;
+}
+std::string described(const ListenNodeQuery&) {
+  return "in a Listen node?";
+}
+std::string described(const TagQuery& query) {
+  return fmt::format("tag {} complete?", query.tag);
+}
+std::string described(const ListenNodeEntered& entered) {
+  return "entered the Listen node: " + shortened(entered.message);
+}
+std::string described(const ScriptReply& reply) {
+  std::string text = fmt::format("script {} {}", reply.id, reply.accepted ? "accepted" : "refused");
+  if (reply.lines.empty()) return text;
+  return text + (reply.accepted ? ", warnings in " : ", errors in ") + lineList(reply.lines);
+}
+std::string described(const ListenNodeState& state) {
+  if (!state.listening) return "not in a Listen node";
+  return state.message.empty() ? "in a Listen node" : "in a Listen node: " + shortened(state.message);
+}
+std::string described(const TagReport& report) {
+  switch (report.state) {
+    case TagState::Incomplete:
+      return fmt::format("tag {} not complete", report.tag);
+    case TagState::Complete:
+      return fmt::format("tag {} complete", report.tag);
+    case TagState::Unknown:
+      return fmt::format("tag {} unknown", report.tag);
+  }
+  return {};
+}
+std::string described(const ListenData& data) {
+  return fmt::format("script data on {}: {}", data.channel, shortened(data.payload));
+}
+std::string described(const CommunicationError& error) {
+  switch (error.code) {
+    case CommunicationErrorCode::Ok:
+      return "controller: no error";
+    case CommunicationErrorCode::Packet:
+      return "controller: packet error";
+    case CommunicationErrorCode::Checksum:
+      return "controller: checksum error";
+    case CommunicationErrorCode::Header:
+      return "controller: unknown header";
+    case CommunicationErrorCode::Data:
+      return "controller: data error";
+    case CommunicationErrorCode::NotListening:
+      return "controller: not in a Listen node";
+  }
+  return {};
+}
+
+std::string describedAsText(const StatusFrame& frame, std::string_view format) {
+  return fmt::format("{} items {}: {}", format, frame.id, shortened(frame.content));
+}
+
+std::string described(const StatusFrame& frame) {
+  switch (static_cast<StatusMode>(frame.mode)) {
+    case StatusMode::Reply:
+      if (const auto reply = parseStatusReply(frame.content))
+        return fmt::format("item request {}: {}", frame.id, shortened(frame.content));
+      break;
+    case StatusMode::WriteBinary:
+    case StatusMode::ReadBinary:
+      if (const auto items = parseBinaryItems(frame.content))
+        return fmt::format("binary items {}: {} items", frame.id, items->size());
+      break;
+    case StatusMode::WriteString:
+    case StatusMode::ReadString:
+      return describedAsText(frame, "text");
+    case StatusMode::WriteJson:
+    case StatusMode::ReadJson:
+      return describedAsText(frame, "JSON");
+  }
+  return fmt::format("item frame {} of mode {} with content that means nothing", frame.id, frame.mode);
+}
+
+}  // namespace
+
+std::string describe(const ClientMessage& message) {
+  return std::visit([](const auto& value) { return described(value); }, message);
+}
+
+std::string describe(const ControllerMessage& message) {
+  return std::visit([](const auto& value) { return described(value); }, message);
+}
+
+std::string describe(const Frame& frame) {
+  if (frame.header == header::kItems) {
+    const auto items = parseStatusFrame(frame);
+    return items ? described(*items) : items.error().message;
+  }
+  // A reply is told from a script by its words, so it is tried first: "1,OK" is no useful script.
+  if (const auto message = parseControllerMessage(frame)) return describe(*message);
+  const auto message = parseClientMessage(frame);
+  return message ? describe(*message) : message.error().message;
+}
+
+}  // namespace cobot_command::protocol

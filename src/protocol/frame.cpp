@@ -1,0 +1,99 @@
+#include "cobot_command/protocol/frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstring>
+#include <iterator>
+
+#include "characters.h"
+#include <boost/locale/utf.hpp>
+#include <fmt/format.h>
+
+namespace cobot_command::protocol {
+
+namespace {
+
+using Utf8 = boost::locale::utf::utf_traits<char>;
+
+void appendEscaped(std::string& text, char byte) {
+  switch (byte) {
+    case '\r':
+      text += "\\r";
+      break;
+    case '\n':
+      text += "\\n";
+      break;
+    case '\t':
+      text += "\\t";
+      break;
+    default:
+      fmt::format_to(std::back_inserter(text), "\\x{:02X}", static_cast<unsigned char>(byte));
+  }
+}
+
+}  // namespace
+
+std::uint8_t checksum(std::string_view bytes) {
+  // Four independent words at a time: the loop then runs as fast as memory, not as fast as one XOR after
+  // another.
+  std::array<std::uint64_t, 4> lanes{};
+  while (bytes.size() >= sizeof(lanes)) {
+    std::array<std::uint64_t, 4> block;
+    std::memcpy(block.data(), bytes.data(), sizeof(block));
+    for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i] ^= block[i];
+    bytes.remove_prefix(sizeof(block));
+  }
+  std::uint64_t folded = lanes[0] ^ lanes[1] ^ lanes[2] ^ lanes[3];
+  folded ^= folded >> 32;
+  folded ^= folded >> 16;
+  folded ^= folded >> 8;
+  auto sum = static_cast<std::uint8_t>(folded);
+  for (const char byte : bytes) sum = static_cast<std::uint8_t>(sum ^ static_cast<unsigned char>(byte));
+  return sum;
+}
+
+std::string encodeFrame(std::string_view header, std::string_view data) {
+  assert(!header.empty() && std::all_of(header.begin(), header.end(), isLetter));
+  assert(data.size() <= kMaxDataLength);
+  constexpr std::string_view kHexDigits = "0123456789ABCDEF";
+  const fmt::format_int length(data.size());
+
+  std::string frame;
+  frame.reserve(header.size() + length.size() + data.size() + std::size_t{9});
+  frame += '$';
+  frame += header;
+  frame += ',';
+  frame.append(length.data(), length.size());
+  frame += ',';
+  frame += data;
+  frame += ',';
+  const std::uint8_t sum = checksum(std::string_view(frame).substr(1));
+  frame += '*';
+  frame += kHexDigits[sum >> 4u];
+  frame += kHexDigits[sum & 0x0Fu];
+  frame += "\r\n";
+  return frame;
+}
+
+std::string printable(std::string_view bytes) {
+  std::string text;
+  text.reserve(bytes.size());
+  const char* next = bytes.data();
+  const char* const end = next + bytes.size();
+  while (next != end) {
+    const char* const begin = next;
+    const auto code_point = Utf8::decode(next, end);
+    if (code_point == boost::locale::utf::illegal || code_point == boost::locale::utf::incomplete) {
+      next = begin + 1;
+      appendEscaped(text, *begin);
+    } else if (isControl(*begin)) {
+      appendEscaped(text, *begin);
+    } else {
+      text.append(begin, next);
+    }
+  }
+  return text;
+}
+
+}  // namespace cobot_command::protocol

@@ -1,0 +1,199 @@
+#include "cobot_command/protocol/status_items.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "characters.h"
+#include <boost/endian/conversion.hpp>
+#include <fmt/format.h>
+
+namespace cobot_command::protocol {
+
+namespace {
+
+constexpr std::size_t kMaxField = std::numeric_limits<std::uint16_t>::max();
+
+/// In the order of StatusReply::Code.
+constexpr std::array<std::string_view, 8> kReplyTexts{
+    "OK", "NotSupport", "WritePermission", "InvalidData", "NotExist", "ReadOnly", "ModeError", "ValueError"};
+
+auto dataFault(std::string message) {
+  return refuse(MessageFault{MessageFault::Kind::Data, std::move(message)});
+}
+
+template <class Word>
+void appendWord(std::string& bytes, Word word) {
+  boost::endian::native_to_little_inplace(word);
+  std::array<char, sizeof(Word)> raw;
+  std::memcpy(raw.data(), &word, sizeof(Word));
+  bytes.append(raw.data(), raw.size());
+}
+
+/// Precondition: bytes has sizeof(Word) bytes.
+template <class Word>
+Word readWord(std::string_view bytes) {
+  assert(bytes.size() >= sizeof(Word));
+  Word word{};
+  std::memcpy(&word, bytes.data(), sizeof(Word));
+  return boost::endian::little_to_native(word);
+}
+
+void appendFloat(std::string& bytes, float value) {
+  static_assert(sizeof(float) == sizeof(std::uint32_t) && std::numeric_limits<float>::is_iec559);
+  std::uint32_t word = 0;
+  std::memcpy(&word, &value, sizeof(word));
+  appendWord(bytes, word);
+}
+
+float readFloat(std::string_view bytes) {
+  const auto word = readWord<std::uint32_t>(bytes);
+  float value = 0;
+  std::memcpy(&value, &word, sizeof(value));
+  return value;
+}
+
+void appendField(std::string& bytes, std::string_view field) {
+  assert(field.size() <= kMaxField);
+  appendWord(bytes, static_cast<std::uint16_t>(field.size()));
+  bytes += field;
+}
+
+/// A length and so many bytes; nothing when the content ends before that.
+std::optional<std::string_view> takeField(std::string_view& content) {
+  if (content.size() < sizeof(std::uint16_t)) return std::nullopt;
+  const std::size_t size = readWord<std::uint16_t>(content);
+  content.remove_prefix(sizeof(std::uint16_t));
+  if (content.size() < size) return std::nullopt;
+  const std::string_view field = content.substr(0, size);
+  content.remove_prefix(size);
+  return field;
+}
+
+}  // namespace
+
+namespace item {
+
+StatusItem ofByte(std::string name, std::uint8_t value) {
+  return {std::move(name), std::string(1, static_cast<char>(value))};
+}
+StatusItem ofBool(std::string name, bool value) {
+  return ofByte(std::move(name), value ? 1 : 0);
+}
+StatusItem ofInt(std::string name, std::int32_t value) {
+  StatusItem item{std::move(name), {}};
+  appendWord(item.value, value);
+  return item;
+}
+StatusItem ofFloat(std::string name, float value) {
+  return ofFloats(std::move(name), {value});
+}
+StatusItem ofFloats(std::string name, const std::vector<float>& values) {
+  StatusItem item{std::move(name), {}};
+  item.value.reserve(values.size() * sizeof(float));
+  for (const float value : values) appendFloat(item.value, value);
+  return item;
+}
+StatusItem ofString(std::string name, std::string value) {
+  return {std::move(name), std::move(value)};
+}
+
+std::optional<std::uint8_t> asByte(const StatusItem& item) {
+  if (item.value.size() != 1) return std::nullopt;
+  return static_cast<std::uint8_t>(item.value.front());
+}
+std::optional<bool> asBool(const StatusItem& item) {
+  const auto byte = asByte(item);
+  if (!byte) return std::nullopt;
+  return *byte != 0;
+}
+std::optional<std::int32_t> asInt(const StatusItem& item) {
+  if (item.value.size() != sizeof(std::int32_t)) return std::nullopt;
+  return readWord<std::int32_t>(item.value);
+}
+std::optional<float> asFloat(const StatusItem& item) {
+  if (item.value.size() != sizeof(float)) return std::nullopt;
+  return readFloat(item.value);
+}
+std::optional<std::vector<float>> asFloats(const StatusItem& item) {
+  if (item.value.size() % sizeof(float) != 0) return std::nullopt;
+  std::vector<float> values;
+  values.reserve(item.value.size() / sizeof(float));
+  for (std::string_view rest = item.value; !rest.empty(); rest.remove_prefix(sizeof(float)))
+    values.push_back(readFloat(rest));
+  return values;
+}
+
+}  // namespace item
+
+Result<StatusFrame, MessageFault> parseStatusFrame(const Frame& frame) {
+  if (frame.header != header::kItems) {
+    return refuse(MessageFault{MessageFault::Kind::UnknownHeader,
+                               fmt::format("header is {}, known here: TMSVR", printable(frame.header))});
+  }
+  std::string_view fields = frame.data;
+  const std::size_t commas = static_cast<std::size_t>(std::count(fields.begin(), fields.end(), ','));
+  const std::string_view id = takeUntil(',', fields);
+  const auto mode = parseDigits(takeUntil(',', fields));
+  if (commas < 2 || !isAlphanumeric(id) || !mode) {
+    return dataFault(fmt::format("expected an id of letters and digits, a mode and a content, found \"{}\"",
+                                 printable(std::string_view(frame.data).substr(0, 64))));
+  }
+  return StatusFrame{std::string(id), *mode, std::string(fields)};
+}
+
+std::string encode(const StatusFrame& frame) {
+  assert(isAlphanumeric(frame.id) && frame.mode >= 0);
+  return encodeFrame(header::kItems, fmt::format("{},{},{}", frame.id, frame.mode, frame.content));
+}
+
+Result<std::vector<StatusItem>, MessageFault> parseBinaryItems(std::string_view content) {
+  std::vector<StatusItem> items;
+  const std::size_t size = content.size();
+  while (!content.empty()) {
+    const std::size_t begin = size - content.size();
+    const auto name = takeField(content);
+    const auto value = name ? takeField(content) : std::nullopt;
+    if (!value || name->empty()) {
+      return dataFault(
+          fmt::format("item {} at byte {} has no name or needs more than the {} bytes that there are",
+                      items.size() + 1, begin, size));
+    }
+    items.push_back({std::string(*name), std::string(*value)});
+  }
+  return items;
+}
+
+std::string encodeBinaryItems(const std::vector<StatusItem>& items) {
+  std::string content;
+  for (const StatusItem& item : items) {
+    assert(!item.name.empty());
+    appendField(content, item.name);
+    appendField(content, item.value);
+  }
+  return content;
+}
+
+Result<StatusReply, MessageFault> parseStatusReply(std::string_view content) {
+  std::string_view fields = content;
+  const std::string_view digits = takeUntil(',', fields);
+  const auto code = parseDigits(digits);
+  const std::string_view text = takeUntil(';', fields);
+  if (digits.size() != 2 || !code || *code >= static_cast<int>(kReplyTexts.size()) || text.empty()) {
+    return dataFault(fmt::format("expected a code 00 to 07, ',' and a text, found \"{}\"",
+                                 printable(content.substr(0, 64))));
+  }
+  return StatusReply{static_cast<StatusReply::Code>(*code), std::string(fields)};
+}
+
+std::string toContent(const StatusReply& reply) {
+  const auto code = static_cast<std::size_t>(reply.code);
+  std::string content = fmt::format("{:02},{}", code, kReplyTexts[code]);
+  if (!reply.item.empty()) content += ';' + reply.item;
+  return content;
+}
+
+}  // namespace cobot_command::protocol
