@@ -7,14 +7,12 @@
 #include <iterator>
 
 #include "characters.h"
-#include <boost/locale/utf.hpp>
+#include "utf8.h"
 #include <fmt/format.h>
 
 namespace cobot_command::protocol {
 
 namespace {
-
-using Utf8 = boost::locale::utf::utf_traits<char>;
 
 void appendEscaped(std::string& text, char byte) {
   switch (byte) {
@@ -79,19 +77,14 @@ std::string encodeFrame(std::string_view header, std::string_view data) {
 std::string printable(std::string_view bytes) {
   std::string text;
   text.reserve(bytes.size());
-  const char* next = bytes.data();
-  const char* const end = next + bytes.size();
-  while (next != end) {
-    const char* const begin = next;
-    const auto code_point = Utf8::decode(next, end);
-    if (code_point == boost::locale::utf::illegal || code_point == boost::locale::utf::incomplete) {
-      next = begin + 1;
-      appendEscaped(text, *begin);
-    } else if (isControl(*begin)) {
-      appendEscaped(text, *begin);
+  while (!bytes.empty()) {
+    const std::size_t size = utf8Length(bytes);
+    if (size == 0 || isControl(bytes.front())) {
+      appendEscaped(text, bytes.front());
     } else {
-      text.append(begin, next);
+      text.append(bytes.substr(0, size));
     }
+    bytes.remove_prefix(std::max<std::size_t>(size, 1));
   }
   return text;
 }

@@ -1,12 +1,13 @@
 // The script commands of the Listen node (thesis 4.3, I848-E-03 chapter 8) as types, and their text, both
 // ways.
 //
-// Units are the controller's own: mm, degrees, ms, %, mm/s, kg, kg mm^2. Numbers are written with the
-// shortest text that gives the same value back, without exponent, whatever the locale; values are limited to
-// what the controller can read.
+// Units are the controller's own: mm, degrees, ms, %, mm/s, kg, kg mm^2. Numbers are written to the nearest
+// millionth (a nanometre: a thousand times finer than what the arm can hold, and finer than the controller's
+// 32-bit floats), without trailing zeros and exponent, whatever the locale.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -107,21 +108,33 @@ struct ScriptExit {
 using ScriptCommand = std::variant<Ptp, Line, Circle, MovePtp, MoveLine, ChangeBase, ChangeTcp, ChangeLoad,
                                    QueueTag, WaitQueueTag, StopAndClearBuffer, Pause, Resume, ScriptExit>;
 
-/// One line of script. Precondition: all numbers are finite.
+/// What can stand as the name of a base or TCP: UTF-8, not empty, without control characters (a line end
+/// would begin another command), at most kMaxNameLength bytes. Quotes are allowed: they are doubled in the
+/// text.
+[[nodiscard]] bool isName(std::string_view name);
+inline constexpr std::size_t kMaxNameLength = 255;
+
+/// One line of script. Preconditions: all numbers are finite, names are isName(), the format is one that the
+/// command takes, and optional parts stand only where the comments above allow them.
 [[nodiscard]] std::string toText(const ScriptCommand& command);
 /// Lines joined by CR LF, without one at the end.
 [[nodiscard]] std::string toText(const std::vector<ScriptCommand>& script);
 
 /// Why a line is not one of the commands above: syntax, unknown function, argument count or type, format,
 /// range.
+///
+/// Ranges that are checked: integers fit into 32 bits, QueueTag 1..15 with wait 0 or 1, the modes of
+/// StopAndClearBuffer and ScriptExit. Speeds, times, poses and pose bits are not: the controller accepts any
+/// and fails when it moves (fact sheet 1.3). Nor is the tag of WaitQueueTag, which has a result for unknown
+/// tags.
 struct ScriptFault {
   int line = 1;         ///< from 1, empty lines count
   std::string message;  ///< found, expected
 };
 
 /// One line of script. Arguments may be written as the controller takes them: `p6` as six numbers or as
-/// {...}, blanks between tokens, integers where floats are expected. A float where an integer is expected is
-/// a fault here; the controller warns and cuts it (fact sheet 1.3).
+/// {...}, blanks between tokens, integers where floats are expected, 0x and 0b integers, True and False. A
+/// float where an integer is expected is a fault here; the controller warns and cuts it (fact sheet 1.3).
 [[nodiscard]] Result<ScriptCommand, ScriptFault> parseCommand(std::string_view line);
 
 struct ParsedScript {

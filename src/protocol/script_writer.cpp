@@ -1,0 +1,179 @@
+// Commands -> script text.
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <type_traits>
+
+#include "characters.h"
+#include "script_formats.h"
+#include "utf8.h"
+#include <fmt/format.h>
+
+#include "cobot_command/protocol/script_command.h"
+
+namespace cobot_command::protocol {
+
+namespace {
+
+std::string numberText(double value) {
+  assert(std::isfinite(value));
+  std::string text = fmt::format("{:.6f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+/// Name(argument,argument)
+class CallText {
+ public:
+  explicit CallText(std::string_view function) : text_(function) { text_ += '('; }
+
+  template <class Integer, class = std::enable_if_t<std::is_same_v<Integer, int>>>
+  CallText& operator<<(Integer value) {
+    return add(fmt::format_int(value).str());
+  }
+  CallText& operator<<(double value) { return add(numberText(value)); }
+  CallText& operator<<(const DataFormat& format) { return add('"' + format.text() + '"'); }
+  CallText& operator<<(const std::string& name) { return add(quoted(name)); }
+  template <class Number, std::size_t N>
+  CallText& operator<<(const std::array<Number, N>& numbers) {
+    for (const Number value : numbers) *this << value;
+    return *this;
+  }
+  template <class Value>
+  CallText& operator<<(const std::optional<Value>& value) {
+    return value ? *this << *value : *this;
+  }
+  CallText& addFlag(bool flag) { return add(flag ? "true" : "false"); }
+  CallText& addOptions(const MotionOptions& options) {
+    return *this << options.speed << options.accel_time << options.blending;
+  }
+
+  [[nodiscard]] std::string str() && {
+    text_ += ')';
+    return std::move(text_);
+  }
+
+ private:
+  CallText& add(std::string_view argument) {
+    if (text_.back() != '(') text_ += ',';
+    text_ += argument;
+    return *this;
+  }
+
+  static std::string quoted(std::string_view name) {
+    assert(isName(name));
+    std::string text = "\"";
+    for (const char c : name) {
+      if (isControl(c)) continue;  // a line end in a name must never begin another command
+      if (c == '"') text += '"';
+      text += c;
+    }
+    return text + '"';
+  }
+
+  std::string text_;
+};
+
+template <std::size_t N>
+CallText motion(std::string_view function, const DataFormat& format,
+                const std::array<std::string_view, N>& allowed) {
+  assert(formats::has(allowed, format.text()));
+  static_cast<void>(allowed);
+  CallText call(function);
+  call << format;
+  return call;
+}
+
+std::string text(const Ptp& ptp) {
+  assert(!ptp.pose_bits || ptp.format.text() == formats::kWithPoseBits);
+  CallText call = motion("PTP", ptp.format, formats::kPtp);
+  call << ptp.target;
+  call.addOptions(ptp.options).addFlag(ptp.options.disable_precise_positioning) << ptp.pose_bits;
+  return std::move(call).str();
+}
+template <class Motion, std::size_t N>
+std::string text(std::string_view function, const Motion& command, const SixNumbers& six,
+                 const std::array<std::string_view, N>& allowed) {
+  CallText call = motion(function, command.format, allowed);
+  call << six;
+  call.addOptions(command.options).addFlag(command.options.disable_precise_positioning);
+  return std::move(call).str();
+}
+std::string text(const Line& line) {
+  return text("Line", line, line.target, formats::kLine);
+}
+std::string text(const MovePtp& move) {
+  return text("Move_PTP", move, move.offset, formats::kMovePtp);
+}
+std::string text(const MoveLine& move) {
+  return text("Move_Line", move, move.offset, formats::kMoveLine);
+}
+std::string text(const Circle& circle) {
+  CallText call = motion("Circle", circle.format, formats::kCircle);
+  call << circle.via << circle.end;
+  call.addOptions(circle.options) << circle.arc_angle;
+  call.addFlag(circle.options.disable_precise_positioning);
+  return std::move(call).str();
+}
+std::string text(const ChangeBase& change) {
+  CallText call("ChangeBase");
+  std::visit([&](const auto& base) { call << base; }, change.base);
+  return std::move(call).str();
+}
+std::string text(const ChangeTcp& change) {
+  assert(!change.weight || std::holds_alternative<SixNumbers>(change.tcp));
+  assert(!change.inertia || change.weight);
+  CallText call("ChangeTCP");
+  std::visit([&](const auto& tcp) { call << tcp; }, change.tcp);
+  call << change.weight;
+  if (change.inertia) call << change.inertia->moment << change.inertia->mass_center;
+  return std::move(call).str();
+}
+std::string text(const ChangeLoad& change) {
+  return std::move(CallText("ChangeLoad") << change.weight).str();
+}
+std::string text(const QueueTag& queue) {
+  return std::move(CallText("QueueTag") << queue.tag << (queue.wait ? 1 : 0)).str();
+}
+std::string text(const WaitQueueTag& wait) {
+  return std::move(CallText("WaitQueueTag") << wait.tag << wait.timeout).str();
+}
+std::string text(const StopAndClearBuffer& stop) {
+  return std::move(CallText("StopAndClearBuffer") << stop.mode).str();
+}
+std::string text(const Pause&) {
+  return "Pause()";
+}
+std::string text(const Resume&) {
+  return "Resume()";
+}
+std::string text(const ScriptExit& exit) {
+  return std::move(CallText("ScriptExit") << exit.mode).str();
+}
+
+}  // namespace
+
+std::string DataFormat::text() const {
+  return {static_cast<char>(target), static_cast<char>(speed), static_cast<char>(blending)};
+}
+
+bool isName(std::string_view name) {
+  return !name.empty() && name.size() <= kMaxNameLength && isUtf8(name) &&
+         std::none_of(name.begin(), name.end(), isControl);
+}
+
+std::string toText(const ScriptCommand& command) {
+  return std::visit([](const auto& value) { return text(value); }, command);
+}
+
+std::string toText(const std::vector<ScriptCommand>& script) {
+  std::string lines;
+  for (const ScriptCommand& command : script) {
+    if (!lines.empty()) lines += "\r\n";
+    lines += toText(command);
+  }
+  return lines;
+}
+
+}  // namespace cobot_command::protocol

@@ -1,0 +1,296 @@
+#include "cobot_command/protocol/script_command.h"
+
+#include <clocale>
+#include <locale>
+#include <string>
+
+#include <gmock/gmock.h>
+
+namespace cobot_command::protocol {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+template <class Command>
+Command parsed(std::string_view line) {
+  const auto command = parseCommand(line);
+  const auto* value = command ? std::get_if<Command>(&*command) : nullptr;
+  EXPECT_NE(value, nullptr) << line << ": " << (command ? "another command" : command.error().message);
+  return value == nullptr ? Command{} : *value;
+}
+
+std::string faultOf(std::string_view line) {
+  const auto command = parseCommand(line);
+  return command ? "no fault" : command.error().message;
+}
+
+// The commands of the fact sheet 1.7 and of the manual: the text that is read and the one that is written.
+struct TextPair {
+  const char* read;
+  const char* written;
+};
+
+class KnownText : public testing::TestWithParam<TextPair> {};
+INSTANTIATE_TEST_SUITE_P(
+    ScriptCommand, KnownText,
+    testing::Values(
+        TextPair{"PTP(\"JPP\",0,0,90,0,90,0,35,200,0,false)", "PTP(\"JPP\",0,0,90,0,90,0,35,200,0,false)"},
+        TextPair{"PTP(\"CPP\",417.50,-122.30,343.90,180.00,0.00,90.00,10,200,0,false,0,2,4)",
+                 "PTP(\"CPP\",417.5,-122.3,343.9,180,0,90,10,200,0,false,0,2,4)"},
+        TextPair{"PTP(\"CPP\",{417.50,-122.30,343.90,180.00,0.00,90.00},10,200,0,true,{0,2,4})",
+                 "PTP(\"CPP\",417.5,-122.3,343.9,180,0,90,10,200,0,true,0,2,4)"},
+        TextPair{"Line(\"CAR\",417.50,-122.30,343.90,180.00,0.00,90.00,100,200,50,false)",
+                 "Line(\"CAR\",417.5,-122.3,343.9,180,0,90,100,200,50,false)"},
+        TextPair{
+            "Circle(\"CAP\",417.50,-122.30,343.90,180.00,0.00,90.00,381.70,208.74,343.90,180.00,0.00,135.00,"
+            "100,200,50,270,false)",
+            "Circle(\"CAP\",417.5,-122.3,343.9,180,0,90,381.7,208.74,343.9,180,0,135,100,200,50,270,false)"},
+        TextPair{"Move_PTP(\"TPP\",0,0,10,45,0,0,10,200,0,false)",
+                 "Move_PTP(\"TPP\",0,0,10,45,0,0,10,200,0,false)"},
+        TextPair{"Move_Line(\"TAP\",0,0,10,45,0,0,125,200,0,false)",
+                 "Move_Line(\"TAP\",0,0,10,45,0,0,125,200,0,false)"},
+        TextPair{"ChangeBase(20,30,10,0,0,90)", "ChangeBase(20,30,10,0,0,90)"},
+        TextPair{"ChangeBase(\"RobotBase\")", "ChangeBase(\"RobotBase\")"},
+        TextPair{"ChangeTCP(\"NOTOOL\")", "ChangeTCP(\"NOTOOL\")"},
+        TextPair{"ChangeTCP({0,0,150,0,0,90})", "ChangeTCP(0,0,150,0,0,90)"},
+        TextPair{"ChangeTCP(0,0,150,0,0,90,2)", "ChangeTCP(0,0,150,0,0,90,2)"},
+        TextPair{"ChangeTCP(0,0,150,0,0,90,2,2,0.5,0.5,0,0,-80,0,0,0)",
+                 "ChangeTCP(0,0,150,0,0,90,2,2,0.5,0.5,0,0,-80,0,0,0)"},
+        TextPair{"ChangeTCP({0,0,150,0,0,90},2,{2,0.5,0.5,0,0,-80,0,0,0})",
+                 "ChangeTCP(0,0,150,0,0,90,2,2,0.5,0.5,0,0,-80,0,0,0)"},
+        TextPair{"ChangeLoad(5.3)", "ChangeLoad(5.3)"}, TextPair{"QueueTag(1,1)", "QueueTag(1,1)"},
+        TextPair{"QueueTag(15)", "QueueTag(15,0)"}, TextPair{"WaitQueueTag(1,5000)", "WaitQueueTag(1,5000)"},
+        TextPair{"WaitQueueTag(0,-1)", "WaitQueueTag(0,-1)"}, TextPair{"WaitQueueTag(3)", "WaitQueueTag(3)"},
+        TextPair{"StopAndClearBuffer()", "StopAndClearBuffer()"},
+        TextPair{"StopAndClearBuffer(2)", "StopAndClearBuffer(2)"}, TextPair{"Pause()", "Pause()"},
+        TextPair{"Resume()", "Resume()"}, TextPair{"ScriptExit()", "ScriptExit()"},
+        TextPair{"ScriptExit(1)", "ScriptExit(1)"}));
+
+TEST_P(KnownText, isReadAndWritten) {
+  const auto command = parseCommand(GetParam().read);
+  ASSERT_TRUE(command) << command.error().message;
+  EXPECT_EQ(toText(*command), GetParam().written);
+}
+
+TEST_P(KnownText, isReadAgainAsTheSame) {
+  const auto command = parseCommand(GetParam().written);
+  ASSERT_TRUE(command) << command.error().message;
+  EXPECT_EQ(toText(*command), GetParam().written);
+}
+
+TEST(ParseCommand, putsEveryArgumentInItsPlace) {
+  const auto ptp = parsed<Ptp>("PTP(\"CPP\",1,2,3,4,5,6,7,8,9,true,0,2,4)");
+  EXPECT_EQ(ptp.format, (DataFormat{DataFormat::Target::Cartesian}));
+  EXPECT_THAT(ptp.target, ElementsAre(1, 2, 3, 4, 5, 6));
+  EXPECT_EQ(ptp.options.speed, 7);
+  EXPECT_EQ(ptp.options.accel_time, 8);
+  EXPECT_EQ(ptp.options.blending, 9);
+  EXPECT_TRUE(ptp.options.disable_precise_positioning);
+  ASSERT_TRUE(ptp.pose_bits);
+  EXPECT_THAT(*ptp.pose_bits, ElementsAre(0, 2, 4));
+
+  const auto circle = parsed<Circle>("Circle(\"CAP\",1,2,3,4,5,6,11,12,13,14,15,16,7,8,9,270,true)");
+  EXPECT_EQ(circle.format.speed, DataFormat::Speed::Absolute);
+  EXPECT_THAT(circle.via, ElementsAre(1, 2, 3, 4, 5, 6));
+  EXPECT_THAT(circle.end, ElementsAre(11, 12, 13, 14, 15, 16));
+  EXPECT_EQ(circle.options.blending, 9);
+  EXPECT_EQ(circle.arc_angle, 270);
+  EXPECT_TRUE(circle.options.disable_precise_positioning);
+
+  const auto line = parsed<Line>("Line(\"CAR\",1,2,3,4,5,6,7,8,9,false)");
+  EXPECT_EQ(line.format.blending, DataFormat::Blending::Radius);
+  EXPECT_THAT(line.target, ElementsAre(1, 2, 3, 4, 5, 6));
+
+  const auto tcp = parsed<ChangeTcp>("ChangeTCP(1,2,3,4,5,6,7,11,12,13,14,15,16,17,18,19)");
+  EXPECT_THAT(std::get<SixNumbers>(tcp.tcp), ElementsAre(1, 2, 3, 4, 5, 6));
+  EXPECT_EQ(tcp.weight, 7.0);
+  ASSERT_TRUE(tcp.inertia);
+  EXPECT_THAT(tcp.inertia->moment, ElementsAre(11, 12, 13));
+  EXPECT_THAT(tcp.inertia->mass_center, ElementsAre(14, 15, 16, 17, 18, 19));
+}
+
+TEST(ParseCommand, takesBlanksCommentsAndAllSpellings) {
+  const auto wait = parsed<WaitQueueTag>(" \tWaitQueueTag ( 0x0A , 0b101 ) // until it is there");
+  EXPECT_EQ(wait.tag, 10);
+  EXPECT_EQ(wait.timeout, 5);
+  EXPECT_TRUE(
+      parsed<Line>("Line(\"CPP\",{1,2.,.3,+4,-5,-.6},1,2,3,True)").options.disable_precise_positioning);
+  EXPECT_FALSE(
+      parsed<Line>("Line(\"CPP\",{1,2.,.3,+4,-5,-.6},1,2,3,False)").options.disable_precise_positioning);
+}
+
+TEST(ParseCommand, readsNumbersExactly) {
+  EXPECT_EQ(parsed<ChangeLoad>("ChangeLoad(10.1)").weight, 10.1);
+  EXPECT_EQ(parsed<ChangeLoad>("ChangeLoad(417.123456)").weight, 417.123456);
+  EXPECT_EQ(parsed<ChangeLoad>("ChangeLoad(-0.04263335)").weight, -0.04263335);
+  EXPECT_DOUBLE_EQ(parsed<ChangeLoad>("ChangeLoad(99999999999999999999)").weight, 1e20);
+}
+
+TEST(ParseCommand, readsADoubledQuoteAsOne) {
+  EXPECT_EQ(std::get<std::string>(parsed<ChangeBase>("ChangeBase(\"a\"\"b//c\")").base), "a\"b//c");
+}
+
+struct FaultyLine {
+  const char* line;
+  const char* said;
+};
+
+class Faulty : public testing::TestWithParam<FaultyLine> {};
+INSTANTIATE_TEST_SUITE_P(
+    ScriptCommand, Faulty,
+    testing::Values(
+        FaultyLine{"", "empty line"}, FaultyLine{"  // nothing", "empty line"},
+        FaultyLine{"var_counter++", "column 12"}, FaultyLine{"int var_i = 100", "column 5"},
+        FaultyLine{"IO[\"ControlBox\"].DO[2]=1", "column 3"}, FaultyLine{"1,2", "expected a command"},
+        FaultyLine{"Pause", "the end of the line"}, FaultyLine{"Pause(", "column 7"},
+        FaultyLine{"Pause() Resume()", "column 9: expected the end of the line"},
+        FaultyLine{"Pause();", "column 8"}, FaultyLine{"ChangeLoad(1,)", "column 14: expected an argument"},
+        FaultyLine{"ChangeLoad(,1)", "column 12"}, FaultyLine{"ChangeLoad(1 2)", "column 14"},
+        FaultyLine{"ChangeLoad(1e3)", "column 13"}, FaultyLine{"ChangeLoad(nan)", "the variable nan"},
+        FaultyLine{"ChangeLoad(inf)", "the variable inf"}, FaultyLine{"ChangeLoad(-inf)", "column 12"},
+        FaultyLine{"ChangeLoad(0x)", "column 14: expected hexadecimal digits"},
+        FaultyLine{"ChangeLoad(0b2)", "column 14"}, FaultyLine{"ChangeLoad(0x123456789)", "column 14"},
+        FaultyLine{"ChangeBase(\"Robot)", "the end of the line"},
+        FaultyLine{"ChangeBase(\u201DRobotBase\u201D)", "column 12"},
+        FaultyLine{"ChangeBase({1,2)", "column 16"},
+        FaultyLine{"ChangeBase({})", "column 13: expected a number"},
+        FaultyLine{"ChangeBase({\"a\"})", "column 13: expected a number"},
+        FaultyLine{"PLine(\"CAP\",1,2,3,4,5,6,100,200,50)", "unknown function PLine, known are PTP"},
+        FaultyLine{"pause()", "unknown function pause"},
+        FaultyLine{"Pause(1)", "expected 0 arguments, found 1"},
+        FaultyLine{"PTP()", "argument 1 (data format) is missing"},
+        FaultyLine{"PTP(1)", "argument 1 (data format) is 1, expected one of JPP, CPP"},
+        FaultyLine{"PTP(\"TPP\",1,2,3,4,5,6,7,8,9,true)", "\"TPP\", expected one of JPP, CPP"},
+        FaultyLine{"PTP(\"CPPX\",1,2,3,4,5,6,7,8,9,true)", "\"CPPX\""},
+        FaultyLine{"Line(\"TPP\",1,2,3,4,5,6,7,8,9,true)", "one of CPP, CPR, CAP, CAR"},
+        FaultyLine{"Circle(\"CPR\",1)", "one of CPP, CAP"},
+        FaultyLine{"Move_PTP(\"CAP\",1)", "one of CPP, TPP, JPP"},
+        FaultyLine{"Move_Line(\"JPP\",1)", "TAP, TAR"},
+        FaultyLine{"PTP(\"JPP\",targetP1,10,200,0,false)", "argument 2 (target) is the variable targetP1"},
+        FaultyLine{"PTP(\"JPP\",{1,2,3,4,5},10,200,0,false)", "an array of 5, expected 6 numbers"},
+        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7.5,8,9,true)", "argument 8 (speed) is 7.5, expected an integer"},
+        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7,2147483648,9,true)", "argument 9 (time to top speed)"},
+        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7,8,9,1)", "argument 11 (precise positioning off) is 1"},
+        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7,8,9)", "argument 11 (precise positioning off) is missing"},
+        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7,8,9,true,0,2,4)", "expected 11 arguments, found 14"},
+        FaultyLine{"PTP(\"CPP\",1,2,3,4,5,6,7,8,9,true,0,2)", "argument 14 (pose configuration) is missing"},
+        FaultyLine{"PTP(\"CPP\",1,2,3,4,5,6,7,8,9,true,{0,2,4.5})",
+                   "argument 12 (pose configuration) is 4.5"},
+        FaultyLine{"ChangeBase(1,2,3,4,5)", "argument 6 (base) is missing"},
+        FaultyLine{"ChangeBase(\"\")", "expected a name"}, FaultyLine{"ChangeBase(\"a\tb\")", "a\\tb"},
+        FaultyLine{"ChangeBase(\"a\xC8\")", "expected a name"}, FaultyLine{"ChangeTCP(true)", "is true"},
+        FaultyLine{"ChangeTCP(\"NOTOOL\",2)", "expected 1 arguments, found 2"},
+        FaultyLine{"ChangeTCP(1,2,3,4,5,6,7,8)", "argument 9 (moment of inertia and mass centre) is missing"},
+        FaultyLine{"ChangeLoad(\"5\")", "is \"5\", expected a number"},
+        FaultyLine{"QueueTag()", "argument 1 (tag) is missing"}, FaultyLine{"QueueTag(0)", "from 1 to 15"},
+        FaultyLine{"QueueTag(16)", "from 1 to 15"}, FaultyLine{"QueueTag(1,2)", "from 0 to 1"},
+        FaultyLine{"QueueTag(1,true)", "is true"}, FaultyLine{"StopAndClearBuffer(3)", "from 0 to 2"},
+        FaultyLine{"ScriptExit(2)", "from 0 to 1"}, FaultyLine{"ScriptExit(-1)", "from 0 to 1"}));
+
+TEST_P(Faulty, saysWhatWasFoundAndWhatIsExpected) {
+  EXPECT_THAT(faultOf(GetParam().line), HasSubstr(GetParam().said)) << GetParam().line;
+}
+
+TEST(ParseScript, keepsTheNumbersOfTheLines) {
+  const auto script = parseScript("\r\nChangeBase(\"RobotBase\")\r\n// home\r\n\r\nPause()\nResume()\r\n");
+  ASSERT_TRUE(script);
+  ASSERT_EQ(script->lines.size(), 3u);
+  EXPECT_EQ(script->lines[0].number, 2);
+  EXPECT_EQ(script->lines[1].number, 5);
+  EXPECT_EQ(script->lines[2].number, 6);
+  EXPECT_TRUE(std::holds_alternative<Resume>(script->lines[2].command));
+}
+
+TEST(ParseScript, reportsEveryFaultyLine) {
+  const auto script = parseScript("Pause(\r\n\r\nResume()\r\nQueueTag(99)\r\nnothing");
+  ASSERT_FALSE(script);
+  std::vector<int> lines;
+  for (const ScriptFault& fault : script.error()) lines.push_back(fault.line);
+  EXPECT_THAT(lines, ElementsAre(1, 4, 5));
+}
+
+TEST(ParseScript, takesAnEmptyScript) {
+  for (const char* text : {"", "\r\n", "\n\n// nothing\n"}) {
+    const auto script = parseScript(text);
+    ASSERT_TRUE(script) << text;
+    EXPECT_TRUE(script->lines.empty());
+  }
+}
+
+TEST(ParseScript, doesNotTakeALoneCarriageReturnForALineEnd) {
+  EXPECT_FALSE(parseScript("Pause()\rResume()"));
+}
+
+TEST(ToText, joinsLinesWithoutOneAtTheEnd) {
+  EXPECT_EQ(toText(std::vector<ScriptCommand>{Pause{}, QueueTag{3, true}, ScriptExit{}}),
+            "Pause()\r\nQueueTag(3,1)\r\nScriptExit()");
+  EXPECT_EQ(toText(std::vector<ScriptCommand>{}), "");
+}
+
+TEST(ToText, writesShortNumbersWithoutExponent) {
+  const auto written = [](double value) { return toText(ChangeLoad{value}); };
+  EXPECT_EQ(written(0), "ChangeLoad(0)");
+  EXPECT_EQ(written(-0.0), "ChangeLoad(0)");
+  EXPECT_EQ(written(-1e-9), "ChangeLoad(0)");
+  EXPECT_EQ(written(0.1 + 0.2), "ChangeLoad(0.3)");
+  EXPECT_EQ(written(100), "ChangeLoad(100)");
+  EXPECT_EQ(written(1e-6), "ChangeLoad(0.000001)");
+  EXPECT_EQ(written(-417.123456), "ChangeLoad(-417.123456)");
+  EXPECT_EQ(written(1e20), "ChangeLoad(100000000000000000000)");
+}
+
+TEST(ToText, doublesQuotesInNames) {
+  EXPECT_EQ(toText(ChangeBase{"a\"),b"}), "ChangeBase(\"a\"\"),b\")");
+  EXPECT_EQ(std::get<std::string>(parsed<ChangeBase>(toText(ChangeBase{"a\"),b"})).base), "a\"),b");
+}
+
+TEST(IsName, refusesWhatCouldBreakTheLine) {
+  EXPECT_TRUE(isName("RobotBase"));
+  EXPECT_TRUE(isName("base \"2\", \u9054\u660e $*"));
+  EXPECT_TRUE(isName(std::string(kMaxNameLength, 'x')));
+  EXPECT_FALSE(isName(""));
+  EXPECT_FALSE(isName(std::string(kMaxNameLength + 1, 'x')));
+  EXPECT_FALSE(isName("a\r\nScriptExit()"));
+  EXPECT_FALSE(isName(std::string("a\0b", 3)));
+  EXPECT_FALSE(isName("\xC8"));
+}
+
+#ifdef NDEBUG
+TEST(ToText, keepsAForgottenCheckOfANameFromBecomingACommand) {
+  EXPECT_EQ(toText(ChangeBase{"a\r\nScriptExit()"}), "ChangeBase(\"aScriptExit()\")");
+}
+#else
+TEST(ToTextDeathTest, assertsThatANameIsOne) {
+  EXPECT_DEATH(toText(ChangeBase{"a\r\nScriptExit()"}), "isName");
+}
+#endif
+
+/// Numbers of the C++ and C library with a decimal comma, as in a German locale, for the time of a test.
+class DecimalComma : public testing::Test {
+ protected:
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  DecimalComma() : before_(std::locale::global(std::locale(std::locale::classic(), new Comma))) {
+    for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
+      if (std::setlocale(LC_NUMERIC, name) != nullptr) break;
+  }
+  ~DecimalComma() override {
+    std::setlocale(LC_NUMERIC, "C");
+    std::locale::global(before_);
+  }
+  std::locale before_;
+};
+
+TEST_F(DecimalComma, changesNeitherWrittenNorReadNumbers) {
+  const std::string text = toText(Line{{}, {1234567.5, 0.25, -3, 0, 0, 0}, {1000, 2000, 0, false}});
+  EXPECT_EQ(text, "Line(\"CPP\",1234567.5,0.25,-3,0,0,0,1000,2000,0,false)");
+  EXPECT_EQ(parsed<Line>(text).target[0], 1234567.5);
+}
+
+}  // namespace
+}  // namespace cobot_command::protocol
