@@ -1,0 +1,54 @@
+#include "cobot_command/arm/urdf_prefix.h"
+
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+namespace cobot_command::arm {
+namespace {
+
+/// Where a URDF names a link, a joint or a transmission.
+struct NamingPlace {
+  std::string_view element;
+  const char* attribute;
+};
+constexpr std::array<NamingPlace, 8> kNamingPlaces = {{{"link", "name"},
+                                                       {"joint", "name"},
+                                                       {"parent", "link"},
+                                                       {"child", "link"},
+                                                       {"mimic", "joint"},
+                                                       {"transmission", "name"},
+                                                       {"actuator", "name"},
+                                                       {"gazebo", "reference"}}};
+
+void addPrefix(tinyxml2::XMLElement& element, const std::string& prefix) {
+  for (const NamingPlace& place : kNamingPlaces) {
+    if (place.element != element.Name()) continue;
+    if (const char* name = element.Attribute(place.attribute)) {
+      element.SetAttribute(place.attribute, (prefix + name).c_str());
+    }
+  }
+  for (auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    addPrefix(*child, prefix);
+  }
+}
+
+}  // namespace
+
+Result<std::string, ModelError> withPrefix(const std::string& urdf, const std::string& prefix) {
+  tinyxml2::XMLDocument document;
+  const bool parsed = document.Parse(urdf.data(), urdf.size()) == tinyxml2::XML_SUCCESS;
+  auto* robot = parsed ? document.FirstChildElement("robot") : nullptr;
+  if (robot == nullptr) {
+    return refuse(ModelError{fmt::format("This is not a URDF: {}. Give the text of a complete URDF.",
+                                         parsed ? "it has no <robot>" : document.ErrorStr())});
+  }
+  addPrefix(*robot, prefix);
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  return std::string(printer.CStr());
+}
+
+}  // namespace cobot_command::arm
