@@ -1,0 +1,26 @@
+// What can be said about a request without the arm's geometry: finite, a proper pose, a possible speed.
+#pragma once
+
+#include <optional>
+
+#include "cobot_command/motion/command.h"
+#include "cobot_command/motion/refusal.h"
+
+namespace cobot_command::motion {
+
+/// The highest TCP speed that can be asked for [m/s] (thesis table 5.3.2.3).
+inline constexpr double kMaxTcpSpeed = 4.5;
+/// Largest arc angle, either way [rad].
+inline constexpr double kMaxArcAngle = 2.0 * 3.14159265358979323846;
+/// No motion takes longer [s]. The slowest PTP of the family, J1 from end to end at 1 % and a project speed
+/// of 5 %, takes 2.5 h.
+inline constexpr double kMaxDuration = 3.0 * 3600.0;
+
+/// The first thing that is wrong with the request; nothing when it can be planned.
+[[nodiscard]] std::optional<Refusal> checkInput(const arm::JointVector& start, const Command& command,
+                                                const Setting& setting);
+
+/// Refuses a motion that would take longer than kMaxDuration.
+[[nodiscard]] std::optional<Refusal> checkDuration(double seconds);
+
+}  // namespace cobot_command::motion

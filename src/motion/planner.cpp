@@ -1,0 +1,32 @@
+#include "cobot_command/motion/planner.h"
+
+#include <utility>
+
+#include "input_check.h"
+#include "path_motion.h"
+#include "ptp_motion.h"
+
+namespace cobot_command::motion {
+namespace {
+
+struct Planner {
+  const arm::ArmModel& arm;
+  const arm::JointVector& start;
+  const Setting& setting;
+
+  auto operator()(const Ptp& ptp) const { return planPtp(arm, start, ptp, setting); }
+  auto operator()(const Line& line) const { return planLine(arm, start, line, setting); }
+  auto operator()(const Circle& circle) const { return planCircle(arm, start, circle, setting); }
+};
+
+}  // namespace
+
+Result<TrajectoryPtr, Refusal> plan(const arm::ArmModel& arm, const arm::JointVector& start,
+                                    const Command& command, const Setting& setting) {
+  if (auto wrong = checkInput(start, command, setting)) {
+    return refuse(std::move(*wrong));
+  }
+  return std::visit(Planner{arm, start, setting}, command);
+}
+
+}  // namespace cobot_command::motion

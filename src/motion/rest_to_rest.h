@@ -1,0 +1,40 @@
+// What all trajectories share: they stand still before the start and after the end.
+#pragma once
+
+#include "trapezoid.h"
+
+#include "cobot_command/common/time.h"
+#include "cobot_command/motion/trajectory.h"
+
+namespace cobot_command::motion {
+
+class RestToRest : public Trajectory {
+ public:
+  [[nodiscard]] Duration duration() const final { return duration_; }
+
+  [[nodiscard]] JointState at(Duration time) const final {
+    if (time >= duration_) {
+      return {end_, arm::JointVector::Zero()};
+    }
+    return time <= Duration::zero() ? JointState{start_, arm::JointVector::Zero()} : during(toSeconds(time));
+  }
+
+ protected:
+  RestToRest(const arm::JointVector& start, const arm::JointVector& end, const Trapezoid& profile)
+      : start_(start), end_(end), profile_(profile), duration_(fromSeconds(profile.duration())) {}
+
+  [[nodiscard]] const arm::JointVector& start() const { return start_; }
+  [[nodiscard]] const arm::JointVector& target() const { return end_; }
+  [[nodiscard]] const Trapezoid& profile() const { return profile_; }
+
+ private:
+  /// 0 < time [s] < duration.
+  [[nodiscard]] virtual JointState during(double time) const = 0;
+
+  arm::JointVector start_;
+  arm::JointVector end_;
+  Trapezoid profile_;
+  Duration duration_;
+};
+
+}  // namespace cobot_command::motion

@@ -1,0 +1,44 @@
+// Where the TCP goes, without time: a straight line or an arc, with a turn about one axis in step with it.
+#pragma once
+
+#include "cobot_command/arm/types.h"
+
+namespace cobot_command::motion {
+
+/// How a TCP moves for each unit of progress: rows 0..2 linear [m], rows 3..5 angular [rad], in the frame of
+/// the path.
+using PathRate = Eigen::Matrix<double, 6, 1>;
+
+/// A path from progress 0 to 1, in any one frame. A value.
+class TcpPath {
+ public:
+  /// Straight, turning the shortest way.
+  [[nodiscard]] static TcpPath line(const arm::Pose& from, const arm::Pose& to);
+
+  /// From `from` by `angle` [rad] about the axis through `centre` along the unit vector `normal`, turning the
+  /// shortest way to `end_orientation` meanwhile.
+  [[nodiscard]] static TcpPath arc(const arm::Pose& from, const Eigen::Vector3d& centre,
+                                   const Eigen::Vector3d& normal, double angle,
+                                   const Eigen::Matrix3d& end_orientation);
+
+  [[nodiscard]] double length() const { return length_; }  ///< [m]
+  [[nodiscard]] double turn() const { return turn_; }      ///< [rad], 0..pi
+
+  [[nodiscard]] arm::Pose at(double progress) const;
+  [[nodiscard]] PathRate rateAt(double progress) const;
+
+ private:
+  TcpPath(const arm::Pose& from, const Eigen::Matrix3d& end_orientation);
+
+  // Line: origin_ + progress along_. Arc: origin_ + sin(phi) along_ - (1 - cos(phi)) outward_.
+  Eigen::Vector3d origin_;
+  Eigen::Vector3d along_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d outward_ = Eigen::Vector3d::Zero();
+  double arc_angle_ = 0.0;  // 0: a line
+  double length_ = 0.0;
+  Eigen::Matrix3d orientation_;
+  Eigen::Vector3d turn_axis_;  // in the frame of the path
+  double turn_ = 0.0;
+};
+
+}  // namespace cobot_command::motion
