@@ -19,12 +19,11 @@ struct Sample {
   double time = 0.0;
   double progress = 0.0;
   arm::JointVector joints;
-  double margin = 0.0;  // to the closest singularity
 };
 
-double singularityMargin(const arm::ArmModel& arm, const arm::JointVector& joints) {
+bool isSingular(const arm::ArmModel& arm, const arm::JointVector& joints) {
   const arm::SingularityDistance distance = arm::singularityDistance(arm, joints);
-  return std::min({distance.shoulder, distance.elbow, distance.wrist});
+  return std::min({distance.shoulder, distance.elbow, distance.wrist}) < kSingular;
 }
 
 class PathCheck {
@@ -44,8 +43,8 @@ class PathCheck {
     return (to.progress - from.progress) * (path.length() + path.turn());
   }
   Result<Sample, Refusal> sampleAt(double time, const Sample& previous) const;
-  /// From one good sample to the next one, looking closer where it is needed.
-  Result<Sample, Refusal> advance(const Sample& from, double time, int halvings);
+  /// From one good sample to the next one, looking closer where a joint jumps.
+  Result<Sample, Refusal> advance(const Sample& from, double time);
 
   TimedPath timed_;
   const arm::ArmModel& arm_;
@@ -56,7 +55,7 @@ std::optional<Refusal> PathCheck::checkPosture(const Sample& sample) const {
   if (const int joint = arm_.firstJointOutsideLimits(sample.joints); joint >= 0) {
     return jointLimitRefusal(timed_, sample.progress, joint, sample.joints[joint]);
   }
-  if (sample.margin < kSingular) {
+  if (isSingular(arm_, sample.joints)) {
     return singularRefusal(timed_, sample.progress, sample.joints);
   }
   return std::nullopt;
@@ -91,22 +90,20 @@ Result<Sample, Refusal> PathCheck::sampleAt(double time, const Sample& previous)
     return refuse(reachRefusal(timed_, sample.progress, joints.error()));
   }
   sample.joints = *joints;
-  sample.margin = singularityMargin(arm_, sample.joints);
   return sample;
 }
 
-Result<Sample, Refusal> PathCheck::advance(const Sample& from, double time, int halvings) {
+Result<Sample, Refusal> PathCheck::advance(const Sample& from, double time) {
   auto to = sampleAt(time, from);
   if (!to) {
     return to;
   }
-  const bool jump = isJump(from, *to);
-  if (jump && way(from, *to) < kJumpWay) {
-    return refuse(singularRefusal(timed_, from.progress, from.joints));
-  }
-  if (jump || (halvings < kHalvings && std::min(from.margin, to->margin) < kNearSingular)) {
-    auto middle = advance(from, 0.5 * (from.time + time), halvings + 1);
-    return middle ? advance(*middle, time, halvings + 1) : middle;
+  if (isJump(from, *to)) {
+    if (way(from, *to) < kJumpWay) {
+      return refuse(singularRefusal(timed_, from.progress, from.joints));
+    }
+    auto middle = advance(from, 0.5 * (from.time + time));
+    return middle ? advance(*middle, time) : middle;
   }
   if (auto refusal = checkPosture(*to)) {
     return refuse(std::move(*refusal));
@@ -121,7 +118,7 @@ Result<FollowedPath, Refusal> PathCheck::follow(const arm::JointVector& start) {
   const auto steps = static_cast<std::size_t>(std::ceil(duration / kSamplePeriod));
   const double period = duration / static_cast<double>(steps);
 
-  Sample sample{0.0, 0.0, start, singularityMargin(arm_, start)};
+  Sample sample{0.0, 0.0, start};
   if (auto refusal = checkPosture(sample)) {
     return refuse(std::move(*refusal));
   }
@@ -130,7 +127,7 @@ Result<FollowedPath, Refusal> PathCheck::follow(const arm::JointVector& start) {
   followed.postures.reserve(steps / kKeepEvery + 1);
   followed.postures.push_back(start);
   for (std::size_t i = 1; i <= steps; ++i) {
-    auto next = advance(sample, i == steps ? duration : static_cast<double>(i) * period, 0);
+    auto next = advance(sample, i == steps ? duration : static_cast<double>(i) * period);
     if (!next) {
       return refuse(std::move(next.error()));
     }

@@ -13,12 +13,10 @@ namespace cobot_command::motion {
 /// Samples are at most this far apart [s].
 inline constexpr double kSamplePeriod = 1e-3;
 
-/// A posture is singular where one of arm::SingularityDistance is below this [m or 1]: 0.5 mm, 0.03 degrees.
-inline constexpr double kSingular = 5e-4;
-/// Where one of them is below this, 10 mm or 0.6 degrees, the time between samples is halved kHalvings times,
-/// so that no exit from the reach hides between two of them.
-inline constexpr double kNearSingular = 1e-2;
-inline constexpr int kHalvings = 4;
+/// A posture is singular where one of arm::SingularityDistance is below this [m or 1]: 2.5 mm, 0.14 degrees.
+/// No joint and no TCP gets from here onto the singularity within half a sample, so no exit from the reach
+/// hides between two samples.
+inline constexpr double kSingular = 2.5e-3;
 
 /// A step of a joint between two samples that calls for a closer look [rad].
 inline constexpr double kJump = 0.1;
