@@ -1,0 +1,142 @@
+// The link to the script port (5890) of one controller: it connects, asks whether the flow is in a Listen
+// node, keeps asking (the lifesign), and matches every answer to its request.
+//
+// Owns no socket and no clock; see command_core.h. Once started it tries for ever, with a back-off; how long
+// is for the Connect block to say. Lifesigns are TMSTA queries: they never enter the motion queue.
+// Not thread-safe.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "cobot_command/link/back_off.h"
+#include "cobot_command/link/request_ledger.h"
+#include "cobot_command/link/script_link_states.h"
+#include "cobot_command/link/wire.h"
+#include "cobot_command/protocol/frame_decoder.h"
+#include "cobot_command/protocol/message.h"
+
+namespace cobot_command::link {
+
+/// Why the link is not established, or not in the Listen node.
+enum class Trouble {
+  None,
+  NotTriedYet,
+  Refused,      ///< nobody listens on the port
+  Unreachable,  ///< no route, host down
+  UnknownHost,
+  OpenTimedOut,
+  OpenFailed,   ///< for another reason
+  Silent,       ///< connected, and nothing answers
+  NotTmRobot,   ///< connected, and something else answers
+  StatusPort,   ///< connected to the status stream of a TM robot
+  Closed,       ///< connected and closed again
+  NotListening  ///< a TM robot, its flow is in another node
+};
+
+// --- What comes out of next().
+
+/// The state or the diagnosis is another one than before.
+struct LinkChanged {};
+/// An established connection is gone: whatever was open will not be answered.
+struct LinkLost {
+  std::string reason;
+};
+struct NoReply {};  ///< in time
+struct ScriptAnswered {
+  std::string id;
+  std::variant<protocol::ScriptReply, protocol::CommunicationError, NoReply> answer;
+};
+/// A tag report: spontaneous, or the answer to queryTag().
+struct TagReported {
+  int tag = 0;
+  bool asked = false;
+  protocol::TagState state = protocol::TagState::Unknown;
+};
+/// queryTag() got no answer in time, or a CPERR.
+struct TagQueryFailed {
+  int tag = 0;
+  std::string reason;
+};
+using ScriptLinkOutput = std::variant<LinkChanged, LinkLost, ScriptAnswered, TagReported, TagQueryFailed>;
+
+class ScriptLink {
+ public:
+  ScriptLink(const LinkSettings& settings, Wire& wire);
+
+  void start(const std::string& host, int port, Instant now);
+  void stop(Instant now);
+
+  // --- Events of the connection for which owns() is true.
+  [[nodiscard]] bool owns(ConnectionId id) const { return connection_ == id; }
+  void opened(Instant now);
+  void openFailed(const OpenFailure& failure, Instant now);
+  void received(std::string_view bytes);
+  void closed(const std::string& reason, Instant now);
+  void advance(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  /// The next thing that happened; nothing when there is none. Frames are decoded one by one as they are
+  /// asked for, so a reaction to one is in force before the next is looked at.
+  [[nodiscard]] std::optional<ScriptLinkOutput> next(Instant now);
+
+  // --- Requests. Precondition: established().
+  /// Returns the script id; a ScriptAnswered with it follows, unless the link goes down first.
+  std::string sendScript(const std::string& script, Instant now);
+  void queryTag(int tag, Instant now);
+  /// A script with ScriptExit() was accepted: the node is being left.
+  void exitAccepted(Instant now) { fire(ScriptLinkEvent::ExitAccepted, now); }
+
+  [[nodiscard]] ScriptLinkState state() const { return state_; }
+  [[nodiscard]] bool established() const { return isEstablished(state_); }
+  [[nodiscard]] Trouble trouble() const { return trouble_; }
+  [[nodiscard]] const std::string& diagnosis() const { return diagnosis_; }
+  [[nodiscard]] const std::string& listenNode() const { return listen_node_; }
+  [[nodiscard]] std::uint64_t lateReplies() const { return late_replies_; }
+  [[nodiscard]] std::uint64_t decodeFaults() const { return decode_faults_; }
+
+ private:
+  void fire(ScriptLinkEvent event, Instant now);
+  void act(ScriptLinkAction action, Instant now);
+  void diagnose(Trouble trouble, std::string diagnosis);
+  void diagnoseListening();
+  void askForNode(Instant now);
+  void lifesignDue(Instant now);
+  void drop();
+
+  void transmit(const protocol::ClientMessage& message, Request request, Instant now);
+  void read(const protocol::DecodeEvent& event, Instant now);
+  void take(const protocol::ListenNodeEntered& message, Instant now);
+  void take(const protocol::ScriptReply& message, Instant now);
+  void take(const protocol::ListenNodeState& message, Instant now);
+  void take(const protocol::TagReport& message, Instant now);
+  void take(const protocol::ListenData& message, Instant now);
+  void take(const protocol::CommunicationError& message, Instant now);
+  void fault(std::string_view bytes, const std::string& meaning, Instant now);
+
+  const LinkSettings& settings_;
+  Wire& wire_;
+  ScriptLinkState state_ = ScriptLinkState::Disconnected;
+  std::string host_;
+  int port_ = 0;
+  std::optional<ConnectionId> connection_;
+  std::optional<Instant> retry_at_;
+  std::optional<Instant> lifesign_at_;
+  int unanswered_lifesigns_ = 0;
+  bool foreign_bytes_ = false;  ///< something that is no frame arrived on this connection
+  BackOff back_off_;
+  protocol::FrameDecoder decoder_;
+  RequestLedger ledger_;
+  std::deque<ScriptLinkOutput> outputs_;
+  Trouble trouble_ = Trouble::None;
+  std::string diagnosis_ = "not connected";
+  std::string listen_node_;
+  std::uint64_t late_replies_ = 0;
+  std::uint64_t decode_faults_ = 0;
+};
+
+}  // namespace cobot_command::link

@@ -1,0 +1,53 @@
+#include "cobot_command/blocks/command_core.h"
+
+#include "core_impl.h"
+
+namespace cobot_command::blocks {
+
+CommandCore::CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings)
+    : impl_(std::make_unique<Impl>(std::move(arm), settings)) {}
+CommandCore::~CommandCore() = default;
+CommandCore::CommandCore(CommandCore&&) noexcept = default;
+CommandCore& CommandCore::operator=(CommandCore&&) noexcept = default;
+
+void CommandCore::submit(GoalId id, const Goal& goal, Instant now) {
+  impl_->submit(id, goal, now);
+}
+
+void CommandCore::cancel(GoalId id, Instant now) {
+  impl_->cancel(id, now);
+}
+
+void CommandCore::shutDown(Instant now) {
+  impl_->shutDown(now);
+}
+
+void CommandCore::opened(link::ConnectionId id, Instant now) {
+  impl_->opened(id, now);
+}
+
+void CommandCore::openFailed(link::ConnectionId id, link::OpenFailure failure, Instant now) {
+  impl_->openFailed(id, failure, now);
+}
+
+void CommandCore::received(link::ConnectionId id, std::string_view bytes, Instant now) {
+  impl_->received(id, bytes, now);
+}
+
+void CommandCore::closed(link::ConnectionId id, const std::string& reason, Instant now) {
+  impl_->closed(id, reason, now);
+}
+
+void CommandCore::advance(Instant now) {
+  impl_->advance(now);
+}
+
+std::optional<Instant> CommandCore::nextDeadline() const {
+  return impl_->nextDeadline();
+}
+
+std::vector<Action> CommandCore::takeActions() {
+  return impl_->takeActions();
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,187 @@
+#include "connect_run.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/protocol/frame.h"
+
+namespace cobot_command::blocks {
+
+using Event = ConnectEvent;
+using State = ConnectState;
+
+namespace {
+
+constexpr double kMinTimeout = 10;
+constexpr double kMaxTimeout = 300;
+constexpr std::size_t kMaxHostLength = 255;
+
+bool isHost(const std::string& host) {
+  return !host.empty() && host.size() <= kMaxHostLength &&
+         std::all_of(host.begin(), host.end(), [](char c) { return c > ' ' && c < '\x7f'; });
+}
+
+/// What the troubles of the link mean when the timeout is over.
+Failure timedOut(link::Trouble trouble, const std::string& diagnosis) {
+  using link::Trouble;
+  switch (trouble) {
+    case Trouble::Refused:
+    case Trouble::NotListening:
+      return {connect_error::kTimeOut, diagnosis,
+              "Start the TMflow project and let its flow enter the Listen node"};
+    case Trouble::Silent:
+      return {connect_error::kReceive, diagnosis,
+              "Check that host and port are those of the robot controller, and that it works"};
+    case Trouble::NotTmRobot:
+    case Trouble::StatusPort:
+      return {connect_error::kNotACobot, diagnosis, "Use the controller's script port, usually 5890"};
+    case Trouble::None:
+    case Trouble::NotTriedYet:
+    case Trouble::Unreachable:
+    case Trouble::UnknownHost:
+    case Trouble::OpenTimedOut:
+    case Trouble::OpenFailed:
+    case Trouble::Closed:
+      break;
+  }
+  return {connect_error::kConnection, diagnosis,
+          "Check the host name or address, the Ethernet connection, and that the controller is on"};
+}
+
+}  // namespace
+
+std::vector<Failure> checkConnect(const ConnectGoal& goal) {
+  std::vector<Failure> failures;
+  if (!(goal.timeout >= kMinTimeout && goal.timeout <= kMaxTimeout)) {
+    failures.push_back({connect_error::kTimeoutRange, fmt::format("timeout is {} s", goal.timeout), ""});
+  }
+  if (!isHost(goal.host)) {
+    failures.push_back({own_error::kHostInvalid,
+                        fmt::format("host is '{}' ({} characters)",
+                                    protocol::printable(goal.host.substr(0, 64)), goal.host.size()),
+                        ""});
+  }
+  if (goal.port < 1 || goal.port > 65535) {
+    failures.push_back({own_error::kPortRange, fmt::format("port is {}", goal.port), ""});
+  }
+  return failures;
+}
+
+ConnectRun::ConnectRun(const link::LinkSettings& settings, link::ScriptLink& script, link::StatusLink& status,
+                       OutputBoard& board)
+    : settings_(settings), script_(script), status_(status), board_(board) {}
+
+void ConnectRun::execute(GoalId id, const ConnectGoal& goal, Instant now) {
+  id_ = id;
+  goal_ = goal;
+  fire(Event::Execute, now);
+}
+
+void ConnectRun::cancel(Instant now) {
+  fire(Event::Cancel, now);
+}
+
+void ConnectRun::motionsEnded(Instant now) {
+  fire(Event::MotionsEnded, now);
+}
+
+void ConnectRun::abandon(const std::string& why, Instant now) {
+  if (!busy()) return;
+  state_ = State::Idle;
+  Outcome outcome;
+  outcome.ending = Ending::CommandAborted;
+  outcome.error_description = why;
+  end(std::move(outcome), now);
+}
+
+void ConnectRun::linkChanged(Instant now) {
+  if (!busy()) return;
+  if (script_.state() == link::ScriptLinkState::Ready) fire(Event::BecameReady, now);
+  if (!disconnecting()) report();
+}
+
+void ConnectRun::linkLost(const std::string& reason, Instant now) {
+  loss_ = reason;
+  if (connected_) last_lost_ = now;
+  connected_ = false;
+  fire(settings_.auto_reconnect ? Event::LostToRetry : Event::Lost, now);
+}
+
+void ConnectRun::advance(Instant now) {
+  if (deadline_ && now >= *deadline_) fire(Event::TimedOut, now);
+}
+
+void ConnectRun::fire(Event event, Instant now) {
+  const auto row = link::findTransition<ConnectTable>(state_, event);
+  if (!row) return;
+  state_ = row->to;
+  act(row->action, now);
+}
+
+void ConnectRun::act(ConnectAction action, Instant now) {
+  using Action = ConnectAction;
+  switch (action) {
+    case Action::None:
+      return;
+    case Action::Start:
+      board_.accept(Block::Connect, id_, 0);
+      deadline_ = now + fromSeconds(goal_.timeout);
+      script_.start(goal_.host, goal_.port, now);
+      if (settings_.status_port != 0) status_.start(goal_.host, now);
+      return;
+    case Action::Hold:
+      deadline_.reset();
+      connected_ = true;
+      last_connected_ = now;
+      return;
+    case Action::RestartTimeout:
+      deadline_ = now + fromSeconds(goal_.timeout);
+      return;
+    case Action::StopMotions:
+      deadline_.reset();
+      return;
+    case Action::EndTimedOut:
+      end(toOutcome(Block::Connect, Ending::Aborted, timedOut(script_.trouble(), script_.diagnosis())), now);
+      return;
+    case Action::EndLost:
+      end(toOutcome(Block::Connect, Ending::Aborted, {connect_error::kDisconnected, loss_, ""}), now);
+      return;
+    case Action::EndDone: {
+      Outcome outcome;
+      outcome.error_description = "disconnected on request";
+      end(std::move(outcome), now);
+      return;
+    }
+  }
+}
+
+void ConnectRun::end(Outcome outcome, Instant now) {
+  deadline_.reset();
+  if (connected_) last_lost_ = now;
+  connected_ = false;
+  script_.stop(now);
+  status_.stop(now);
+  board_.end(Block::Connect, id_, std::move(outcome));
+}
+
+void ConnectRun::report() {
+  Progress progress;
+  progress.text = script_.diagnosis();
+  switch (script_.state()) {
+    case link::ScriptLinkState::Ready:
+      progress.phase = Phase::Connected;
+      break;
+    case link::ScriptLinkState::Probing:
+    case link::ScriptLinkState::NotListening:
+    case link::ScriptLinkState::Leaving:
+      progress.phase = Phase::Probing;
+      break;
+    default:
+      progress.phase = Phase::Connecting;
+  }
+  board_.progress(Block::Connect, id_, std::move(progress));
+}
+
+}  // namespace cobot_command::blocks

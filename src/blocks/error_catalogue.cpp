@@ -1,0 +1,38 @@
+#include "cobot_command/blocks/error_catalogue.h"
+
+#include <algorithm>
+
+#include "catalogue_tables.h"
+
+namespace cobot_command::blocks {
+
+const char* toString(Block block) {
+  switch (block) {
+    case Block::Connect:
+      return "connect";
+    case Block::MoveAbsolute:
+      return "move_absolute";
+  }
+  return "unknown";
+}
+
+const std::vector<ErrorEntry>& errorCatalogue() {
+  static const std::vector<ErrorEntry> kCatalogue = [] {
+    std::vector<ErrorEntry> all;
+    for (const auto& table : {connectErrors(), moveAbsoluteErrors()}) {
+      all.insert(all.end(), table.begin(), table.end());
+    }
+    return all;
+  }();
+  return kCatalogue;
+}
+
+const ErrorEntry* findError(Block block, int id) {
+  const auto& all = errorCatalogue();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const ErrorEntry& entry) {
+    return entry.block == block && entry.id == id;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace cobot_command::blocks

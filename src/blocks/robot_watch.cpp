@@ -1,0 +1,65 @@
+#include "robot_watch.h"
+
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/common/units.h"
+#include "cobot_command/protocol/frame.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+/// Below this every joint counts as standing; above the noise of a real arm's Joint_Speed.
+constexpr double kStandstill = degToRad(0.1);  // [rad/s]
+
+}  // namespace
+
+std::optional<bool> RobotWatch::moving() const {
+  if (!status_ || !status_->joint_velocities) return std::nullopt;
+  return !(status_->joint_velocities->cwiseAbs().maxCoeff() < kStandstill);
+}
+
+bool RobotWatch::held() const {
+  return status_ && (status_->project_paused.value_or(false) || status_->safeguard.value_or(false));
+}
+
+std::string RobotWatch::errorText() const {
+  if (!status_) return "";
+  std::string text = fmt::format("error 0x{:X}", static_cast<unsigned>(status_->error_code.value_or(0)));
+  if (status_->error_text && !status_->error_text->empty()) {
+    text += ": " + protocol::printable(*status_->error_text);
+  }
+  return text;
+}
+
+std::optional<arm::JointVector> RobotWatch::joints() const {
+  return status_ ? status_->joints : std::nullopt;
+}
+
+arm::Pose RobotWatch::base() const {
+  return status_ && status_->base ? *status_->base : arm::Pose::Identity();
+}
+
+arm::Pose RobotWatch::tcp() const {
+  if (!status_) return arm::Pose::Identity();
+  if (status_->tcp) return *status_->tcp;
+  if (status_->flange && status_->tool) return status_->flange->inverse() * *status_->tool;
+  return arm::Pose::Identity();
+}
+
+double RobotWatch::speedOverride() const {
+  const int percent = status_ ? status_->project_speed_percent.value_or(100) : 100;
+  return percent > 0 && percent <= 100 ? percent / 100.0 : 1.0;
+}
+
+std::optional<std::array<double, 6>> RobotWatch::jointsDeg() const {
+  if (!joints()) return std::nullopt;
+  return arm::toControllerJoints(*joints());
+}
+
+std::optional<std::array<double, 6>> RobotWatch::toolInBaseMmDeg() const {
+  if (!status_ || !status_->tool) return std::nullopt;
+  return arm::toControllerPose(base().inverse() * *status_->tool);
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,43 @@
+// What is known of the robot at this moment: the last frame of the status stream, while the stream delivers.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "cobot_command/link/robot_status.h"
+
+namespace cobot_command::blocks {
+
+class RobotWatch {
+ public:
+  void update(const link::RobotStatus& status) { status_ = status; }
+  /// The stream stopped: nothing is known any more.
+  void forget() { status_.reset(); }
+
+  [[nodiscard]] const std::optional<link::RobotStatus>& status() const { return status_; }
+
+  /// Nothing when it cannot be told.
+  [[nodiscard]] std::optional<bool> moving() const;
+  /// The project is paused, or a safeguard holds the robot: motions take as long as that lasts.
+  [[nodiscard]] bool held() const;
+  [[nodiscard]] bool emergencyStop() const { return status_ && status_->emergency_stop.value_or(false); }
+  [[nodiscard]] bool inError() const { return status_ && status_->error.value_or(false); }
+  /// "error 0x14058: ..." as far as it is known.
+  [[nodiscard]] std::string errorText() const;
+
+  [[nodiscard]] std::optional<arm::JointVector> joints() const;
+  /// The active base in the robot base; the robot base itself when the stream does not tell.
+  [[nodiscard]] arm::Pose base() const;
+  /// The active TCP in the flange, also from the poses of flange and tool; the flange when neither is told.
+  [[nodiscard]] arm::Pose tcp() const;
+  [[nodiscard]] double speedOverride() const;
+
+  [[nodiscard]] std::optional<std::array<double, 6>> jointsDeg() const;
+  [[nodiscard]] std::optional<std::array<double, 6>> toolInBaseMmDeg() const;
+
+ private:
+  std::optional<link::RobotStatus> status_;
+};
+
+}  // namespace cobot_command::blocks

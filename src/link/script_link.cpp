@@ -1,0 +1,226 @@
+#include "cobot_command/link/script_link.h"
+
+#include <fmt/format.h>
+
+namespace cobot_command::link {
+
+using Event = ScriptLinkEvent;
+using State = ScriptLinkState;
+
+ScriptLink::ScriptLink(const LinkSettings& settings, Wire& wire)
+    : settings_(settings), wire_(wire), back_off_(settings.retry_min, settings.retry_max) {}
+
+void ScriptLink::start(const std::string& host, int port, Instant now) {
+  host_ = host;
+  port_ = port;
+  back_off_.reset();
+  diagnose(Trouble::NotTriedYet, fmt::format("connecting to {}:{}", host, port));
+  fire(Event::Start, now);
+}
+
+void ScriptLink::stop(Instant now) {
+  outputs_.clear();
+  fire(Event::Stop, now);
+  diagnose(Trouble::None, "not connected");
+}
+
+void ScriptLink::opened(Instant now) {
+  fire(Event::Opened, now);
+}
+
+void ScriptLink::openFailed(const OpenFailure& failure, Instant now) {
+  connection_.reset();
+  switch (failure.kind) {
+    case OpenFailure::Kind::Refused:
+      diagnose(Trouble::Refused, fmt::format("connection refused by {}:{}: no project with a Listen node is "
+                                             "running on the controller, or the port is wrong",
+                                             host_, port_));
+      break;
+    case OpenFailure::Kind::Unreachable:
+      diagnose(Trouble::Unreachable, fmt::format("{} is unreachable: {}", host_, failure.message));
+      break;
+    case OpenFailure::Kind::UnknownHost:
+      diagnose(Trouble::UnknownHost, fmt::format("unknown host {}: {}", host_, failure.message));
+      break;
+    case OpenFailure::Kind::TimedOut:
+      diagnose(Trouble::OpenTimedOut,
+               fmt::format("{}:{} does not answer: controller off, or wrong address", host_, port_));
+      break;
+    case OpenFailure::Kind::Other:
+      diagnose(Trouble::OpenFailed,
+               fmt::format("no connection to {}:{}: {}", host_, port_, failure.message));
+      break;
+  }
+  fire(Event::OpenFailed, now);
+}
+
+void ScriptLink::received(std::string_view bytes) {
+  decoder_.feed(bytes);
+}
+
+void ScriptLink::closed(const std::string& reason, Instant now) {
+  connection_.reset();
+  diagnose(Trouble::Closed,
+           established() ? fmt::format("the connection was closed: {}", reason)
+                         : fmt::format("{}:{} closed the connection at once: {}", host_, port_, reason));
+  fire(Event::Closed, now);
+}
+
+void ScriptLink::advance(Instant now) {
+  while (const auto request = ledger_.takeExpired(now)) {
+    if (request->kind == Request::Kind::Script) {
+      outputs_.push_back(ScriptAnswered{request->script_id, NoReply{}});
+    } else {
+      outputs_.push_back(TagQueryFailed{request->tag, "no answer"});
+    }
+  }
+  if (retry_at_ && now >= *retry_at_) fire(Event::RetryDue, now);
+  if (lifesign_at_ && now >= *lifesign_at_) lifesignDue(now);
+}
+
+std::optional<Instant> ScriptLink::nextDeadline() const {
+  std::optional<Instant> next = ledger_.nextDeadline();
+  for (const auto& candidate : {retry_at_, lifesign_at_}) {
+    if (candidate && (!next || *candidate < *next)) next = candidate;
+  }
+  return next;
+}
+
+std::string ScriptLink::sendScript(const std::string& script, Instant now) {
+  Request request;
+  request.kind = Request::Kind::Script;
+  request.script_id = ledger_.newScriptId();
+  request.deadline = now + settings_.reply_timeout;
+  std::string id = request.script_id;
+  transmit(protocol::ScriptRequest{id, script}, std::move(request), now);
+  return id;
+}
+
+void ScriptLink::queryTag(int tag, Instant now) {
+  Request request;
+  request.kind = Request::Kind::TagQuery;
+  request.tag = tag;
+  request.deadline = now + settings_.reply_timeout;
+  transmit(protocol::TagQuery{tag}, std::move(request), now);
+}
+
+void ScriptLink::transmit(const protocol::ClientMessage& message, Request request, Instant now) {
+  ledger_.add(std::move(request));
+  std::string bytes = protocol::encode(message);
+  wire_.trace(now, Channel::Script, true, bytes, protocol::describe(message));
+  wire_.send(*connection_, std::move(bytes));
+}
+
+void ScriptLink::askForNode(Instant now) {
+  if (unanswered_lifesigns_ == 0) {
+    while (ledger_.takeNodeQuery()) {  // answers that were lost on an otherwise living link
+    }
+  }
+  ++unanswered_lifesigns_;
+  lifesign_at_ =
+      now + (state_ == State::Probing ? settings_.reply_timeout : settings_.supervision_period);
+  transmit(protocol::ListenNodeQuery{}, Request{}, now);
+}
+
+void ScriptLink::lifesignDue(Instant now) {
+  if (unanswered_lifesigns_ == 0) {
+    askForNode(now);
+    return;
+  }
+  if (state_ == State::Probing) {
+    if (foreign_bytes_) {
+      diagnose(Trouble::NotTmRobot,
+               fmt::format("{}:{} does not speak the protocol of a TM robot", host_, port_));
+    } else {
+      diagnose(Trouble::Silent,
+               fmt::format("connected to {}:{}, but nothing answers: not a TM robot, or it hangs", host_,
+                           port_));
+    }
+  }
+  if (unanswered_lifesigns_ < settings_.supervision_misses) {
+    askForNode(now);
+    return;
+  }
+  if (established()) {
+    diagnose(Trouble::Silent, fmt::format("no answer to {} lifesigns: the controller or the cable is dead",
+                                          unanswered_lifesigns_));
+  }
+  fire(Event::NoAnswer, now);
+}
+
+void ScriptLink::diagnose(Trouble trouble, std::string diagnosis) {
+  if (trouble_ == trouble && diagnosis_ == diagnosis) return;
+  trouble_ = trouble;
+  diagnosis_ = std::move(diagnosis);
+  outputs_.push_back(LinkChanged{});
+}
+
+void ScriptLink::diagnoseListening() {
+  switch (state_) {
+    case State::Ready:
+      diagnose(Trouble::None, fmt::format("in the Listen node '{}'", protocol::printable(listen_node_)));
+      break;
+    case State::NotListening:
+    case State::Leaving:
+      diagnose(Trouble::NotListening,
+               state_ == State::Leaving
+                   ? "connected, the flow is leaving the Listen node after ScriptExit()"
+                   : "connected, but the flow is not in a Listen node: let it enter one");
+      break;
+    default:
+      break;
+  }
+}
+
+void ScriptLink::fire(Event event, Instant now) {
+  const auto row = findTransition<ScriptLinkTable>(state_, event);
+  if (!row) return;
+  const bool changed = state_ != row->to;
+  state_ = row->to;
+  if (state_ != State::Ready) listen_node_.clear();
+  if (established()) back_off_.reset();
+  act(row->action, now);
+  diagnoseListening();
+  if (changed) outputs_.push_back(LinkChanged{});
+}
+
+void ScriptLink::act(ScriptLinkAction action, Instant now) {
+  switch (action) {
+    case ScriptLinkAction::None:
+      return;
+    case ScriptLinkAction::Open:
+      retry_at_.reset();
+      connection_ = wire_.open(Channel::Script, host_, port_, settings_.open_timeout);
+      return;
+    case ScriptLinkAction::Probe:
+      diagnose(Trouble::Silent,
+               fmt::format("connected to {}:{}, asking for the Listen node", host_, port_));
+      askForNode(now);
+      return;
+    case ScriptLinkAction::Lose:
+      outputs_.push_back(LinkLost{diagnosis_});
+      drop();
+      retry_at_ = now + back_off_.next();
+      return;
+    case ScriptLinkAction::Retry:
+      drop();
+      retry_at_ = now + back_off_.next();
+      return;
+    case ScriptLinkAction::Release:
+      drop();
+      return;
+  }
+}
+
+void ScriptLink::drop() {
+  if (connection_) wire_.close(*connection_);
+  connection_.reset();
+  retry_at_.reset();
+  lifesign_at_.reset();
+  unanswered_lifesigns_ = 0;
+  foreign_bytes_ = false;
+  decoder_.reset();
+  ledger_.clear();
+}
+
+}  // namespace cobot_command::link

@@ -1,0 +1,91 @@
+#include "cobot_command/link/status_decoding.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "cobot_command/arm/controller_pose.h"
+
+namespace cobot_command::link {
+namespace {
+
+using protocol::StatusItem;
+
+std::optional<std::array<double, 6>> sixNumbers(const StatusItem& item) {
+  const auto floats = protocol::item::asFloats(item);
+  if (!floats || floats->size() != 6) return std::nullopt;
+  std::array<double, 6> numbers{};
+  std::copy(floats->begin(), floats->end(), numbers.begin());
+  return numbers;
+}
+
+void readJoints(const StatusItem& item, std::optional<arm::JointVector>& target) {
+  if (const auto numbers = sixNumbers(item)) target = arm::toJointVector(*numbers);
+}
+
+void readTorques(const StatusItem& item, std::optional<arm::JointVector>& target) {
+  constexpr double kNewtonmetresPerMillinewtonmetre = 1e-3;
+  const auto numbers = sixNumbers(item);
+  if (!numbers) return;
+  target = arm::JointVector(Eigen::Map<const arm::JointVector>(numbers->data()) *
+                            kNewtonmetresPerMillinewtonmetre);
+}
+
+void readPose(const StatusItem& item, std::optional<arm::Pose>& target) {
+  if (const auto numbers = sixNumbers(item)) target = arm::toPose(*numbers);
+}
+
+void readBool(const StatusItem& item, std::optional<bool>& target) {
+  if (const auto value = protocol::item::asBool(item)) target = value;
+}
+
+void readInt(const StatusItem& item, std::optional<int>& target) {
+  if (const auto value = protocol::item::asInt(item)) target = *value;
+}
+
+void readString(const StatusItem& item, std::optional<std::string>& target) {
+  target = item.value;
+}
+
+using Reader = void (*)(const StatusItem&, RobotStatus&);
+struct ItemRow {
+  std::string_view name;
+  Reader read;
+};
+
+// Error_Content is streamed by TMflow 1.76 and 1.80 only.
+constexpr ItemRow kItems[] = {
+    {"Robot_Link", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.linked); }},
+    {"Joint_Angle", [](const StatusItem& i, RobotStatus& s) { readJoints(i, s.joints); }},
+    {"Joint_Speed", [](const StatusItem& i, RobotStatus& s) { readJoints(i, s.joint_velocities); }},
+    {"Joint_Torque", [](const StatusItem& i, RobotStatus& s) { readTorques(i, s.joint_torques); }},
+    {"Coord_Robot_Flange", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.flange); }},
+    {"Coord_Robot_Tool", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.tool); }},
+    {"Base_Value", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.base); }},
+    {"TCP_Value", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.tcp); }},
+    {"Base_Name", [](const StatusItem& i, RobotStatus& s) { readString(i, s.base_name); }},
+    {"TCP_Name", [](const StatusItem& i, RobotStatus& s) { readString(i, s.tcp_name); }},
+    {"Robot_Error", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.error); }},
+    {"Error_Code", [](const StatusItem& i, RobotStatus& s) { readInt(i, s.error_code); }},
+    {"Error_Content", [](const StatusItem& i, RobotStatus& s) { readString(i, s.error_text); }},
+    {"ESTOP", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.emergency_stop); }},
+    {"Safeguard_A", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.safeguard); }},
+    {"Project_Run", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.project_running); }},
+    {"Project_Pause", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.project_paused); }},
+    {"Project_Speed", [](const StatusItem& i, RobotStatus& s) { readInt(i, s.project_speed_percent); }},
+    {"MA_Mode", [](const StatusItem& i, RobotStatus& s) { readInt(i, s.operating_mode); }},
+};
+
+}  // namespace
+
+RobotStatus toRobotStatus(const std::vector<StatusItem>& items, Instant received) {
+  RobotStatus status;
+  status.received = received;
+  for (const StatusItem& item : items) {
+    const auto* row = std::find_if(std::begin(kItems), std::end(kItems),
+                                   [&](const ItemRow& known) { return known.name == item.name; });
+    if (row != std::end(kItems)) row->read(item, status);
+  }
+  return status;
+}
+
+}  // namespace cobot_command::link
