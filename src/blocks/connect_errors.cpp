@@ -1,4 +1,5 @@
 #include "catalogue_tables.h"
+
 #include "cobot_command/blocks/error_ids.h"
 
 namespace cobot_command::blocks {
@@ -41,8 +42,7 @@ std::vector<ErrorEntry> connectErrors() {
       {kBlock, own_error::kPortRange, "Port range: 1~65535", kRange,
        "port is 0, on which nothing can listen, negative, or above 65535"},
       {kBlock, own_error::kConnectBusy, "Connect is under execution",
-       "Cancel the running connect, or use the connection that it made",
-       "another connect goal is Busy"},
+       "Cancel the running connect, or use the connection that it made", "another connect goal is Busy"},
   };
 }
 

@@ -121,34 +121,35 @@ void ConnectRun::fire(Event event, Instant now) {
 }
 
 void ConnectRun::act(ConnectAction action, Instant now) {
-  using Action = ConnectAction;
+  using Do = ConnectAction;
   switch (action) {
-    case Action::None:
+    case Do::None:
       return;
-    case Action::Start:
+    case Do::Start:
+      reported_.reset();
       board_.accept(Block::Connect, id_, 0);
       deadline_ = now + fromSeconds(goal_.timeout);
       script_.start(goal_.host, goal_.port, now);
       if (settings_.status_port != 0) status_.start(goal_.host, now);
       return;
-    case Action::Hold:
+    case Do::Hold:
       deadline_.reset();
       connected_ = true;
       last_connected_ = now;
       return;
-    case Action::RestartTimeout:
+    case Do::RestartTimeout:
       deadline_ = now + fromSeconds(goal_.timeout);
       return;
-    case Action::StopMotions:
+    case Do::StopMotions:
       deadline_.reset();
       return;
-    case Action::EndTimedOut:
+    case Do::EndTimedOut:
       end(toOutcome(Block::Connect, Ending::Aborted, timedOut(script_.trouble(), script_.diagnosis())), now);
       return;
-    case Action::EndLost:
+    case Do::EndLost:
       end(toOutcome(Block::Connect, Ending::Aborted, {connect_error::kDisconnected, loss_, ""}), now);
       return;
-    case Action::EndDone: {
+    case Do::EndDone: {
       Outcome outcome;
       outcome.error_description = "disconnected on request";
       end(std::move(outcome), now);
@@ -181,6 +182,8 @@ void ConnectRun::report() {
     default:
       progress.phase = Phase::Connecting;
   }
+  if (reported_ == std::pair(progress.phase, progress.text)) return;
+  reported_.emplace(progress.phase, progress.text);
   board_.progress(Block::Connect, id_, std::move(progress));
 }
 

@@ -3,14 +3,16 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "failure.h"
+#include "output_board.h"
 
 #include "cobot_command/blocks/connect_run_states.h"
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/link/script_link.h"
 #include "cobot_command/link/status_link.h"
-#include "failure.h"
-#include "output_board.h"
 
 namespace cobot_command::blocks {
 
@@ -59,6 +61,7 @@ class ConnectRun {
   std::optional<Instant> deadline_;
   bool connected_ = false;  ///< was Ready since the last loss
   std::string loss_;
+  std::optional<std::pair<Phase, std::string>> reported_;  ///< the last progress
   std::optional<Instant> last_connected_;
   std::optional<Instant> last_lost_;
 };

@@ -1,8 +1,7 @@
 // Events: handed to the links, and what the links make of them handed to the runs.
 
-#include <fmt/format.h>
-
 #include "core_impl.h"
+#include <fmt/format.h>
 
 namespace cobot_command::blocks {
 
@@ -90,26 +89,23 @@ void CommandCore::Impl::settle(Instant now) {
     more = false;
     while (const auto output = script_.next(now)) {
       std::visit([&](const auto& event) { handle(event, now); }, *output);
-      finishRun(now);
+      if (run_ && run_->ended()) run_.reset();
     }
     while (const auto status = status_.next(now)) handle(*status, now);
     if (robot_.status() && !status_.streaming()) {
       robot_.forget();
       if (run_) run_->robotChanged(now);
     }
-    if (run_ && run_->ended()) more = true;
-    finishRun(now);
+    if (run_ && run_->ended()) {
+      run_.reset();
+      more = true;
+    }
     if (connect_.disconnecting() && !run_) {
       connect_.motionsEnded(now);
       more = true;
     }
   }
   publishStatus();
-}
-
-void CommandCore::Impl::finishRun(Instant /*now*/) {
-  if (!run_ || !run_->ended()) return;
-  run_.reset();
 }
 
 void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "core_impl.h"
+#include "move_absolute.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
-#include "core_impl.h"
-#include "move_absolute.h"
 
 namespace cobot_command::blocks {
 namespace {

@@ -6,15 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "cobot_command/blocks/command_core.h"
-#include "cobot_command/link/script_link.h"
-#include "cobot_command/link/status_link.h"
-#include "cobot_command/link/tag_ledger.h"
 #include "connect_run.h"
 #include "motion_run.h"
 #include "output_board.h"
 #include "preflight.h"
 #include "robot_watch.h"
+
+#include "cobot_command/blocks/command_core.h"
+#include "cobot_command/link/script_link.h"
+#include "cobot_command/link/status_link.h"
+#include "cobot_command/link/tag_ledger.h"
 
 namespace cobot_command::blocks {
 
@@ -35,7 +36,8 @@ class CommandCore::Impl : private link::Wire {
 
  private:
   // --- Wire, for the links.
-  link::ConnectionId open(link::Channel channel, const std::string& host, int port, Duration timeout) override;
+  link::ConnectionId open(link::Channel channel, const std::string& host, int port,
+                          Duration timeout) override;
   void close(link::ConnectionId id) override;
   void send(link::ConnectionId id, std::string bytes) override;
   void trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,
@@ -56,7 +58,6 @@ class CommandCore::Impl : private link::Wire {
   void handle(const link::TagReported& event, Instant now);
   void handle(const link::TagQueryFailed& event, Instant now);
   void handle(const link::RobotStatus& status, Instant now);
-  void finishRun(Instant now);
   void publishStatus();
   void log(Severity severity, std::string text);
 

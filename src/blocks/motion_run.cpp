@@ -1,7 +1,5 @@
 #include "motion_run.h"
 
-
-
 #include "cobot_command/blocks/error_ids.h"
 
 namespace cobot_command::blocks {
@@ -72,7 +70,8 @@ std::optional<Instant> MotionRun::nextDeadline() const {
 void MotionRun::robotChanged(Instant now) {
   if (ended()) return;
   if (context_.robot.emergencyStop()) {
-    fail({motion_error::kLinkDropped, "emergency stop", "Release the emergency stop and start the project again"},
+    fail({motion_error::kLinkDropped, "emergency stop",
+          "Release the emergency stop and start the project again"},
          Robot::Stop, now);
     return;
   }
@@ -117,38 +116,38 @@ void MotionRun::fail(Failure failure, Robot robot, Instant now) {
 }
 
 void MotionRun::act(MotionRunAction action, Instant now) {
-  using Action = MotionRunAction;
+  using Do = MotionRunAction;
   switch (action) {
-    case Action::None:
+    case Do::None:
       return;
-    case Action::RememberTag:
+    case Do::RememberTag:
       tag_seen_at_ = now;
       return;
-    case Action::AwaitTag:
+    case Do::AwaitTag:
       awaitTag(now);
       return;
-    case Action::AskTag:
+    case Do::AskTag:
       deadline_.reset();
       context_.link.queryTag(*order_.tag, now);
       return;
-    case Action::Extend:
+    case Do::Extend:
       deadline_ = now + context_.settings.tag_deadline_margin;
       return;
-    case Action::SendStop:
+    case Do::SendStop:
       report(Phase::Stopping, "cancelled, stopping the robot");
       sendStop(now);
       return;
-    case Action::AwaitStandstill:
+    case Do::AwaitStandstill:
       awaitStandstill(now);
       return;
-    case Action::EndDone:
+    case Do::EndDone:
       end(Outcome{}, now);
       return;
-    case Action::EndError:
+    case Do::EndError:
       if (robot_on_failure_ == Robot::Stop) sendStop(now);
       end(toOutcome(order_.block, Ending::Aborted, failure_), now);
       return;
-    case Action::EndAborted: {
+    case Do::EndAborted: {
       Outcome outcome;
       outcome.ending = Ending::CommandAborted;
       outcome.error_description = "cancelled; the robot was stopped";
@@ -187,8 +186,8 @@ void MotionRun::sendStop(Instant now) {
   held_since_.reset();
   context_.tags.renewEpoch();
   if (!context_.link.established()) return;
-  stop_id_ = context_.link.sendScript(protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})),
-                                      now);
+  stop_id_ = context_.link.sendScript(
+      protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})), now);
 }
 
 void MotionRun::report(Phase phase, std::string text) {

@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "failure.h"
+#include "output_board.h"
+#include "preflight.h"
+#include "robot_watch.h"
+
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/motion_run_states.h"
 #include "cobot_command/link/script_link.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/protocol/script_command.h"
-#include "failure.h"
-#include "output_board.h"
-#include "preflight.h"
-#include "robot_watch.h"
 
 namespace cobot_command::blocks {
 

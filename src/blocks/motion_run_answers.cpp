@@ -1,9 +1,9 @@
 // What the controller's answers mean for a running command.
 
+#include "motion_run.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
-#include "motion_run.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -25,7 +25,8 @@ std::string faultyLines(const std::vector<protocol::ScriptCommand>& script, cons
 
 Failure failureOf(const protocol::CommunicationError& error) {
   const bool not_listening = error.code == protocol::CommunicationErrorCode::NotListening;
-  return {not_listening ? own_error::kNotListening : own_error::kCommunication, protocol::describe(error), ""};
+  return {not_listening ? own_error::kNotListening : own_error::kCommunication, protocol::describe(error),
+          ""};
 }
 
 }  // namespace
@@ -95,7 +96,8 @@ void MotionRun::tagIncomplete(protocol::TagState state, Instant now) {
     fail({own_error::kTagLost, fmt::format("tag {} is still not complete", *order_.tag), ""}, Robot::Stop,
          now);
   } else {
-    fail({motion_error::kMotionFailed, fmt::format("the robot stands, tag {} is not complete", *order_.tag), ""},
+    fail({motion_error::kMotionFailed, fmt::format("the robot stands, tag {} is not complete", *order_.tag),
+          ""},
          Robot::Stop, now);
   }
 }

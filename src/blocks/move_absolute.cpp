@@ -81,8 +81,7 @@ motion::Command motionOf(const MoveAbsoluteGoal& goal) {
   }
   motion::PoseTarget target{arm::toPose(goal.target), std::nullopt};
   if (goal.robot_pose_enable) {
-    target.bits =
-        arm::PoseBits::fromNumbers(goal.robot_pose[0], goal.robot_pose[1], goal.robot_pose[2]);
+    target.bits = arm::PoseBits::fromNumbers(goal.robot_pose[0], goal.robot_pose[1], goal.robot_pose[2]);
   }
   ptp.target = target;
   return ptp;

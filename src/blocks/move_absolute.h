@@ -1,4 +1,5 @@
-// CBT_MoveAbsolute (thesis 5.3.2): what its goal must satisfy, and the script and the motion that it asks for.
+// CBT_MoveAbsolute (thesis 5.3.2): what its goal must satisfy, and the script and the motion that it asks
+// for.
 //
 // How a command lives on the wire is the same for all motions and not told here: motion_run.h.
 #pragma once
@@ -6,10 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "failure.h"
+
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/motion/command.h"
 #include "cobot_command/protocol/script_command.h"
-#include "failure.h"
 
 namespace cobot_command::blocks {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "move_absolute.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
-#include "move_absolute.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -88,8 +88,8 @@ class Checks {
     const auto bad = std::find_if(goal_.target.begin(), goal_.target.end(),
                                   [](double v) { return !isWithin(v, -kMaxCoordinate, kMaxCoordinate); });
     if (bad == goal_.target.end()) return;
-    const bool finite = std::all_of(goal_.target.begin(), goal_.target.end(),
-                                    [](double v) { return std::isfinite(v); });
+    const bool finite =
+        std::all_of(goal_.target.begin(), goal_.target.end(), [](double v) { return std::isfinite(v); });
     require(false, finite ? own_error::kCoordinateRange : own_error::kNotFinite,
             fmt::format("coordinate {} is {}", bad - goal_.target.begin() + 1, *bad));
   }

@@ -1,4 +1,5 @@
 #include "catalogue_tables.h"
+
 #include "cobot_command/blocks/error_ids.h"
 
 namespace cobot_command::blocks {
@@ -21,7 +22,8 @@ std::vector<ErrorEntry> thesisErrors() {
       {kBlock, motion_error::kSpeedRangeAbsolute, "Speed range in Line: 0~4500 mm/s", kRange,
        "a format with speed in mm/s (CAP, CAR): speed is negative, above 4500, or not a number"},
       {kBlock, motion_error::kSpeedRangePercent, "Speed range in PTP: 0~100 %", kRange,
-       "a format with speed in % (JPP, CPP, CPR), PTP or Line: speed is negative, above 100, or not a number"},
+       "a format with speed in % (JPP, CPP, CPR), PTP or Line: speed is negative, above 100, or not a "
+       "number"},
       {kBlock, motion_error::kAccelTimeRange, "Acceleration Time range is: 150~9999 ms", kRange,
        "accel_time is below 150, above 9999, or not a number"},
       {kBlock, motion_error::kCommandIdRange, "Command ID range is: 2~9", kRange,
@@ -68,8 +70,7 @@ std::vector<ErrorEntry> ownErrors() {
       {kBlock, own_error::kPoseBits, "Robot pose not achievable",
        "Choose another robot pose, or let the arm keep the present one",
        "planning: the target can be reached, but not with the wanted configuration"},
-      {kBlock, own_error::kJointLimit, "Joint limit exceeded",
-       "Choose another target, robot pose or path",
+      {kBlock, own_error::kJointLimit, "Joint limit exceeded", "Choose another target, robot pose or path",
        "planning: a joint would leave its range"},
       {kBlock, own_error::kJointSpeed, "Joint speed exceeded", "Lower the speed, or use PTP",
        "planning: a joint would have to be faster than rated"},
@@ -80,7 +81,8 @@ std::vector<ErrorEntry> ownErrors() {
       {kBlock, own_error::kSpeedZero, "Speed must be greater than 0", kRange,
        "speed is 0: the motion could never finish"},
       {kBlock, own_error::kBlendingRange, "Blending range: 0~100 % or 0~2000 mm", kRange,
-       "blending_enable and blending_value is outside 0..100 (formats ..P) or 0..2000 (formats ..R), or not a "
+       "blending_enable and blending_value is outside 0..100 (formats ..P) or 0..2000 (formats ..R), or not "
+       "a "
        "number"},
       {kBlock, own_error::kMovementUnknown, "MovementCommand unknown", "Use 0 (Line) or 1 (PTP)",
        "movement_command is neither 0 nor 1"},
@@ -99,9 +101,11 @@ std::vector<ErrorEntry> ownErrors() {
        "the status stream shows an emergency stop when the command comes (during execution: 16#99)"},
       {kBlock, own_error::kRobotError, "Controller is in error",
        "Clear the error on the controller and start the project again",
-       "the status stream shows an error, when the command comes or while it is Busy; code and text are given"},
+       "the status stream shows an error, when the command comes or while it is Busy; code and text are "
+       "given"},
       {kBlock, own_error::kTagLost, "Motion not confirmed", kAgain,
-       "the motion is overdue and the controller does not know its tag, or cannot tell for too long; the robot "
+       "the motion is overdue and the controller does not know its tag, or cannot tell for too long; the "
+       "robot "
        "is told to stop"},
       {kBlock, own_error::kCommunication, "Communication error reported by the controller", kAgain,
        "the controller answered the script with CPERR 01..04"},

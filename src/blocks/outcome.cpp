@@ -2,9 +2,8 @@
 
 #include <cassert>
 
-#include <fmt/format.h>
-
 #include "failure.h"
+#include <fmt/format.h>
 
 namespace cobot_command::blocks {
 namespace {

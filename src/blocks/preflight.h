@@ -3,12 +3,13 @@
 
 #include <optional>
 
+#include "failure.h"
+#include "robot_watch.h"
+
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/motion/command.h"
-#include "failure.h"
-#include "robot_watch.h"
 
 namespace cobot_command::blocks {
 

@@ -47,8 +47,7 @@ void ScriptLink::openFailed(const OpenFailure& failure, Instant now) {
                fmt::format("{}:{} does not answer: controller off, or wrong address", host_, port_));
       break;
     case OpenFailure::Kind::Other:
-      diagnose(Trouble::OpenFailed,
-               fmt::format("no connection to {}:{}: {}", host_, port_, failure.message));
+      diagnose(Trouble::OpenFailed, fmt::format("no connection to {}:{}: {}", host_, port_, failure.message));
       break;
   }
   fire(Event::OpenFailed, now);
@@ -117,8 +116,7 @@ void ScriptLink::askForNode(Instant now) {
     }
   }
   ++unanswered_lifesigns_;
-  lifesign_at_ =
-      now + (state_ == State::Probing ? settings_.reply_timeout : settings_.supervision_period);
+  lifesign_at_ = now + (state_ == State::Probing ? settings_.reply_timeout : settings_.supervision_period);
   transmit(protocol::ListenNodeQuery{}, Request{}, now);
 }
 
@@ -132,9 +130,9 @@ void ScriptLink::lifesignDue(Instant now) {
       diagnose(Trouble::NotTmRobot,
                fmt::format("{}:{} does not speak the protocol of a TM robot", host_, port_));
     } else {
-      diagnose(Trouble::Silent,
-               fmt::format("connected to {}:{}, but nothing answers: not a TM robot, or it hangs", host_,
-                           port_));
+      diagnose(
+          Trouble::Silent,
+          fmt::format("connected to {}:{}, but nothing answers: not a TM robot, or it hangs", host_, port_));
     }
   }
   if (unanswered_lifesigns_ < settings_.supervision_misses) {
@@ -193,8 +191,7 @@ void ScriptLink::act(ScriptLinkAction action, Instant now) {
       connection_ = wire_.open(Channel::Script, host_, port_, settings_.open_timeout);
       return;
     case ScriptLinkAction::Probe:
-      diagnose(Trouble::Silent,
-               fmt::format("connected to {}:{}, asking for the Listen node", host_, port_));
+      diagnose(Trouble::Silent, fmt::format("connected to {}:{}, asking for the Listen node", host_, port_));
       askForNode(now);
       return;
     case ScriptLinkAction::Lose:

@@ -18,8 +18,8 @@ enum class ConnectEvent {
   Execute,
   BecameReady,
   TimedOut,
-  Lost,          ///< an established link, not to be made again by this goal
-  LostToRetry,   ///< the same, with auto_reconnect
+  Lost,         ///< an established link, not to be made again by this goal
+  LostToRetry,  ///< the same, with auto_reconnect
   Cancel,
   MotionsEnded,
 };

@@ -35,15 +35,17 @@ struct LinkSettings {
   Duration retry_max = std::chrono::seconds(1);           ///< ... up to this
   Duration reply_timeout = std::chrono::seconds(1);       ///< for OK / ERROR and for TMSTA answers
   Duration supervision_period = std::chrono::seconds(1);  ///< lifesign: TMSTA 00 (thesis 5.3.1)
-  /// Unanswered lifesigns until the link counts as lost: with a period of 1 s a dead peer is found within 3 s.
+  /// Unanswered lifesigns until the link counts as lost: with a period of 1 s a dead peer is found within 3
+  /// s.
   int supervision_misses = 2;
-  Duration status_timeout = std::chrono::seconds(1);  ///< without a status frame: status link reopened
-  double tag_deadline_factor = 1.5;                   ///< times the planned duration ...
-  Duration tag_deadline_margin = std::chrono::seconds(2);         ///< ... plus this
+  Duration status_timeout = std::chrono::seconds(1);       ///< without a status frame: status link reopened
+  double tag_deadline_factor = 1.5;                        ///< times the planned duration ...
+  Duration tag_deadline_margin = std::chrono::seconds(2);  ///< ... plus this
   Duration unplanned_motion_timeout = std::chrono::seconds(300);  ///< when the motion could not be planned
   Duration stop_timeout = std::chrono::seconds(2);  ///< from an accepted stop until the robot stands
-  /// A connect goal whose link is lost: false: it ends (16#90), as in the thesis. True: it stays Busy and tries
-  /// again for its timeout before it ends. Open motions end at the loss either way; nothing resumes by itself.
+  /// A connect goal whose link is lost: false: it ends (16#90), as in the thesis. True: it stays Busy and
+  /// tries again for its timeout before it ends. Open motions end at the loss either way; nothing resumes by
+  /// itself.
   bool auto_reconnect = false;
 };
 

@@ -19,8 +19,8 @@ inline constexpr Instant kNoDeadline = Instant::max();
 struct Request {
   enum class Kind { Script, NodeQuery, TagQuery };
   Kind kind = Kind::NodeQuery;
-  std::string script_id;  ///< of a Script
-  int tag = 0;            ///< of a TagQuery
+  std::string script_id;           ///< of a Script
+  int tag = 0;                     ///< of a TagQuery
   Instant deadline = kNoDeadline;  ///< when its answer counts as missing
 };
 

@@ -35,11 +35,11 @@ enum class ScriptLinkEvent {
 
 enum class ScriptLinkAction {
   None,
-  Open,     ///< start a TCP connection
-  Probe,    ///< ask TMSTA 00
-  Retry,    ///< not established: drop the connection if there is one, try again after the back-off
-  Lose,     ///< established: tell that it is lost, then as Retry
-  Release   ///< drop the connection, on request
+  Open,    ///< start a TCP connection
+  Probe,   ///< ask TMSTA 00
+  Retry,   ///< not established: drop the connection if there is one, try again after the back-off
+  Lose,    ///< established: tell that it is lost, then as Retry
+  Release  ///< drop the connection, on request
 };
 
 struct ScriptLinkTable {

@@ -1,0 +1,112 @@
+// A command core with a scripted controller at the other end: pure bytes and invented time.
+//
+// Every frame that the core sends on the script port has to be taken by the test (lifesigns aside, which the
+// rig answers by itself as long as `answers_lifesigns` is set); what is left at the end fails the test. After
+// every event the rig checks the rules that always hold: at most one output of a block at a time, one end for
+// each goal, no end before its acceptance unless it is a rejection.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "cobot_command/blocks/command_core.h"
+#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/protocol/frame_decoder.h"
+#include "cobot_command/protocol/message.h"
+#include "cobot_command/protocol/status_items.h"
+
+namespace cobot_command::testing {
+
+using namespace std::chrono_literals;
+
+class CoreRig {
+ public:
+  explicit CoreRig(std::optional<arm::ArmModel> arm = std::nullopt, link::LinkSettings settings = noStatus());
+  ~CoreRig();
+
+  [[nodiscard]] static link::LinkSettings noStatus();
+  [[nodiscard]] static blocks::MoveAbsoluteGoal move();  ///< a good PTP CPP
+  [[nodiscard]] static blocks::ConnectGoal robot();
+
+  // --- Goals.
+  blocks::GoalId submit(const blocks::Goal& goal);
+  void cancel(blocks::GoalId id);
+  void shutDown();
+  /// A connect goal that is brought to Ready (and its status link opened, if there is one).
+  blocks::GoalId connect();
+
+  // --- The wire.
+  [[nodiscard]] std::optional<blocks::OpenConnection> pendingOpen(link::Channel channel) const;
+  void open(link::Channel channel = link::Channel::Script);
+  void failOpen(link::OpenFailure::Kind kind, link::Channel channel = link::Channel::Script);
+  void close(const std::string& reason, link::Channel channel = link::Channel::Script);
+  void receive(const std::string& bytes, link::Channel channel = link::Channel::Script);
+  void say(const protocol::ControllerMessage& message) { receive(protocol::encode(message)); }
+  void reply(const std::string& id, bool accepted = true, std::vector<int> lines = {});
+  void tag(int number, protocol::TagState state = protocol::TagState::Complete);
+  void status(const std::vector<protocol::StatusItem>& items);
+
+  /// The oldest frame that was sent and not yet taken; fails when it is of another kind.
+  protocol::ScriptRequest takeScript();
+  protocol::TagQuery takeTagQuery();
+  [[nodiscard]] bool nothingSent() const { return sent_.empty(); }
+  void discardSent() { sent_.clear(); }
+
+  // --- Time.
+  /// Lets time pass, calling advance() exactly at each deadline.
+  void pass(Duration duration);
+
+  // --- What came out.
+  [[nodiscard]] bool accepted(blocks::GoalId id) const { return accepted_.count(id) != 0; }
+  [[nodiscard]] const blocks::Outcome* outcome(blocks::GoalId id) const;
+  [[nodiscard]] const std::vector<blocks::Progress>& progress(blocks::GoalId id) { return progress_[id]; }
+  [[nodiscard]] const blocks::CommandStatus& latest() const { return latest_; }
+  [[nodiscard]] const blocks::BlockOutputs& outputs(blocks::Block block) const;
+  [[nodiscard]] bool connectionOpen(link::Channel channel) const { return connections_.count(channel) != 0; }
+
+  blocks::CommandCore core;
+  Instant now{1000s};
+  bool answers_lifesigns = true;
+  bool listening = true;
+  std::string listen_node = "Listen1";
+  int scripts_sent = 0;
+  int opens = 0;
+  std::vector<blocks::FrameTraced> traces;
+  std::vector<link::RobotStatus> robot;
+
+  void pump();
+
+ private:
+  struct Connection {
+    link::ConnectionId id;
+    bool open = false;
+  };
+  void take(const blocks::OpenConnection& action);
+  void take(const blocks::CloseConnection& action);
+  void take(const blocks::SendBytes& action);
+  void take(const blocks::GoalAccepted& action);
+  void take(const blocks::GoalProgressed& action);
+  void take(const blocks::GoalEnded& action);
+  void take(const blocks::StatusChanged& action);
+  void take(const blocks::RobotStatusReceived& action);
+  void take(const blocks::FrameTraced& action);
+  void take(const blocks::LogMessage& action);
+  void answerLifesigns();
+
+  blocks::GoalId last_goal_ = 0;
+  std::map<link::Channel, Connection> connections_;
+  std::map<link::Channel, blocks::OpenConnection> opening_;
+  protocol::FrameDecoder decoder_;
+  std::deque<protocol::ClientMessage> sent_;
+  std::map<blocks::GoalId, bool> accepted_;
+  std::map<blocks::GoalId, std::vector<blocks::Progress>> progress_;
+  std::map<blocks::GoalId, blocks::Outcome> ended_;
+  blocks::CommandStatus latest_;
+};
+
+}  // namespace cobot_command::testing
