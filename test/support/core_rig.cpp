@@ -229,7 +229,7 @@ void CoreRig::take(const StatusChanged& action) {
 }
 
 void CoreRig::take(const RobotStatusReceived& action) {
-  robot.push_back(action.status);
+  robot_statuses.push_back(action.status);
 }
 
 void CoreRig::take(const FrameTraced& action) {

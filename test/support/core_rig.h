@@ -77,7 +77,7 @@ class CoreRig {
   int scripts_sent = 0;
   int opens = 0;
   std::vector<blocks::FrameTraced> traces;
-  std::vector<link::RobotStatus> robot;
+  std::vector<link::RobotStatus> robot_statuses;
 
   void pump();
 
