@@ -7,6 +7,24 @@ namespace cobot_command::link {
 using Event = ScriptLinkEvent;
 using State = ScriptLinkState;
 
+namespace {
+
+bool isBeforeConnection(Trouble trouble) {
+  switch (trouble) {
+    case Trouble::NotTriedYet:
+    case Trouble::Refused:
+    case Trouble::Unreachable:
+    case Trouble::UnknownHost:
+    case Trouble::OpenTimedOut:
+    case Trouble::OpenFailed:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
 ScriptLink::ScriptLink(const LinkSettings& settings, Wire& wire)
     : settings_(settings), wire_(wire), back_off_(settings.retry_min, settings.retry_max) {}
 
@@ -191,7 +209,11 @@ void ScriptLink::act(ScriptLinkAction action, Instant now) {
       connection_ = wire_.open(Channel::Script, host_, port_, settings_.open_timeout);
       return;
     case ScriptLinkAction::Probe:
-      diagnose(Trouble::Silent, fmt::format("connected to {}:{}, asking for the Listen node", host_, port_));
+      // What an earlier connection of this start taught says more than that there is a new one.
+      if (isBeforeConnection(trouble_)) {
+        diagnose(Trouble::Silent,
+                 fmt::format("connected to {}:{}, asking for the Listen node", host_, port_));
+      }
       askForNode(now);
       return;
     case ScriptLinkAction::Lose:

@@ -168,6 +168,7 @@ void CoreRig::answerLifesigns() {
       continue;
     }
     sent_.erase(sent_.begin() + static_cast<std::ptrdiff_t>(i));
+    if (!connectionOpen(link::Channel::Script)) continue;  // closed in the same instant
     say(protocol::ListenNodeState{listening, listening ? listen_node : ""});
     return;  // say() pumps again
   }

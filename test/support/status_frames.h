@@ -1,0 +1,62 @@
+// Frames of a status stream, made by saying what is unusual in them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cobot_command/protocol/status_items.h"
+
+namespace cobot_command::testing {
+
+/// A robot that stands at J = 0 0 90 0 90 0 degrees, without errors, its project running.
+class StatusFrames {
+ public:
+  StatusFrames() {
+    namespace item = protocol::item;
+    items_ = {item::ofByte("Robot_Link", 1),
+              item::ofBool("Robot_Error", false),
+              item::ofBool("Project_Run", true),
+              item::ofBool("Project_Pause", false),
+              item::ofBool("Safeguard_A", false),
+              item::ofBool("ESTOP", false),
+              item::ofInt("Error_Code", 0),
+              item::ofInt("Project_Speed", 100),
+              item::ofFloats("Joint_Angle", {0, 0, 90, 0, 90, 0}),
+              item::ofFloats("Joint_Speed", {0, 0, 0, 0, 0, 0})};
+  }
+
+  StatusFrames& with(protocol::StatusItem item) {
+    for (auto& known : items_) {
+      if (known.name == item.name) {
+        known = std::move(item);
+        return *this;
+      }
+    }
+    items_.push_back(std::move(item));
+    return *this;
+  }
+  StatusFrames& without(const std::string& name) {
+    std::vector<protocol::StatusItem> kept;
+    for (auto& item : items_) {
+      if (item.name != name) kept.push_back(std::move(item));
+    }
+    items_ = std::move(kept);
+    return *this;
+  }
+  StatusFrames& moving() { return with(protocol::item::ofFloats("Joint_Speed", {0, 5, -20, 0, 0, 0})); }
+  StatusFrames& paused() { return with(protocol::item::ofBool("Project_Pause", true)); }
+  StatusFrames& emergencyStop() { return with(protocol::item::ofBool("ESTOP", true)); }
+  StatusFrames& error(int code, const std::string& text) {
+    return with(protocol::item::ofBool("Robot_Error", true))
+        .with(protocol::item::ofInt("Error_Code", code))
+        .with(protocol::item::ofString("Error_Content", text));
+  }
+
+  operator const std::vector<protocol::StatusItem>&() const { return items_; }  // NOLINT: meant to convert
+
+ private:
+  std::vector<protocol::StatusItem> items_;
+};
+
+}  // namespace cobot_command::testing

@@ -1,0 +1,269 @@
+// What is refused before a byte is sent, with which ErrorID: each row of the tables, both ends of each range.
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core_rig.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cobot_command::testing {
+namespace {
+
+using namespace blocks;
+using ::testing::HasSubstr;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// The ErrorID of a refusal, 0 when the goal was sent.
+int errorOf(CoreRig& rig, const MoveAbsoluteGoal& goal) {
+  const int scripts = rig.scripts_sent;
+  const GoalId id = rig.submit(goal);
+  const Outcome* outcome = rig.outcome(id);
+  if (outcome == nullptr) {
+    EXPECT_EQ(rig.scripts_sent, scripts + 1);
+    rig.reply(rig.takeScript().id, false, {1});  // out of the way
+    return 0;
+  }
+  EXPECT_EQ(outcome->ending, Ending::Rejected);
+  EXPECT_EQ(rig.scripts_sent, scripts) << "a refusal sends nothing";
+  EXPECT_EQ(outcome->error_description.find(findError(Block::MoveAbsolute, outcome->error_id)->description),
+            0u);
+  EXPECT_FALSE(outcome->remedy.empty());
+  EXPECT_TRUE(rig.latest().open_tags.empty());
+  return outcome->error_id;
+}
+
+MoveAbsoluteGoal with(const std::function<void(MoveAbsoluteGoal&)>& change) {
+  MoveAbsoluteGoal goal = CoreRig::move();
+  change(goal);
+  return goal;
+}
+
+MoveAbsoluteGoal line(AbsoluteFormat format, double speed = 10) {
+  return with([&](MoveAbsoluteGoal& g) {
+    g.movement_command = static_cast<int>(Movement::Line);
+    g.data_format = static_cast<int>(format);
+    g.speed = speed;
+  });
+}
+
+class Refusal : public ::testing::Test {
+ protected:
+  Refusal() { rig.connect(); }
+  int errorWith(const std::function<void(MoveAbsoluteGoal&)>& change) { return errorOf(rig, with(change)); }
+  CoreRig rig;
+};
+
+TEST_F(Refusal, ofSpeedInPercentOutsideItsRange) {
+  for (const double good : {0.001, 1.0, 100.0}) {
+    EXPECT_EQ(errorWith([&](auto& g) { g.speed = good; }), 0);
+    EXPECT_EQ(errorOf(rig, line(AbsoluteFormat::Cpp, good)), 0);
+    EXPECT_EQ(errorOf(rig, line(AbsoluteFormat::Cpr, good)), 0);
+  }
+  for (const double bad : {-1.0, -0.001, 100.001, 4500.0, 1e308, kNan, kInf, -kInf}) {
+    EXPECT_EQ(errorWith([&](auto& g) { g.speed = bad; }), motion_error::kSpeedRangePercent) << bad;
+    EXPECT_EQ(errorOf(rig, line(AbsoluteFormat::Cpp, bad)), motion_error::kSpeedRangePercent) << bad;
+    EXPECT_EQ(errorOf(rig, line(AbsoluteFormat::Cpr, bad)), motion_error::kSpeedRangePercent) << bad;
+  }
+}
+
+TEST_F(Refusal, ofSpeedInMillimetresOutsideItsRange) {
+  for (const auto format : {AbsoluteFormat::Cap, AbsoluteFormat::Car}) {
+    for (const double good : {0.001, 101.0, 4500.0}) EXPECT_EQ(errorOf(rig, line(format, good)), 0);
+    for (const double bad : {-1.0, 4500.001, 1e308, kNan, kInf}) {
+      EXPECT_EQ(errorOf(rig, line(format, bad)), motion_error::kSpeedRangeAbsolute) << bad;
+    }
+  }
+}
+
+TEST_F(Refusal, ofSpeedZero) {
+  EXPECT_EQ(errorWith([](auto& g) { g.speed = 0; }), own_error::kSpeedZero);
+  EXPECT_EQ(errorWith([](auto& g) { g.speed = -0.0; }), own_error::kSpeedZero);
+  EXPECT_EQ(errorOf(rig, line(AbsoluteFormat::Cap, 0)), own_error::kSpeedZero);
+}
+
+TEST_F(Refusal, ofAccelTimeOutsideItsRange) {
+  for (const double good : {150.0, 9999.0}) EXPECT_EQ(errorWith([&](auto& g) { g.accel_time = good; }), 0);
+  for (const double bad : {0.0, 149.999, 9999.001, -150.0, kNan, kInf}) {
+    EXPECT_EQ(errorWith([&](auto& g) { g.accel_time = bad; }), motion_error::kAccelTimeRange) << bad;
+  }
+}
+
+TEST_F(Refusal, ofCommandIdOutsideItsRange) {
+  for (const int good : {0, 2, 9}) EXPECT_EQ(errorWith([&](auto& g) { g.command_id = good; }), 0) << good;
+  for (const int bad : {-1, 1, 10, 65535, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
+    EXPECT_EQ(errorWith([&](auto& g) { g.command_id = bad; }), motion_error::kCommandIdRange) << bad;
+  }
+}
+
+TEST_F(Refusal, ofRobotPoseOutsideItsRangesOrWhereThereIsNone) {
+  const auto pose = [&](std::array<int, 3> bits) {
+    return errorWith([&](auto& g) {
+      g.robot_pose_enable = true;
+      g.robot_pose = bits;
+    });
+  };
+  EXPECT_EQ(pose({0, 2, 4}), 0);
+  EXPECT_EQ(pose({1, 3, 5}), 0);
+  for (const int bad : {-1, 2}) EXPECT_EQ(pose({bad, 2, 4}), motion_error::kPose1Range);
+  for (const int bad : {1, 4}) EXPECT_EQ(pose({0, bad, 4}), motion_error::kPose2Range);
+  for (const int bad : {3, 6}) EXPECT_EQ(pose({0, 2, bad}), motion_error::kPose3Range);
+  EXPECT_EQ(errorWith([](auto& g) { g.robot_pose = {7, 7, 7}; }), 0) << "not enabled, not looked at";
+
+  MoveAbsoluteGoal on_line = line(AbsoluteFormat::Cpp);
+  on_line.robot_pose_enable = true;
+  EXPECT_EQ(errorOf(rig, on_line), motion_error::kPoseWithLine);
+  EXPECT_EQ(errorWith([](auto& g) {
+              g.data_format = static_cast<int>(AbsoluteFormat::Jpp);
+              g.robot_pose_enable = true;
+            }),
+            own_error::kPoseWithJoints);
+}
+
+TEST_F(Refusal, ofFormatsThatTheMovementDoesNotHave) {
+  for (const int format : {-1, 2, 3, 4, 5, 99}) {
+    EXPECT_EQ(errorWith([&](auto& g) { g.data_format = format; }), motion_error::kFormatForPtp) << format;
+  }
+  for (const int format : {-1, 0, 5, 99}) {
+    EXPECT_EQ(errorOf(rig, line(static_cast<AbsoluteFormat>(format))), motion_error::kFormatForLine)
+        << format;
+  }
+  for (const int movement : {-1, 2, 99}) {
+    EXPECT_EQ(errorWith([&](auto& g) { g.movement_command = movement; }), own_error::kMovementUnknown);
+  }
+}
+
+TEST_F(Refusal, ofTargetsThatAreNoNumbersOrAbsurd) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (const double bad : {kNan, kInf, -kInf}) {
+      EXPECT_EQ(errorWith([&](auto& g) { g.target[i] = bad; }), own_error::kNotFinite);
+    }
+    for (const double bad : {1e308, -100000.001}) {
+      EXPECT_EQ(errorWith([&](auto& g) { g.target[i] = bad; }), own_error::kCoordinateRange);
+    }
+    for (const double good : {100000.0, -100000.0}) {
+      EXPECT_EQ(errorWith([&](auto& g) { g.target[i] = good; }), 0) << "without a model there is no reach";
+    }
+  }
+}
+
+TEST_F(Refusal, ofBlendingOutsideItsRange) {
+  const auto blending = [&](MoveAbsoluteGoal goal, double value) {
+    goal.blending_enable = true;
+    goal.blending_value = value;
+    return errorOf(rig, goal);
+  };
+  for (const auto format : {AbsoluteFormat::Cpp, AbsoluteFormat::Cap}) {
+    for (const double good : {0.0, 100.0}) EXPECT_EQ(blending(line(format), good), 0);
+    for (const double bad : {-0.001, 100.001, kNan}) {
+      EXPECT_EQ(blending(line(format), bad), own_error::kBlendingRange);
+    }
+  }
+  for (const auto format : {AbsoluteFormat::Cpr, AbsoluteFormat::Car}) {
+    for (const double good : {0.0, 2000.0}) EXPECT_EQ(blending(line(format), good), 0);
+    for (const double bad : {-1.0, 2000.001, kInf}) {
+      EXPECT_EQ(blending(line(format), bad), own_error::kBlendingRange);
+    }
+  }
+  EXPECT_EQ(errorWith([](auto& g) { g.blending_value = 1e9; }), 0) << "not enabled, not looked at";
+}
+
+TEST_F(Refusal, namesTheFirstViolationOfTheTableAndListsTheOthers) {
+  MoveAbsoluteGoal goal = CoreRig::move();
+  goal.target[2] = kNan;
+  goal.command_id = 1;
+  goal.accel_time = 3;
+  const GoalId id = rig.submit(goal);
+  const Outcome& outcome = *rig.outcome(id);
+  EXPECT_EQ(outcome.error_id, motion_error::kAccelTimeRange);
+  EXPECT_THAT(outcome.error_description, HasSubstr("accel_time is 3"));
+  EXPECT_THAT(outcome.error_description, HasSubstr("also 16#28 Command ID range is: 2~9: command_id is 1"));
+  EXPECT_THAT(outcome.error_description, HasSubstr("also 16#200 Target not finite: coordinate 3"));
+}
+
+TEST_F(Refusal, ofASecondCommandWhileOneIsBusy) {
+  const GoalId first = rig.submit(CoreRig::move());
+  const auto script = rig.takeScript();
+  for (int i = 0; i < 99; ++i) {
+    const GoalId id = rig.submit(CoreRig::move());
+    ASSERT_NE(rig.outcome(id), nullptr);
+    EXPECT_EQ(rig.outcome(id)->error_id, motion_error::kOtherBlockBusy);
+    EXPECT_TRUE(rig.outputs(Block::MoveAbsolute).busy) << "the outputs stay those of the running command";
+  }
+  rig.reply(script.id);
+  rig.tag(1);
+  EXPECT_EQ(rig.outcome(first)->ending, Ending::Done);
+}
+
+TEST_F(Refusal, ofMotionsOutsideTheListenNode) {
+  rig.listening = false;
+  rig.pass(1s);
+  EXPECT_EQ(errorOf(rig, CoreRig::move()), own_error::kNotListening);
+}
+
+TEST(RefusalUnconnected, ofMotionsBeforeAndDuringConnect) {
+  CoreRig rig;
+  EXPECT_EQ(errorOf(rig, CoreRig::move()), motion_error::kNotConnected);
+  rig.answers_lifesigns = false;
+  rig.submit(CoreRig::robot());
+  EXPECT_EQ(errorOf(rig, CoreRig::move()), motion_error::kNotConnected);
+  rig.open();
+  EXPECT_EQ(errorOf(rig, CoreRig::move()), motion_error::kNotConnected);
+  rig.discardSent();
+}
+
+TEST(RefusalOfConnect, hasBothEndsOfEachRange) {
+  const auto error = [](const std::function<void(ConnectGoal&)>& change) {
+    CoreRig rig;
+    ConnectGoal goal = CoreRig::robot();
+    change(goal);
+    const GoalId id = rig.submit(goal);
+    EXPECT_EQ(rig.pendingOpen(link::Channel::Script).has_value(), rig.outcome(id) == nullptr);
+    return rig.outcome(id) == nullptr ? 0 : rig.outcome(id)->error_id;
+  };
+  for (const double good : {10.0, 300.0}) EXPECT_EQ(error([&](auto& g) { g.timeout = good; }), 0);
+  for (const double bad : {0.0, 9.999, 300.001, -10.0, kNan, kInf}) {
+    EXPECT_EQ(error([&](auto& g) { g.timeout = bad; }), connect_error::kTimeoutRange) << bad;
+  }
+  for (const int good : {1, 65535}) EXPECT_EQ(error([&](auto& g) { g.port = good; }), 0);
+  for (const int bad : {-1, 0, 65536}) {
+    EXPECT_EQ(error([&](auto& g) { g.port = bad; }), own_error::kPortRange);
+  }
+  for (const std::string& good :
+       {std::string("192.168.1.10"), std::string("fe80::1%eth0"), std::string(255, 'a')}) {
+    EXPECT_EQ(error([&](auto& g) { g.host = good; }), 0);
+  }
+  for (const std::string& bad : {std::string(), std::string(256, 'a'), std::string(10000, 'a'),
+                                 std::string("a b"), std::string("a\r\nb"), std::string("a\0b", 3),
+                                 std::string("r\xC3\xB6"
+                                             "bot")}) {
+    EXPECT_EQ(error([&](auto& g) { g.host = bad; }), own_error::kHostInvalid);
+  }
+}
+
+TEST(RefusalOfConnect, ofASecondConnect) {
+  CoreRig rig;
+  const GoalId first = rig.connect();
+  const GoalId second = rig.submit(CoreRig::robot());
+  ASSERT_NE(rig.outcome(second), nullptr);
+  EXPECT_EQ(rig.outcome(second)->error_id, own_error::kConnectBusy);
+  EXPECT_TRUE(rig.outputs(Block::Connect).busy);
+  EXPECT_EQ(rig.outcome(first), nullptr);
+}
+
+TEST(RefusalAfterShutDown, ofEverything) {
+  CoreRig rig;
+  rig.shutDown();
+  for (const Goal& goal : {Goal(CoreRig::robot()), Goal(CoreRig::move())}) {
+    const GoalId id = rig.submit(goal);
+    ASSERT_NE(rig.outcome(id), nullptr);
+    EXPECT_EQ(rig.outcome(id)->ending, Ending::Rejected);
+    EXPECT_EQ(rig.outcome(id)->error_id, own_error::kShutDown);
+  }
+}
+
+}  // namespace
+}  // namespace cobot_command::testing
