@@ -72,6 +72,7 @@ void ScriptLink::openFailed(const OpenFailure& failure, Instant now) {
 }
 
 void ScriptLink::received(std::string_view bytes) {
+  if (state_ == State::Probing) foreign_bytes_ = true;  // until it is understood
   decoder_.feed(bytes);
 }
 

@@ -40,6 +40,7 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
     fault(bytes, message.error().message, now);
     return;
   }
+  foreign_bytes_ = false;
   const std::uint64_t late_before = late_replies_;
   std::visit([&](const auto& value) { take(value, now); }, *message);
   wire_.trace(now, Channel::Script, false, bytes,

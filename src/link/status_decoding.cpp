@@ -1,6 +1,7 @@
 #include "cobot_command/link/status_decoding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "cobot_command/arm/controller_pose.h"
@@ -13,6 +14,9 @@ using protocol::StatusItem;
 std::optional<std::array<double, 6>> sixNumbers(const StatusItem& item) {
   const auto floats = protocol::item::asFloats(item);
   if (!floats || floats->size() != 6) return std::nullopt;
+  if (!std::all_of(floats->begin(), floats->end(), [](float f) { return std::isfinite(f); })) {
+    return std::nullopt;
+  }
   std::array<double, 6> numbers{};
   std::copy(floats->begin(), floats->end(), numbers.begin());
   return numbers;

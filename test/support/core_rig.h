@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -56,6 +57,7 @@ class CoreRig {
   protocol::TagQuery takeTagQuery();
   [[nodiscard]] bool nothingSent() const { return sent_.empty(); }
   void discardSent() { sent_.clear(); }
+  std::deque<protocol::ClientMessage> takeAllSent() { return std::exchange(sent_, {}); }
 
   // --- Time.
   /// Lets time pass, calling advance() exactly at each deadline.

@@ -127,7 +127,7 @@ class ScriptLink {
   std::optional<Instant> retry_at_;
   std::optional<Instant> lifesign_at_;
   int unanswered_lifesigns_ = 0;
-  bool foreign_bytes_ = false;  ///< something that is no frame arrived on this connection
+  bool foreign_bytes_ = false;  ///< what arrived last on this connection was not understood
   BackOff back_off_;
   protocol::FrameDecoder decoder_;
   RequestLedger ledger_;

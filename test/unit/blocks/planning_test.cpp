@@ -1,0 +1,159 @@
+// Pre-flight: a motion is planned before it is sent, from where it will start.
+
+#include "core_rig.h"
+#include "status_frames.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/motion/planner.h"
+
+namespace cobot_command::testing {
+namespace {
+
+using namespace blocks;
+namespace item = protocol::item;
+
+arm::ArmModel model() {
+  return *arm::ArmModel::named("tm5-900");
+}
+
+MoveAbsoluteGoal toJoints(const std::array<double, 6>& joints_deg, double speed = 50) {
+  MoveAbsoluteGoal goal = CoreRig::move();
+  goal.data_format = static_cast<int>(AbsoluteFormat::Jpp);
+  goal.target = joints_deg;
+  goal.speed = speed;
+  return goal;
+}
+
+/// How long a PTP takes from one posture to another, by the planner itself.
+Duration ptpTime(const std::array<double, 6>& from, const std::array<double, 6>& to, double speed = 50,
+                 double project_speed = 1.0) {
+  motion::Ptp ptp;
+  ptp.target = arm::toJointVector(to);
+  ptp.speed_ratio = speed / 100;
+  ptp.time_to_top_speed = 200ms;
+  motion::Setting setting;
+  setting.speed_override = project_speed;
+  return (*motion::plan(model(), arm::toJointVector(from), ptp, setting))->duration();
+}
+
+constexpr std::array<double, 6> kHome{0, 0, 90, 0, 90, 0};
+constexpr std::array<double, 6> kAside{60, 0, 90, 0, 90, 0};
+constexpr std::array<double, 6> kBack{-30, 10, 80, 0, 90, 0};
+
+class Planning : public ::testing::Test {
+ protected:
+  Planning() : rig(model(), link::LinkSettings{}) { rig.connect(); }
+  CoreRig rig;
+};
+
+TEST_F(Planning, tellsThePlannedDurationAndTheActualOneAndWhereTheRobotStands) {
+  rig.status(StatusFrames()
+                 .with(item::ofFloats("Coord_Robot_Flange", {400, -100, 300, 180, 0, 90}))
+                 .with(item::ofFloats("Coord_Robot_Tool", {400, -100, 200, 180, 0, 90}))
+                 .with(item::ofFloats("Base_Value", {100, 0, 50, 0, 0, 0})));
+  const GoalId goal = rig.submit(toJoints(kAside));
+  EXPECT_EQ(rig.progress(goal).back().planned, ptpTime(kHome, kAside));
+  rig.reply(rig.takeScript().id);
+  rig.pass(900ms);
+  rig.tag(1);
+  const Outcome& outcome = *rig.outcome(goal);
+  EXPECT_EQ(outcome.planned, ptpTime(kHome, kAside));
+  EXPECT_EQ(outcome.actual, Duration(900ms));
+  ASSERT_TRUE(outcome.final_joints_deg);
+  EXPECT_NEAR((*outcome.final_joints_deg)[2], 90, 1e-6);
+  ASSERT_TRUE(outcome.final_pose_mm_deg);
+  EXPECT_NEAR((*outcome.final_pose_mm_deg)[0], 300, 1e-3);
+  EXPECT_NEAR((*outcome.final_pose_mm_deg)[1], -100, 1e-3);
+  EXPECT_NEAR((*outcome.final_pose_mm_deg)[2], 150, 1e-3);
+}
+
+TEST_F(Planning, countsTheProjectSpeed) {
+  rig.status(StatusFrames().with(item::ofInt("Project_Speed", 50)));
+  const GoalId goal = rig.submit(toJoints(kAside));
+  EXPECT_EQ(rig.progress(goal).back().planned, ptpTime(kHome, kAside, 50, 0.5));
+  rig.takeScript();
+}
+
+TEST_F(Planning, startsAtTheEndOfWhatIsQueuedInFrontOfIt) {
+  rig.status(StatusFrames());
+  MoveAbsoluteGoal blended = toJoints(kAside);
+  blended.blending_enable = true;
+  blended.blending_value = 20;
+  rig.submit(blended);
+  rig.reply(rig.takeScript().id);
+  rig.now += 100ms;
+  const GoalId second = rig.submit(toJoints(kBack));
+  EXPECT_EQ(rig.progress(second).back().planned, ptpTime(kAside, kBack));
+  rig.reply(rig.takeScript().id);
+  EXPECT_EQ(rig.progress(second).back().phase, Phase::Queued);
+  EXPECT_FALSE(rig.outputs(Block::MoveAbsolute).active);
+  rig.pass(ptpTime(kHome, kAside) - Duration(100ms));
+  EXPECT_EQ(rig.progress(second).back().phase, Phase::Active);
+  EXPECT_TRUE(rig.outputs(Block::MoveAbsolute).active);
+  rig.tag(1);
+  EXPECT_EQ(rig.outcome(second)->ending, Ending::Done);
+}
+
+TEST_F(Planning, startsWhereTheRobotStandsOnceTheQueueIsDone) {
+  rig.status(StatusFrames());
+  MoveAbsoluteGoal blended = toJoints(kAside);
+  blended.blending_enable = true;
+  rig.submit(blended);
+  rig.reply(rig.takeScript().id);
+  for (Duration t{}; t < 5s; t += 500ms) {  // it was jogged elsewhere in the meantime
+    rig.pass(500ms);
+    rig.status(StatusFrames().with(item::ofFloats("Joint_Angle", {-30, 10, 80, 0, 90, 0})));
+  }
+  const GoalId second = rig.submit(toJoints(kHome));
+  EXPECT_EQ(rig.progress(second).back().planned->count() / 1000000, ptpTime(kBack, kHome).count() / 1000000);
+  rig.takeScript();
+}
+
+TEST_F(Planning, isLeftOutWithoutAStatusStreamAndWhileTheRobotMovesFromNobodyKnowsWhere) {
+  const GoalId blind = rig.submit(toJoints({0, 0, 170, 0, 90, 0}));
+  EXPECT_EQ(rig.outcome(blind), nullptr) << "sent unplanned";
+  EXPECT_FALSE(rig.progress(blind).back().planned);
+  rig.reply(rig.takeScript().id, false);
+  rig.status(StatusFrames().moving());
+  const GoalId jogged = rig.submit(toJoints(kAside));
+  EXPECT_FALSE(rig.progress(jogged).back().planned);
+  rig.takeScript();
+}
+
+TEST_F(Planning, countsTheActiveBaseAndTheTcpThatFlangeAndToolTell) {
+  const std::array<double, 6> base{100, 50, -30, 0, 0, 40};
+  const arm::Pose tool = arm::toPose({0, 0, 200, 0, 0, 0});
+  const arm::Pose flange = arm::forwardKinematics(model(), arm::toJointVector(kAside));
+  MoveAbsoluteGoal goal = CoreRig::move();
+  goal.speed = 50;
+  goal.target = arm::toControllerPose(arm::toPose(base).inverse() * flange * tool);
+  rig.status(StatusFrames()
+                 .with(item::ofFloats("Base_Value", {100, 50, -30, 0, 0, 40}))
+                 .with(item::ofFloats("Coord_Robot_Flange", {400, -100, 300, 180, 0, 90}))
+                 .with(item::ofFloats("Coord_Robot_Tool", {400, -100, 100, 180, 0, 90})));
+  const GoalId id = rig.submit(goal);
+  ASSERT_TRUE(rig.progress(id).back().planned);
+  EXPECT_NEAR(toSeconds(*rig.progress(id).back().planned), toSeconds(ptpTime(kHome, kAside)), 1e-5);
+  rig.takeScript();
+}
+
+TEST_F(Planning, givesAMotionOneAndAHalfTimesItsPlanAndTwoSeconds) {
+  rig.status(StatusFrames());
+  rig.submit(toJoints(kAside));
+  rig.reply(rig.takeScript().id);
+  const Duration limit = ptpTime(kHome, kAside) * 3 / 2 + Duration(2s);
+  const Instant start = rig.now;
+  while (rig.now + 500ms < start + limit) {
+    rig.pass(500ms);
+    rig.status(StatusFrames().moving());
+  }
+  EXPECT_TRUE(rig.nothingSent());
+  rig.pass(start + limit - rig.now + Duration(1ns));
+  EXPECT_EQ(rig.takeTagQuery().tag, 1);
+}
+
+}  // namespace
+}  // namespace cobot_command::testing

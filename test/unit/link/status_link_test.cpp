@@ -1,0 +1,198 @@
+// The status link: reads the stream into SI, reopens it, and says in words what is wrong with it.
+
+#include "cobot_command/link/status_link.h"
+
+#include <limits>
+#include <utility>
+
+#include "recording_wire.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/common/units.h"
+#include "cobot_command/link/status_decoding.h"
+#include "cobot_command/protocol/status_items.h"
+
+namespace cobot_command::link {
+namespace {
+
+using namespace std::chrono_literals;
+using protocol::StatusItem;
+using ::testing::HasSubstr;
+namespace item = protocol::item;
+
+TEST(StatusDecoding, turnsEveryItemIntoSi) {
+  const RobotStatus status = toRobotStatus(
+      {item::ofByte("Robot_Link", 1), item::ofFloats("Joint_Angle", {0, 0, 90, 0, -90, 180}),
+       item::ofFloats("Joint_Speed", {180, 0, 0, 0, 0, -90}),
+       item::ofFloats("Joint_Torque", {1000, 0, 0, 0, 0, -250}),
+       item::ofFloats("Coord_Robot_Flange", {417.5F, -122.25F, 361, 180, 0, 90}),
+       item::ofFloats("Coord_Robot_Tool", {1000, 0, 0, 0, 0, 0}),
+       item::ofFloats("Base_Value", {0, 500, 0, 0, 0, 0}), item::ofFloats("TCP_Value", {0, 0, 250, 0, 0, 0}),
+       item::ofString("Base_Name", "RobotBase"), item::ofString("TCP_Name", "NOTOOL"),
+       item::ofBool("Robot_Error", true), item::ofInt("Error_Code", 0x14058),
+       item::ofString("Error_Content", "IK failed"), item::ofBool("ESTOP", false),
+       item::ofBool("Safeguard_A", true), item::ofBool("Project_Run", true),
+       item::ofBool("Project_Pause", false), item::ofInt("Project_Speed", 35), item::ofInt("MA_Mode", 2)},
+      Instant(7s));
+  EXPECT_EQ(status.received, Instant(7s));
+  EXPECT_EQ(status.linked, true);
+  EXPECT_NEAR((*status.joints)[2], kPi / 2, 1e-12);
+  EXPECT_NEAR((*status.joint_velocities)[0], kPi, 1e-12);
+  EXPECT_NEAR((*status.joint_torques)[5], -0.25, 1e-12);
+  EXPECT_NEAR(status.flange->translation().x(), 0.4175, 1e-12);
+  EXPECT_NEAR(status.tool->translation().x(), 1.0, 1e-12);
+  EXPECT_NEAR(status.base->translation().y(), 0.5, 1e-12);
+  EXPECT_NEAR(status.tcp->translation().z(), 0.25, 1e-12);
+  EXPECT_EQ(status.base_name, "RobotBase");
+  EXPECT_EQ(status.tcp_name, "NOTOOL");
+  EXPECT_EQ(status.error, true);
+  EXPECT_EQ(status.error_code, 0x14058);
+  EXPECT_EQ(status.error_text, "IK failed");
+  EXPECT_EQ(status.emergency_stop, false);
+  EXPECT_EQ(status.safeguard, true);
+  EXPECT_EQ(status.project_running, true);
+  EXPECT_EQ(status.project_paused, false);
+  EXPECT_EQ(status.project_speed_percent, 35);
+  EXPECT_EQ(status.operating_mode, 2);
+}
+
+TEST(StatusDecoding, leavesOutWhatItDoesNotKnowOrCannotRead) {
+  const RobotStatus status = toRobotStatus(
+      {item::ofString("Robot_Model", "TM5-900"), item::ofFloats("Joint_Angle", {1, 2, 3}),
+       item::ofFloats("Joint_Speed", {0, 0, 0, 0, 0, std::numeric_limits<float>::quiet_NaN()}),
+       item::ofInt("ESTOP", 1), item::ofBool("Error_Code", true), StatusItem{"Coord_Robot_Flange", "abc"}},
+      Instant{});
+  EXPECT_FALSE(status.joints);
+  EXPECT_FALSE(status.joint_velocities);
+  EXPECT_FALSE(status.emergency_stop);
+  EXPECT_FALSE(status.error_code);
+  EXPECT_FALSE(status.flange);
+}
+
+class StatusLinkTest : public ::testing::Test {
+ protected:
+  static std::string frame(int number, int mode = 1) {
+    return protocol::encode(protocol::StatusFrame{
+        std::to_string(number % 10), mode, protocol::encodeBinaryItems({item::ofBool("ESTOP", false)})});
+  }
+  int receive(const std::string& bytes) {
+    link.received(bytes);
+    int count = 0;
+    while (link.next(now)) ++count;
+    return count;
+  }
+  void stream() {
+    link.start("robot", now);
+    link.opened(now);
+    EXPECT_EQ(receive(frame(0)), 1);
+  }
+
+  testing::RecordingWire wire;
+  LinkSettings settings;
+  StatusLink link{settings, wire};
+  Instant now{50s};
+};
+
+TEST_F(StatusLinkTest, streamsWithTheFirstFrame) {
+  link.start("robot", now);
+  EXPECT_EQ(wire.opened, std::vector<std::string>{"robot:5891"});
+  EXPECT_FALSE(link.streaming());
+  EXPECT_FALSE(link.diagnosis().empty());
+  link.opened(now);
+  EXPECT_FALSE(link.streaming());
+  EXPECT_EQ(receive(frame(0)), 1);
+  EXPECT_TRUE(link.streaming());
+  EXPECT_TRUE(link.diagnosis().empty());
+}
+
+TEST_F(StatusLinkTest, takesTheCyclingIdsAndFramesInAnyPieces) {
+  stream();
+  std::string bytes;
+  for (int i = 1; i <= 25; ++i) bytes += frame(i);
+  EXPECT_EQ(receive(bytes.substr(0, 33)) + receive(bytes.substr(33)), 25);
+  EXPECT_EQ(link.decodeFaults(), 0u);
+}
+
+TEST_F(StatusLinkTest, reopensAStreamThatFallsSilent) {
+  stream();
+  EXPECT_EQ(link.nextDeadline(), now + settings.status_timeout);
+  now += settings.status_timeout;
+  link.advance(now);
+  EXPECT_FALSE(link.streaming());
+  EXPECT_THAT(link.diagnosis(), HasSubstr("silent"));
+  EXPECT_EQ(wire.closed.size(), 1u);
+  EXPECT_EQ(link.nextDeadline(), now + settings.retry_min);
+  now += settings.retry_min;
+  link.advance(now);
+  EXPECT_EQ(wire.opened.size(), 2u);
+  EXPECT_EQ(link.state(), StatusLinkState::Connecting);
+}
+
+TEST_F(StatusLinkTest, reopensWhenClosedOrRefusedWithABackOff) {
+  link.start("robot", now);
+  for (const Duration wait : {100ms, 200ms, 400ms, 800ms, 1000ms, 1000ms}) {
+    link.openFailed({OpenFailure::Kind::Refused, "refused"}, now);
+    EXPECT_THAT(link.diagnosis(), HasSubstr("Ethernet Slave"));
+    EXPECT_EQ(link.nextDeadline(), now + wait);
+    now += wait;
+    link.advance(now);
+  }
+  link.opened(now);
+  receive(frame(1));
+  link.closed("gone", now);
+  EXPECT_THAT(link.diagnosis(), HasSubstr("gone"));
+  EXPECT_EQ(link.nextDeadline(), now + settings.retry_min) << "after frames the back-off starts anew";
+}
+
+TEST_F(StatusLinkTest, namesAWrongFormatAndKeepsTheConnection) {
+  for (const auto& [mode, name] : {std::pair(2, "STRING"), std::pair(3, "JSON"), std::pair(9, "unknown")}) {
+    testing::RecordingWire fresh_wire;
+    StatusLink fresh(settings, fresh_wire);
+    fresh.start("robot", now);
+    fresh.opened(now);
+    now += 900ms;
+    fresh.received(frame(0, mode));
+    EXPECT_FALSE(fresh.next(now));
+    EXPECT_FALSE(fresh.streaming());
+    EXPECT_THAT(fresh.diagnosis(), HasSubstr(name));
+    EXPECT_THAT(fresh.diagnosis(), HasSubstr("BINARY"));
+    now += 900ms;
+    fresh.advance(now);
+    EXPECT_TRUE(fresh_wire.closed.empty());
+  }
+}
+
+TEST_F(StatusLinkTest, countsFaultsAndGoesOn) {
+  stream();
+  EXPECT_EQ(receive("garbage" + frame(1)), 1);
+  EXPECT_EQ(receive("$TMSVR,3,0,1,*00\r\n" + frame(2)), 1);
+  EXPECT_EQ(receive("$TMSTA,2,00,*41\r\n" + frame(3)), 1);
+  EXPECT_EQ(receive(protocol::encode(protocol::StatusFrame{"4", 1, "\xFF\xFF"}) + frame(4)), 1);
+  EXPECT_EQ(link.decodeFaults(), 4u);
+  EXPECT_TRUE(link.streaming());
+}
+
+TEST_F(StatusLinkTest, endsCleanlyInEveryState) {
+  for (int step = 0; step < 4; ++step) {
+    testing::RecordingWire fresh_wire;
+    StatusLink fresh(settings, fresh_wire);
+    fresh.start("robot", now);
+    if (step == 0) fresh.openFailed({}, now);
+    if (step >= 2) fresh.opened(now);
+    if (step == 3) {
+      fresh.received(frame(0));
+      EXPECT_TRUE(fresh.next(now));
+    }
+    fresh.stop(now);
+    EXPECT_EQ(fresh.state(), StatusLinkState::Off);
+    EXPECT_EQ(fresh.nextDeadline(), std::nullopt);
+    EXPECT_EQ(fresh_wire.closed.size(), step == 0 ? 0u : 1u);
+    fresh.stop(now);
+    EXPECT_EQ(fresh.state(), StatusLinkState::Off);
+  }
+}
+
+}  // namespace
+}  // namespace cobot_command::link
