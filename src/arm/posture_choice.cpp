@@ -16,11 +16,13 @@ namespace {
 constexpr double kTurn = 2 * kPi;
 constexpr double kLimitTolerance = 1e-9;  ///< as ArmModel::firstJointOutsideLimits()
 
-/// The angle plus whole turns, inside the limits if there is such a turn, and then nearest to the reference.
+/// The angle at the turn that is inside the limits and then nearest to the reference; the angle itself when
+/// no turn is inside, and at exactly half a turn from the reference.
 double nearestTurn(double angle, const JointLimit& limit, double reference) {
   const double fewest = std::ceil((limit.lower - kLimitTolerance - angle) / kTurn);
   const double most = std::floor((limit.upper + kLimitTolerance - angle) / kTurn);
-  const double nearest = std::round((reference - angle) / kTurn);
+  if (!(fewest <= most)) return angle;
+  const double nearest = std::nearbyint((reference - angle) / kTurn);
   return angle + kTurn * std::min(std::max(nearest, fewest), most);
 }
 

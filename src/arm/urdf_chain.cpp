@@ -31,11 +31,13 @@ class UrdfdomMessages : private console_bridge::OutputHandler {
   UrdfdomMessages(const UrdfdomMessages&) = delete;
   UrdfdomMessages& operator=(const UrdfdomMessages&) = delete;
 
-  [[nodiscard]] const std::string& firstError() const { return first_error_; }
+  /// All errors, the particular before the general; empty when there was none.
+  [[nodiscard]] const std::string& errors() const { return errors_; }
 
  private:
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_error_.empty()) first_error_ = text;
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
+    errors_ += (errors_.empty() ? "" : "; ") + text;
   }
   static std::mutex& mutex() {
     static std::mutex instance;
@@ -44,7 +46,7 @@ class UrdfdomMessages : private console_bridge::OutputHandler {
 
   std::lock_guard<std::mutex> lock_;
   console_bridge::OutputHandler* previous_;
-  std::string first_error_;
+  std::string errors_;
 };
 
 Result<urdf::ModelInterfaceSharedPtr, ModelError> parse(const std::string& text) {
@@ -55,7 +57,7 @@ Result<urdf::ModelInterfaceSharedPtr, ModelError> parse(const std::string& text)
   } catch (const std::exception& error) {
     problem = error.what();
   }
-  if (problem.empty()) problem = messages.firstError();
+  if (problem.empty()) problem = messages.errors();
   if (problem.empty()) problem = "it is not XML with one <robot>";
   return refuse(
       ModelError{fmt::format("This is not a URDF: {}. Give the text of a complete URDF.", problem)});
