@@ -33,16 +33,16 @@ class PathCheck {
   Result<FollowedPath, Refusal> follow(const arm::JointVector& start);
 
  private:
-  std::optional<Refusal> checkPosture(const Sample& sample) const;
+  [[nodiscard]] std::optional<Refusal> checkPosture(const Sample& sample) const;
   void checkSpeed(const Sample& from, const Sample& to);
-  bool isJump(const Sample& from, const Sample& to) const {
+  [[nodiscard]] bool isJump(const Sample& from, const Sample& to) const {
     return (to.joints - from.joints).cwiseAbs().maxCoeff() > kJump;
   }
-  double way(const Sample& from, const Sample& to) const {
+  [[nodiscard]] double way(const Sample& from, const Sample& to) const {
     const TcpPath& path = timed_.postures.path();
     return (to.progress - from.progress) * (path.length() + path.turn());
   }
-  Result<Sample, Refusal> sampleAt(double time, const Sample& previous) const;
+  [[nodiscard]] Result<Sample, Refusal> sampleAt(double time, const Sample& previous) const;
   /// From one good sample to the next one, looking closer where a joint jumps.
   Result<Sample, Refusal> advance(const Sample& from, double time);
 
