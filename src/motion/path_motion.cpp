@@ -33,7 +33,7 @@ class PathTrajectory final : public RestToRest {
     const double progress = profile().progress(time);
     const arm::JointVector& near = nearestKept(time);
     const auto joints = postures_.at(progress, near);
-    if (!joints) {  // ruled out by the check's refinement near the edge of the reach; stay finite anyway
+    if (!joints) {  // kSingular rules it out; stay finite anyway
       return {near, arm::JointVector::Zero()};
     }
     return {*joints, postures_.velocityAt(progress, profile().rate(time), *joints)};

@@ -57,7 +57,8 @@ Refusal reachRefusal(const TimedPath& timed, double progress, Reason reason) {
   }
   return refusalAt(
       timed, progress, reason, -1,
-      fmt::format("no posture reaches the point (nominal reach {:.0f} mm): choose a nearer target, or "
+      fmt::format("no posture reaches the point (nominal reach {:.0f} mm; or it is too close to the "
+                  "first axis): choose another target, or "
                   "check base and TCP",
                   mToMm(timed.postures.arm().ratings().reach)));
 }
