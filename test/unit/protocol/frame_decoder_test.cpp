@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "decode_events.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::protocol {
@@ -13,22 +14,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::string kGood = "$TMSCT,5,10,OK,*6D\r\n";
-
-std::string shown(const DecodeEvent& event) {
-  if (const auto* frame = std::get_if<Frame>(&event)) return frame->header + ':' + frame->data;
-  return toString(std::get<DecodeFault>(event).kind);
-}
-
-std::vector<std::string> drain(FrameDecoder& decoder) {
-  std::vector<std::string> events;
-  while (const auto event = decoder.next()) events.push_back(shown(*event));
-  return events;
-}
-
-std::vector<std::string> decode(std::string_view bytes, FrameDecoder decoder = {}) {
-  decoder.feed(bytes);
-  return drain(decoder);
-}
 
 DecodeFault onlyFault(std::string_view bytes) {
   FrameDecoder decoder;
@@ -224,12 +209,8 @@ TEST(FrameDecoder, acceptsAnEmptyLengthOnlyWhenToldSo) {
 }
 
 TEST(FrameDecoder, findsTheEndOfAFrameOfEmptyLengthInPieces) {
-  FrameDecoder decoder(FrameDecoder::Options{true});
-  std::vector<std::string> events;
-  for (const char byte : std::string("$TMSCT,,1,*,*x,*6,,*\r\n,*67\r\n") + kGood) {
-    decoder.feed(std::string_view(&byte, 1));
-    for (const auto& event : drain(decoder)) events.push_back(event);
-  }
+  const auto events = decodeInPieces(std::string("$TMSCT,,1,*,*x,*6,,*\r\n,*67\r\n") + kGood, 1, 1,
+                                     FrameDecoder(FrameDecoder::Options{true}));
   EXPECT_EQ(events.size(), 2u);
   EXPECT_EQ(events.back(), "TMSCT:10,OK");
 }
