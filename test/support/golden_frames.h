@@ -22,6 +22,10 @@ struct GoldenFrame {
   bool valid = false;
 };
 
+inline void PrintTo(const GoldenFrame& frame, std::ostream* out) {
+  *out << frame.header << ' ' << frame.meaning;
+}
+
 inline std::string fromHex(const std::string& hex) {
   std::string bytes;
   for (std::size_t i = 0; i + 1 < hex.size(); i += 2)

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "decode_events.h"
+#include "test_names.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::protocol {
@@ -74,7 +75,8 @@ class FrameDecoderLength : public testing::TestWithParam<const char*> {
 class ReadableLength : public FrameDecoderLength {};
 INSTANTIATE_TEST_SUITE_P(FrameDecoder, ReadableLength,
                          testing::Values("5", "05", "0x5", "0x05", "0b101",
-                                         "0b00000000000000000000000000000101"));
+                                         "0b00000000000000000000000000000101"),
+                         kTextAsName);
 
 TEST_P(ReadableLength, isUnderstood) {
   EXPECT_THAT(decode(frame("10,OK") + kGood), ElementsAre("TMSCT:10,OK", "TMSCT:10,OK"));
@@ -85,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(FrameDecoder, BadLength,
                          testing::Values("", "-5", "+5", " 5", "5 ", "five", "5.0", "4", "0", "0x", "0b",
                                          "0b5", "0xg", "5x", "16777217", "2147483647", "4294967301",
                                          "18446744073709551621", "99999999999999999999", "0x7fffffff",
-                                         "00000000000000000000000000000000000000000000000000000005"));
+                                         "00000000000000000000000000000000000000000000000000000005"),
+                         kTextAsName);
 
 TEST_P(BadLength, isOneLengthFaultAtOnce) {
   EXPECT_THAT(decode(frame("10,OK")), ElementsAre("length"));

@@ -5,6 +5,7 @@
 
 #include "decode_events.h"
 #include "reference_decoder.h"
+#include "test_names.h"
 #include <gmock/gmock.h>
 
 #include "cobot_command/protocol/message.h"
@@ -26,10 +27,7 @@ class Golden : public testing::TestWithParam<GoldenFrame> {
 };
 
 std::string name(const testing::TestParamInfo<GoldenFrame>& info) {
-  std::string text = info.param.header + '_' + info.param.meaning.substr(0, 50);
-  for (char& c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  return std::to_string(info.index) + '_' + text;
+  return testName(info.index, info.param.header + ' ' + info.param.meaning);
 }
 
 std::vector<GoldenFrame> validOnes() {
@@ -85,42 +83,51 @@ TEST_P(ValidGolden, hasTheMeaningThatItsDirectionSays) {
   EXPECT_FALSE(describe(frame).empty());
 }
 
-TEST_P(Golden, waitsAtEveryPrefix) {
-  const std::string& bytes = GetParam().bytes;
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
-    const auto prefix = std::string_view(bytes).substr(0, size);
-    ASSERT_EQ(decode(prefix), reference::decode(prefix)) << size << " bytes";
-  }
-}
-
-TEST_P(Golden, isTheSameInAnyTwoPieces) {
-  const std::string& bytes = GetParam().bytes;
-  for (std::size_t first = 1; first < bytes.size(); ++first)
-    ASSERT_EQ(decodeInPieces(bytes, first, bytes.size()), reference::decode(bytes)) << "cut after " << first;
-}
-
-TEST_P(Golden, isTheSameByteByByte) {
-  EXPECT_EQ(decodeInPieces(GetParam().bytes, 1, 1), reference::decode(GetParam().bytes));
-}
-
-TEST_P(Golden, isTheSameAsTheReferenceAfterEverySingleByteChange) {
-  const std::string next = "$TMSCT,5,10,OK,*6D\r\n";
-  std::string bytes = GetParam().bytes + next;
-  for (std::size_t at = 0; at < GetParam().bytes.size(); ++at) {
-    const char original = bytes[at];
-    for (int value = 0; value < 256; ++value) {
-      bytes[at] = static_cast<char>(value);
-      ASSERT_EQ(decode(bytes), reference::decode(bytes)) << printable(bytes);
+TEST(GoldenFrames, waitAtEveryPrefix) {
+  for (const GoldenFrame& golden : goldenFrames()) {
+    for (std::size_t size = 0; size < golden.bytes.size(); ++size) {
+      const auto prefix = std::string_view(golden.bytes).substr(0, size);
+      ASSERT_EQ(decode(prefix), reference::decode(prefix)) << printable(prefix);
     }
-    bytes[at] = original;
   }
 }
 
-TEST_P(Golden, isTheSameAsTheReferenceBeforeEveryOther) {
-  for (const GoldenFrame& other : goldenFrames()) {
-    const std::string bytes = GetParam().bytes + other.bytes;
-    ASSERT_EQ(decode(bytes), reference::decode(bytes)) << printable(bytes);
-    ASSERT_EQ(decodeInPieces(bytes, 1, 1), reference::decode(bytes)) << printable(bytes);
+TEST(GoldenFrames, areTheSameInAnyTwoPieces) {
+  for (const GoldenFrame& golden : goldenFrames()) {
+    const std::string& bytes = golden.bytes;
+    for (std::size_t first = 1; first < bytes.size(); ++first)
+      ASSERT_EQ(decodeInPieces(bytes, first, bytes.size()), reference::decode(bytes))
+          << printable(bytes) << first;
+  }
+}
+
+TEST(GoldenFrames, areTheSameByteByByte) {
+  for (const GoldenFrame& golden : goldenFrames())
+    ASSERT_EQ(decodeInPieces(golden.bytes, 1, 1), reference::decode(golden.bytes)) << printable(golden.bytes);
+}
+
+TEST(GoldenFrames, areAsTheReferenceSaysAfterEverySingleByteChange) {
+  const std::string next = "$TMSCT,5,10,OK,*6D\r\n";
+  for (const GoldenFrame& golden : goldenFrames()) {
+    std::string bytes = golden.bytes + next;
+    for (std::size_t at = 0; at < golden.bytes.size(); ++at) {
+      for (int value = 0; value < 256; ++value) {
+        bytes[at] = static_cast<char>(value);
+        ASSERT_EQ(decode(bytes), reference::decode(bytes)) << printable(bytes);
+      }
+      bytes[at] = golden.bytes[at];
+    }
+  }
+}
+
+TEST(GoldenFrames, areAsTheReferenceSaysInEveryPair) {
+  const std::vector<GoldenFrame> frames = goldenFrames();
+  for (const GoldenFrame& first : frames) {
+    for (const GoldenFrame& second : frames) {
+      const std::string bytes = first.bytes + second.bytes;
+      ASSERT_EQ(decode(bytes), reference::decode(bytes)) << printable(bytes);
+      ASSERT_EQ(decodeInPieces(bytes, 1, 1), reference::decode(bytes)) << printable(bytes);
+    }
   }
 }
 
@@ -148,7 +155,8 @@ INSTANTIATE_TEST_SUITE_P(
         "$TMSCT,66,19,PVTEnter(0)\r\nPVTPoint(0,0,90,0,90,0,0,0,0,0,0,0,2.0)\r\nPVTExit(),*3E\r\n",
         "$TMSCT,48,20,ListenSend(90,GetString(Robot[0].CoordRobot)),*4D\r\n", "$TMSTA,11,01,01,false,*0E\r\n",
         "$TMSTA,5,01,01,*6A\r\n", "$TMSTA,9,00,false,,*37\r\n", "$CPERR,2,00,*48\r\n",
-        "$TMSCT,9,1,ERROR;1,*07\r\n", "$TMSCT,6,1,OK;1,*54\r\n"));
+        "$TMSCT,9,1,ERROR;1,*07\r\n", "$TMSCT,6,1,OK;1,*54\r\n"),
+    kTextAsName);
 
 TEST_P(FactSheetFrame, isDecodedAndEncodedToTheSameBytes) {
   FrameDecoder decoder;

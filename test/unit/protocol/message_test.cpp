@@ -1,5 +1,6 @@
 #include "cobot_command/protocol/message.h"
 
+#include "test_names.h"
 #include <gmock/gmock.h>
 
 #include "cobot_command/protocol/frame_decoder.h"
@@ -47,15 +48,15 @@ TEST(ClientMessage, readsATagQueryAlsoOfATagThatCannotBe) {
 }
 
 class MeaninglessClientData : public testing::TestWithParam<Frame> {};
-INSTANTIATE_TEST_SUITE_P(ClientMessage, MeaninglessClientData,
-                         testing::Values(Frame{"TMSCT", ""}, Frame{"TMSCT", "Hello World"},
-                                         Frame{"TMSCT", ",Pause()"}, Frame{"TMSCT", "a_1,Pause()"},
-                                         Frame{"TMSCT", "a-1,Pause()"}, Frame{"TMSCT", " 1,Pause()"},
-                                         Frame{"TMSTA", ""}, Frame{"TMSTA", "XXXX"}, Frame{"TMSTA", "0"},
-                                         Frame{"TMSTA", "00,x"}, Frame{"TMSTA", "01"}, Frame{"TMSTA", "01,"},
-                                         Frame{"TMSTA", "01,x"}, Frame{"TMSTA", "01,-1"},
-                                         Frame{"TMSTA", "01,99999999999"}, Frame{"TMSTA", "01,01,true"},
-                                         Frame{"TMSTA", "02"}, Frame{"TMSTA", "90,x"}));
+INSTANTIATE_TEST_SUITE_P(
+    ClientMessage, MeaninglessClientData,
+    testing::Values(Frame{"TMSCT", ""}, Frame{"TMSCT", "Hello World"}, Frame{"TMSCT", ",Pause()"},
+                    Frame{"TMSCT", "a_1,Pause()"}, Frame{"TMSCT", "a-1,Pause()"},
+                    Frame{"TMSCT", " 1,Pause()"}, Frame{"TMSTA", ""}, Frame{"TMSTA", "XXXX"},
+                    Frame{"TMSTA", "0"}, Frame{"TMSTA", "00,x"}, Frame{"TMSTA", "01"}, Frame{"TMSTA", "01,"},
+                    Frame{"TMSTA", "01,x"}, Frame{"TMSTA", "01,-1"}, Frame{"TMSTA", "01,99999999999"},
+                    Frame{"TMSTA", "01,01,true"}, Frame{"TMSTA", "02"}, Frame{"TMSTA", "90,x"}),
+    [](const auto& test) { return testName(test.index, test.param.header + " " + test.param.data); });
 
 TEST_P(MeaninglessClientData, isADataFault) {
   const auto message = parseClientMessage(GetParam());
@@ -141,7 +142,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Frame{"TMSTA", "01,08"}, Frame{"TMSTA", "01,x,true"}, Frame{"TMSTA", "01,08,True"},
                     Frame{"TMSTA", "01,08,true,"}, Frame{"TMSTA", "90"}, Frame{"TMSTA", "89,x"},
                     Frame{"TMSTA", "100,x"}, Frame{"TMSTA", "090,x"}, Frame{"CPERR", ""},
-                    Frame{"CPERR", "05"}, Frame{"CPERR", "1"}, Frame{"CPERR", "001"}, Frame{"CPERR", "-1"}));
+                    Frame{"CPERR", "05"}, Frame{"CPERR", "1"}, Frame{"CPERR", "001"}, Frame{"CPERR", "-1"}),
+    [](const auto& test) { return testName(test.index, test.param.header + " " + test.param.data); });
 
 TEST_P(MeaninglessControllerData, isADataFault) {
   const auto message = parseControllerMessage(GetParam());

@@ -4,6 +4,7 @@
 #include <locale>
 #include <string>
 
+#include "test_names.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::protocol {
@@ -31,6 +32,9 @@ struct TextPair {
   const char* read;
   const char* written;
 };
+void PrintTo(const TextPair& pair, std::ostream* out) {
+  *out << pair.read;
+}
 
 class KnownText : public testing::TestWithParam<TextPair> {};
 INSTANTIATE_TEST_SUITE_P(
@@ -66,7 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
         TextPair{"StopAndClearBuffer()", "StopAndClearBuffer()"},
         TextPair{"StopAndClearBuffer(2)", "StopAndClearBuffer(2)"}, TextPair{"Pause()", "Pause()"},
         TextPair{"Resume()", "Resume()"}, TextPair{"ScriptExit()", "ScriptExit()"},
-        TextPair{"ScriptExit(1)", "ScriptExit(1)"}));
+        TextPair{"ScriptExit(1)", "ScriptExit(1)"}),
+    [](const auto& test) { return testName(test.index, test.param.read); });
 
 TEST_P(KnownText, isReadAndWritten) {
   const auto command = parseCommand(GetParam().read);
@@ -136,6 +141,9 @@ struct FaultyLine {
   const char* line;
   const char* said;
 };
+void PrintTo(const FaultyLine& faulty, std::ostream* out) {
+  *out << faulty.line;
+}
 
 class Faulty : public testing::TestWithParam<FaultyLine> {};
 INSTANTIATE_TEST_SUITE_P(
@@ -187,7 +195,8 @@ INSTANTIATE_TEST_SUITE_P(
         FaultyLine{"QueueTag()", "argument 1 (tag) is missing"}, FaultyLine{"QueueTag(0)", "from 1 to 15"},
         FaultyLine{"QueueTag(16)", "from 1 to 15"}, FaultyLine{"QueueTag(1,2)", "from 0 to 1"},
         FaultyLine{"QueueTag(1,true)", "is true"}, FaultyLine{"StopAndClearBuffer(3)", "from 0 to 2"},
-        FaultyLine{"ScriptExit(2)", "from 0 to 1"}, FaultyLine{"ScriptExit(-1)", "from 0 to 1"}));
+        FaultyLine{"ScriptExit(2)", "from 0 to 1"}, FaultyLine{"ScriptExit(-1)", "from 0 to 1"}),
+    [](const auto& test) { return testName(test.index, test.param.line); });
 
 TEST_P(Faulty, saysWhatWasFoundAndWhatIsExpected) {
   EXPECT_THAT(faultOf(GetParam().line), HasSubstr(GetParam().said)) << GetParam().line;

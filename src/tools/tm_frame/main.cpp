@@ -1,0 +1,167 @@
+// tm_frame: frames of the TM protocol from and to bytes, for people and scripts.
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "cobot_command/protocol/frame.h"
+#include "cobot_command/protocol/frame_decoder.h"
+#include "cobot_command/protocol/message.h"
+
+namespace {
+
+using namespace cobot_command::protocol;
+using Json = nlohmann::ordered_json;
+
+constexpr int kSuccess = 0;
+constexpr int kFaultFound = 1;
+constexpr int kBadUsage = 2;
+
+std::string toHex(std::string_view bytes) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const char byte : bytes) {
+    text += kDigits[static_cast<unsigned char>(byte) >> 4u];
+    text += kDigits[static_cast<unsigned char>(byte) & 0x0Fu];
+  }
+  return text;
+}
+
+/// Pairs of hexadecimal digits, blanks between them or not; false when there is anything else.
+bool fromHex(std::string_view text, std::string& bytes) {
+  std::string digits;
+  for (const char c : text)
+    if (std::string_view(" \t\r").find(c) == std::string_view::npos) digits += c;
+  if (digits.size() % 2 != 0 || digits.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
+    return false;
+  bytes.clear();
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  return true;
+}
+
+/// JSON holds text only: bytes that are none are shown as \xNN, and all are given in hexadecimal besides.
+void addBytes(Json& line, const std::string& key, const std::string& bytes) {
+  try {
+    static_cast<void>(Json(bytes).dump());
+    line[key] = bytes;
+  } catch (const Json::type_error&) {
+    line[key] = printable(bytes);
+    line[key + "_hex"] = toHex(bytes);
+  }
+}
+
+Json toJson(const Frame& frame) {
+  Json line;
+  line["header"] = frame.header;
+  addBytes(line, "data", frame.data);
+  line["valid"] = true;
+  line["meaning"] = describe(frame);
+  return line;
+}
+
+Json toJson(const DecodeFault& fault) {
+  Json line;
+  line["valid"] = false;
+  line["fault"] = toString(fault.kind);
+  line["message"] = fault.message;
+  addBytes(line, "bytes", fault.bytes);
+  return line;
+}
+
+/// Prints what the decoder gives; whether a fault was among it.
+bool printEvents(FrameDecoder& decoder) {
+  bool faulty = false;
+  while (const auto event = decoder.next()) {
+    faulty = faulty || std::holds_alternative<DecodeFault>(*event);
+    std::cout << std::visit([](const auto& value) { return toJson(value); }, *event).dump() << std::endl;
+  }
+  return faulty;
+}
+
+/// As the bytes come, so that it can stand behind a live connection.
+int decodeBytes(FrameDecoder decoder) {
+  bool faulty = false;
+  char block[4096];
+  for (ssize_t size = 0; (size = ::read(STDIN_FILENO, block, sizeof(block))) > 0;) {
+    decoder.feed(std::string_view(block, static_cast<std::size_t>(size)));
+    faulty = printEvents(decoder) || faulty;
+  }
+  decoder.finish();
+  faulty = printEvents(decoder) || faulty;
+  return faulty ? kFaultFound : kSuccess;
+}
+
+int decodeHexLines(FrameDecoder decoder) {
+  bool faulty = false;
+  int number = 0;
+  for (std::string line, bytes; std::getline(std::cin, line);) {
+    ++number;
+    if (!fromHex(line, bytes)) {
+      std::cerr << "tm_frame: line " << number << ": expected pairs of hexadecimal digits, found \""
+                << printable(line.substr(0, 64)) << "\"\n";
+      return kBadUsage;
+    }
+    decoder.reset();
+    decoder.feed(bytes);
+    decoder.finish();
+    faulty = printEvents(decoder) || faulty;
+  }
+  return faulty ? kFaultFound : kSuccess;
+}
+
+int encodeToOutput(const std::string& header, const std::string& data) {
+  if (data.size() > kMaxDataLength) {
+    std::cerr << "tm_frame: DATA has " << data.size() << " bytes, at most " << kMaxDataLength
+              << " can be sent\n";
+    return kFaultFound;
+  }
+  std::cout << encodeFrame(header, data) << std::flush;
+  return std::cout ? kSuccess : kFaultFound;
+}
+
+std::string checkHeader(const std::string& header) {
+  const bool letters =
+      !header.empty() && header.size() <= kMaxHeaderLength &&
+      header.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz") == std::string::npos;
+  return letters ? ""
+                 : "HEADER is \"" + printable(header) + "\", expected at most " +
+                       std::to_string(kMaxHeaderLength) + " letters";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Frames of the TM protocol: $HEADER,LENGTH,DATA,*CS");
+  app.require_subcommand(1);
+  app.footer("Exit status: 0 success, 1 a fault was found, 2 bad usage.");
+
+  std::string header;
+  std::string data;
+  CLI::App* encode = app.add_subcommand("encode", "Write the bytes of one frame to standard output");
+  encode->add_option("HEADER", header, "TMSCT, TMSTA, TMSVR or CPERR; other letters are sent as they are")
+      ->required()
+      ->check(checkHeader);
+  encode->add_option("DATA", data, "Any text, for example \"1,ScriptExit()\"")->required();
+
+  bool hex = false;
+  FrameDecoder::Options options;
+  CLI::App* decode = app.add_subcommand(
+      "decode", "Read bytes from standard input, write one line of JSON for each frame or fault");
+  decode->add_flag("--hex", hex, "Standard input is lines of hexadecimal digits, each decoded on its own");
+  decode->add_flag("--accept-empty-length", options.accept_empty_length,
+                   "Take an empty LENGTH and search for the end of the frame, as some bridges need it");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kSuccess : kBadUsage;
+  }
+  if (encode->parsed()) return encodeToOutput(header, data);
+  return hex ? decodeHexLines(FrameDecoder(options)) : decodeBytes(FrameDecoder(options));
+}
