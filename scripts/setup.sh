@@ -1,0 +1,53 @@
+# Shared by the scripts beside it: says what it does, installs what is missing, builds. To be sourced.
+
+set -euo pipefail
+readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+readonly build=${COBOT_BUILD_DIR:-$root/build}
+
+say() { printf '\n== %s\n' "$*"; }
+
+install_missing() {
+  say "Looking for the packages of scripts/packages.txt"
+  local package missing=()
+  while read -r package; do
+    [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] ||
+      missing+=("$package")
+  done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/scripts/packages.txt")
+  if [ ${#missing[@]} -eq 0 ]; then
+    echo "all there"
+    return
+  fi
+  echo "installing: ${missing[*]}"
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "Run this as root, or install sudo: packages are missing." >&2; exit 1; }
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" \
+    >/dev/null
+}
+
+# build_with <build folder> <cmake option>...
+build_with() {
+  local folder=$1
+  shift
+  # The ROS tools belong to the system's Python, whatever else stands first on the PATH.
+  mkdir -p "$folder"
+  cmake -S "$root" -B "$folder" -G Ninja -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+    -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" >"$folder/configure.log" 2>&1 ||
+    { cat "$folder/configure.log" >&2; exit 1; }
+  ninja -C "$folder"
+}
+
+use_build() {
+  # ROS's own set-up script reads variables that may not be set.
+  set +u
+  # shellcheck disable=SC1091
+  source "$build/devel/setup.bash"
+  set -u
+}
+
+free_port() {
+  /usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
+}

@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""Fails when a room includes what it may not: a room above it, or ROS inside the core. Rooms: doc/architecture.md."""
+import pathlib
+import re
+import sys
+
+ALLOWED = {
+    "common": set(),
+    "protocol": {"common"},
+    "arm": {"common"},
+    "motion": {"common", "arm"},
+    "transport": {"common"},
+    "link": {"common", "protocol", "arm"},
+    "blocks": {"common", "protocol", "arm", "motion", "link"},
+    "simulator": {"common", "protocol", "arm", "motion"},
+    "runtime": {"common", "protocol", "arm", "motion", "transport", "link", "blocks", "simulator"},
+}
+ROS = re.compile(r'#include\s*[<"](ros/|actionlib|tf2|\w+_msgs/|std_srvs/|cobot_command/[A-Z])')
+OWN = re.compile(r'#include\s*"cobot_command/([a-z_]+)/')
+
+
+def faults(root):
+    for room, allowed in ALLOWED.items():
+        for folder in (root / "include/cobot_command" / room, root / "src" / room, root / "test/unit" / room):
+            for file in sorted(folder.rglob("*")):
+                if file.suffix in (".h", ".cpp"):
+                    yield from faults_in(file, room, allowed | {room})
+
+
+def faults_in(file, room, allowed):
+    for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), start=1):
+        if ROS.match(line):
+            yield f"{file}:{number}: {room}/ is core and must not include ROS: {line}"
+        own = OWN.match(line)
+        if own and own.group(1) not in allowed:
+            yield f"{file}:{number}: {room}/ may not use {own.group(1)}/ (allowed: {', '.join(sorted(allowed))})"
+
+
+def main():
+    found = list(faults(pathlib.Path(sys.argv[1])))
+    print("\n".join(found) or "every room uses only the rooms below it, and the core is free of ROS")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
