@@ -15,10 +15,11 @@ struct RobotState {
   arm::Pose flange = arm::Pose::Identity();                ///< in the robot base [m]
   arm::Pose base = arm::Pose::Identity();                  ///< the active base in the robot base [m]
   arm::Pose tcp = arm::Pose::Identity();                   ///< the active TCP in the flange [m]
-  std::string base_name = "RobotBase";
-  std::string tcp_name = "NOTOOL";
-  double load = 0;  ///< [kg]
-  bool in_motion = false;
+  std::string base_name = "RobotBase";                     ///< empty when it was given by value
+  std::string tcp_name = "NOTOOL";                         ///< empty when it was given by value
+  double tcp_mass = 0;                                     ///< [kg], of the tool (ChangeTCP)
+  double load = 0;                                         ///< [kg], of what it holds (ChangeLoad)
+  bool in_motion = false;  ///< false also while a pause holds the arm within a motion
   bool project_running = false;
   bool project_paused = false;
   bool listening = false;
@@ -26,7 +27,7 @@ struct RobotState {
   bool error = false;
   int error_code = 0;  ///< as the controller's Error_Code (fact sheet 2.6)
   std::string error_text;
-  int queued_motions = 0;
+  int queued_motions = 0;  ///< accepted and not ended, the running one included
   int project_speed_percent = 100;
 };
 

@@ -2,6 +2,8 @@
 // show.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 
 #include "cobot_command/arm/types.h"
@@ -9,6 +11,12 @@
 #include "cobot_command/common/units.h"
 
 namespace cobot_command::simulator {
+
+/// What the project does when a motion cannot be made (fact sheet 8.9: not documented for port 5890).
+enum class MotionErrorPolicy {
+  ReportFalse,  ///< the error shows in the status stream, open tags are reported false, the project runs on
+  StopProject   ///< the same, then the project stops: the script port closes
+};
 
 struct Settings {
   std::string listen_node_message = "Listen1";  ///< sent when the node is entered
@@ -22,6 +30,17 @@ struct Settings {
   /// After StopAndClearBuffer a real controller was seen to report the tags of dropped motions later
   /// (tmr_ros2 #15).
   bool reports_stale_tags = false;
+  MotionErrorPolicy on_motion_error = MotionErrorPolicy::ReportFalse;
+  /// From full motion to standstill, on the path, by Pause and StopAndClearBuffer; and back by Resume.
+  Duration stop_time = std::chrono::milliseconds(200);
+  /// From leaving the Listen node (ScriptExit) until the project's loop enters it again; absent: never.
+  std::optional<Duration> reentry_delay = std::chrono::milliseconds(100);
+  std::string project_name = "ListenProject";
+  std::string tmflow_version = "1.80";
+  /// What ChangeBase("name") and ChangeTCP("name") know besides RobotBase and NOTOOL: bases in the robot
+  /// base, TCPs in the flange [m].
+  std::map<std::string, arm::Pose> bases;
+  std::map<std::string, arm::Pose> tcps;
 };
 
 }  // namespace cobot_command::simulator

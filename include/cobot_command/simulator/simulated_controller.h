@@ -35,9 +35,11 @@ struct CloseClient {
   ClientId client;
 };
 /// The script port is served only while a project runs (fact sheet 1.2): with it closed, clients are refused.
+/// The status port is opened once, in the constructor; the script port there too when a project runs.
 struct OpenPort {
   Port port;
 };
+/// Comes after a CloseClient for each client of the port.
 struct ClosePort {
   Port port;
 };
@@ -62,15 +64,20 @@ class SimulatedController {
   void received(Port port, ClientId client, std::string_view bytes, Instant now);
 
   // --- Time.
-  /// Brings the robot to `now`. Times never go back.
+  /// Brings the robot to `now`, through every event on the way at its exact time: how often it is called
+  /// changes nothing. Times never go back; an earlier one is taken as the latest seen.
   void advance(Instant now);
   /// When advance() has to be called at the latest: a status frame is due, a motion ends, a wait runs out.
+  /// Instant::max() when nothing will happen by itself.
   [[nodiscard]] Instant nextEvent() const;
 
   // --- The operator's side of the controller.
-  void runProject(Instant now);  ///< opens the script port and enters the Listen node
-  void stopProject(
-      Instant now);  ///< stops the arm, empties the queue, closes the script port and its clients
+  /// Opens the script port, enters the Listen node, clears a robot error; base and TCP are RobotBase and
+  /// NOTOOL again. Does nothing while a project runs or the emergency stop is pressed.
+  void runProject(Instant now);
+  /// Stops the arm on its path, empties the queue, closes the script port and its clients.
+  void stopProject(Instant now);
+  /// Pressed: the arm stands at once and the project stops. Released: stands until runProject().
   void setEmergencyStop(bool pressed, Instant now);
 
   // --- What comes out.

@@ -1,0 +1,197 @@
+#include "listen_node.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "communication_error.h"
+#include <fmt/format.h>
+
+namespace cobot_command::simulator {
+
+namespace {
+
+using Code = protocol::CommunicationErrorCode;
+
+/// Those with a literal argument (TMflow 1.82): they do not wait for their turn (fact sheet 1.4).
+template <class Command>
+const Command* firstPriority(const protocol::ParsedScript& script) {
+  for (const auto& line : script.lines) {
+    const auto* command = std::get_if<Command>(&line.command);
+    if (command != nullptr && command->mode) return command;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+ListenNode::ListenNode(const Settings& settings, MotionQueue& queue, Outbox& outbox)
+    : settings_(settings),
+      queue_(queue),
+      outbox_(outbox),
+      clients_({settings.accept_empty_length}, outbox),
+      interpreter_(settings, queue, tags_, clients_) {}
+
+void ListenNode::connected(ClientId client) {
+  if (projectRuns()) {
+    clients_.connect(client);
+  } else {
+    outbox_.closeClient(Port::Script, client);
+  }
+}
+
+// --- The project ---------------------------------------------------------------------------------------
+
+void ListenNode::run() {
+  flow_ = after(flow_, FlowEvent::Run);
+  tags_ = TagTable();
+  outbox_.openPort(Port::Script);
+  enter();
+}
+
+void ListenNode::stop() {
+  if (!projectRuns()) return;
+  flow_ = after(flow_, FlowEvent::Stop);
+  reenter_at_.reset();
+  interpreter_.clear();
+  clients_.closeAll();
+  outbox_.closePort(Port::Script);
+  outbox_.log("project stopped");
+}
+
+void ListenNode::enter() {
+  reenter_at_.reset();
+  outbox_.log(fmt::format("Listen node entered: {}", settings_.listen_node_message));
+  clients_.broadcast(protocol::ListenNodeEntered{settings_.listen_node_message});
+}
+
+// Called when the flow starts to leave: what still waits can no longer run.
+void ListenNode::leave() {
+  flow_ = after(flow_, FlowEvent::Exit);
+  for (const PendingScript& script : interpreter_.takePending()) {
+    refuseFrame(script.client, Code::NotListening);
+  }
+}
+
+bool ListenNode::step(Instant now) {
+  if (flow_ == FlowState::Listening) {
+    const auto step = interpreter_.run(now);
+    if (step == ScriptInterpreter::Step::Exited) leave();
+    return step != ScriptInterpreter::Step::Waits;
+  }
+  if (flow_ == FlowState::Leaving && queue_.idle()) {
+    flow_ = after(flow_, FlowEvent::Done);
+    outbox_.log("Listen node left");
+    if (settings_.reentry_delay) reenter_at_ = now + std::max(*settings_.reentry_delay, Duration::zero());
+    return true;
+  }
+  if (flow_ == FlowState::Elsewhere && reenter_at_ && *reenter_at_ <= now) {
+    flow_ = after(flow_, FlowEvent::Reenter);
+    enter();
+    return true;
+  }
+  return false;
+}
+
+Instant ListenNode::nextEvent() const {
+  return std::min(interpreter_.nextEvent(), reenter_at_.value_or(Instant::max()));
+}
+
+void ListenNode::on(const TagSettled& settled) {
+  using protocol::TagState;
+  tags_.settle(settled.tag, settled.complete ? TagTable::Fate::Complete : TagTable::Fate::Failed);
+  const TagState state = settled.complete ? TagState::Complete : TagState::Incomplete;
+  clients_.broadcast(protocol::TagReport{settled.tag.tag, state});
+}
+
+void ListenNode::abandonScripts() {
+  interpreter_.endCurrent();
+  const auto dropped = interpreter_.takePending().size();
+  if (dropped > 0) outbox_.log(fmt::format("{} buffered scripts dropped", dropped));
+}
+
+// --- The wire ------------------------------------------------------------------------------------------
+
+bool ListenNode::handleNext(ClientId client, Instant now) {
+  const std::optional<protocol::DecodeEvent> event = clients_.next(client);
+  if (!event) return false;
+  if (const auto* fault = std::get_if<protocol::DecodeFault>(&*event)) {
+    handle(client, *fault);
+  } else {
+    handle(client, std::get<protocol::Frame>(*event), now);
+  }
+  return true;
+}
+
+void ListenNode::handle(ClientId client, const protocol::DecodeFault& fault) {
+  outbox_.log(fmt::format("from {}: {}: {}", client, protocol::toString(fault.kind), fault.message));
+  if (const auto code = codeFor(fault.kind)) refuseFrame(client, *code);
+}
+
+void ListenNode::handle(ClientId client, const protocol::Frame& frame, Instant now) {
+  const auto message = protocol::parseClientMessage(frame);
+  if (message) {
+    outbox_.log(fmt::format("from {}: {}", client, protocol::describe(*message)));
+    return std::visit([&](const auto& what) { answer(client, what, now); }, *message);
+  }
+  const protocol::MessageFault& fault = message.error();
+  outbox_.log(fmt::format("from {}: {}", client, fault.message));
+  const bool unknown = fault.kind == protocol::MessageFault::Kind::UnknownHeader;
+  refuseFrame(client, unknown ? Code::Header : Code::Data);
+}
+
+void ListenNode::refuseFrame(ClientId client, Code code) {
+  clients_.reply(client, protocol::CommunicationError{code});
+}
+
+void ListenNode::answer(ClientId client, const protocol::ListenNodeQuery&, Instant) {
+  protocol::ListenNodeState state;
+  state.listening = listening();
+  if (state.listening) state.message = settings_.listen_node_message;
+  clients_.reply(client, state);
+}
+
+void ListenNode::answer(ClientId client, const protocol::TagQuery& query, Instant) {
+  clients_.reply(client, protocol::TagReport{query.tag, tags_.query(query.tag)});
+}
+
+void ListenNode::answer(ClientId client, const protocol::ScriptRequest& request, Instant now) {
+  if (!listening()) return refuseFrame(client, Code::NotListening);
+  PendingScript script{client, request.id, protocol::parseScript(request.script)};
+  if (!runPriorityCommand(script, now)) interpreter_.add(std::move(script));
+}
+
+// --- Priority commands ---------------------------------------------------------------------------------
+
+bool ListenNode::runPriorityCommand(const PendingScript& script, Instant now) {
+  if (!script.parsed) return false;
+  const auto* exit_command = firstPriority<protocol::ScriptExit>(*script.parsed);
+  const auto* stop_command = firstPriority<protocol::StopAndClearBuffer>(*script.parsed);
+  if (exit_command == nullptr && stop_command == nullptr) return false;
+  if (exit_command != nullptr) {
+    exit(*exit_command, now);
+  } else {
+    stopAndClear(*stop_command, now);
+  }
+  clients_.reply(script.client, protocol::ScriptReply{script.id, true, {}});
+  return true;
+}
+
+void ListenNode::exit(const protocol::ScriptExit&, Instant now) {
+  queue_.stop(now);
+  abandonScripts();
+  leave();
+}
+
+void ListenNode::stopAndClear(const protocol::StopAndClearBuffer& command, Instant now) {
+  queue_.stop(now);
+  switch (*command.mode) {
+    case 0:
+      return interpreter_.releaseWait();
+    case 1:
+      return interpreter_.endCurrent();
+    default:
+      return abandonScripts();
+  }
+}
+
+}  // namespace cobot_command::simulator

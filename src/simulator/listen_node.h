@@ -1,0 +1,73 @@
+// The script port: who is connected, what they ask, where the project's flow is, which scripts run.
+//
+// Checks of a frame in the order length, checksum, header, data, mode (fact sheet 1.6).
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "motion_queue.h"
+#include "node_flow.h"
+#include "script_clients.h"
+#include "script_interpreter.h"
+#include "tag_table.h"
+
+#include "cobot_command/protocol/message.h"
+#include "cobot_command/simulator/settings.h"
+
+namespace cobot_command::simulator {
+
+class ListenNode {
+ public:
+  ListenNode(const Settings& settings, MotionQueue& queue, Outbox& outbox);
+
+  // --- The wire.
+  void connected(ClientId client);
+  void disconnected(ClientId client) { clients_.disconnect(client); }
+  void feed(ClientId client, std::string_view bytes) { clients_.feed(client, bytes); }
+  /// Takes the client's next frame; false when there is none.
+  bool handleNext(ClientId client, Instant now);
+
+  // --- The project.
+  void run();
+  /// Closes the port and its clients, forgets all scripts and tags.
+  void stop();
+  [[nodiscard]] bool projectRuns() const { return flow_ != FlowState::Stopped; }
+  [[nodiscard]] bool listening() const { return flow_ == FlowState::Listening; }
+
+  // --- Time.
+  /// Runs scripts, leaves and enters the node, as far as it goes at `now`; false when nothing was to be done.
+  bool step(Instant now);
+  [[nodiscard]] Instant nextEvent() const;
+
+  // --- What the queue tells.
+  void on(const TagSettled& settled);
+  void on(const TagDropped& dropped) { tags_.forget(dropped.tag); }
+  /// Nothing moves after an error but what is sent after it: the script that runs ends, the waiting ones are
+  /// dropped.
+  void abandonScripts();
+
+ private:
+  void handle(ClientId client, const protocol::DecodeFault& fault);
+  void handle(ClientId client, const protocol::Frame& frame, Instant now);
+  void answer(ClientId client, const protocol::ScriptRequest& request, Instant now);
+  void answer(ClientId client, const protocol::ListenNodeQuery& query, Instant now);
+  void answer(ClientId client, const protocol::TagQuery& query, Instant now);
+  void refuseFrame(ClientId client, protocol::CommunicationErrorCode code);
+  bool runPriorityCommand(const PendingScript& script, Instant now);
+  void exit(const protocol::ScriptExit& command, Instant now);
+  void stopAndClear(const protocol::StopAndClearBuffer& command, Instant now);
+  void enter();
+  void leave();
+
+  const Settings& settings_;
+  MotionQueue& queue_;
+  Outbox& outbox_;
+  ScriptClients clients_;
+  TagTable tags_;
+  ScriptInterpreter interpreter_;
+  FlowState flow_ = FlowState::Stopped;
+  std::optional<Instant> reenter_at_;
+};
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,163 @@
+#include "motion_queue.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cobot_command/motion/planner.h"
+
+namespace cobot_command::simulator {
+
+MotionQueue::MotionQueue(const arm::ArmModel& arm, const arm::JointVector& posture, Options options)
+    : arm_(arm), options_(options), posture_(posture), clock_(options.stop_time) {
+  setting_.speed_override = options.speed_override;
+  resetSetting();
+}
+
+void MotionQueue::resetSetting() {
+  setting_.base = setting_.tcp = arm::Pose::Identity();
+  base_name_ = "RobotBase";
+  tcp_name_ = "NOTOOL";
+  tcp_mass_ = load_ = 0.0;
+  paused_ = false;
+  error_.reset();
+  stale_tags_.clear();
+}
+
+void MotionQueue::push(QueueItem item) {
+  if (std::holds_alternative<MotionRequest>(item)) error_.reset();
+  items_.push_back(std::move(item));
+}
+
+bool MotionQueue::run(Instant now) {
+  bool ran = false;
+  for (;;) {
+    if (active_ && (!end_at_ || *end_at_ > now)) return ran;
+    if (active_) {
+      endActive();
+      ran = true;
+      continue;
+    }
+    if (items_.empty()) return ran;
+    if (paused_ && std::holds_alternative<MotionRequest>(items_.front())) return ran;
+    const QueueItem item = std::move(items_.front());
+    items_.pop_front();
+    std::visit([&](const auto& what) { apply(what, now); }, item);
+    ran = true;
+  }
+}
+
+void MotionQueue::endActive() {
+  posture_ = stopping_ ? at(*end_at_).position : active_->end().position;
+  active_.reset();
+  end_at_.reset();
+  if (std::exchange(stopping_, false)) return;
+  for (const QueuedTag& tag : std::exchange(stale_tags_, {})) settle(tag, true);
+}
+
+void MotionQueue::apply(const MotionRequest& request, Instant now) {
+  const auto command = toCommand(request, arm_, posture_, setting_);
+  if (!command) return fail(command.error());
+  auto planned = motion::plan(arm_, posture_, *command, setting_);
+  if (!planned) return fail(planned.error());
+  active_ = std::move(*planned);
+  clock_.start(now);
+  end_at_ = clock_.reaches(active_->duration());
+  events_.emplace_back(MotionStarted{active_->duration()});
+}
+
+void MotionQueue::apply(const BaseChange& change, Instant) {
+  setting_.base = change.pose;
+  base_name_ = change.name;
+}
+
+void MotionQueue::apply(const TcpChange& change, Instant) {
+  setting_.tcp = change.pose;
+  tcp_name_ = change.name;
+  tcp_mass_ = change.mass.value_or(tcp_mass_);
+}
+
+void MotionQueue::apply(const LoadChange& change, Instant) {
+  load_ = change.mass;
+}
+
+void MotionQueue::apply(const QueuedTag& tag, Instant) {
+  settle(tag, !error_);
+}
+
+void MotionQueue::fail(const motion::Refusal& refusal) {
+  error_ = robotErrorFor(refusal);
+  for (const QueueItem& item : std::exchange(items_, {})) {
+    if (const auto* tag = std::get_if<QueuedTag>(&item)) settle(*tag, false);
+  }
+  events_.emplace_back(MotionFailed{*error_});
+}
+
+void MotionQueue::dropQueue() {
+  for (const QueueItem& item : std::exchange(items_, {})) {
+    const auto* tag = std::get_if<QueuedTag>(&item);
+    if (tag == nullptr) continue;
+    if (options_.reports_stale_tags) {
+      stale_tags_.push_back(*tag);
+    } else {
+      events_.emplace_back(TagDropped{*tag});
+    }
+  }
+}
+
+Instant MotionQueue::nextEvent() const {
+  return end_at_.value_or(Instant::max());
+}
+
+std::vector<QueueEvent> MotionQueue::takeEvents() {
+  return std::exchange(events_, {});
+}
+
+void MotionQueue::pause(Instant now) {
+  if (std::exchange(paused_, true) || !active_ || stopping_) return;
+  clock_.slowDown(now);
+  end_at_ = clock_.reaches(active_->duration());
+}
+
+void MotionQueue::resume(Instant now) {
+  if (!std::exchange(paused_, false) || !active_ || stopping_) return;
+  clock_.speedUp(now);
+  end_at_ = clock_.reaches(active_->duration());
+}
+
+void MotionQueue::stop(Instant now) {
+  dropQueue();
+  if (!active_ || stopping_) return;
+  stopping_ = true;
+  if (!paused_) clock_.slowDown(now);
+  // A motion that comes to its end while it slows down ends there.
+  end_at_ =
+      std::max(now, std::min(clock_.settled(), clock_.reaches(active_->duration()).value_or(Instant::max())));
+}
+
+void MotionQueue::halt(Instant now) {
+  posture_ = at(now).position;
+  active_.reset();
+  end_at_.reset();
+  stopping_ = false;
+  dropQueue();
+}
+
+motion::JointState MotionQueue::at(Instant now) const {
+  if (!active_) return {posture_, arm::JointVector::Zero()};
+  motion::JointState state = active_->at(clock_.pathTime(now));
+  state.velocity *= clock_.rate(now);
+  return state;
+}
+
+bool MotionQueue::inMotion(Instant now) const {
+  return active_ && clock_.rate(now) > 0.0;
+}
+
+int MotionQueue::motionCount() const {
+  const auto waiting = std::count_if(items_.begin(), items_.end(), [](const QueueItem& item) {
+    return std::holds_alternative<MotionRequest>(item);
+  });
+  return static_cast<int>(waiting) + (active_ ? 1 : 0);
+}
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,130 @@
+// The queue of the robot: motions one after the other, and the changes and tags between them.
+//
+// Everything happens in order and at its exact time: a motion starts, and is planned, at the instant at which
+// the one before it ends; a change of base, TCP or load acts on the motions behind it; a tag is settled when
+// all before it is done. Call run() at nextEvent() at the latest.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "motion_request.h"
+#include "path_clock.h"
+#include "robot_error.h"
+#include "tag_table.h"
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/motion/command.h"
+#include "cobot_command/motion/trajectory.h"
+
+namespace cobot_command::simulator {
+
+struct BaseChange {
+  arm::Pose pose;    ///< in the robot base [m]
+  std::string name;  ///< empty when given by value
+};
+struct TcpChange {
+  arm::Pose pose;              ///< in the flange [m]
+  std::string name;            ///< empty when given by value
+  std::optional<double> mass;  ///< [kg]; absent: as before
+};
+struct LoadChange {
+  double mass = 0;  ///< [kg]
+};
+using QueueItem = std::variant<MotionRequest, BaseChange, TcpChange, LoadChange, QueuedTag>;
+
+/// What the queue tells: a tag came to its end.
+struct TagSettled {
+  QueuedTag tag;
+  bool complete = false;  ///< false: a motion before it could not be made
+};
+/// A tag was thrown away with the queue.
+struct TagDropped {
+  QueuedTag tag;
+};
+struct MotionStarted {
+  Duration duration;  ///< as planned
+};
+struct MotionFailed {
+  RobotError error;
+};
+using QueueEvent = std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed>;
+
+class MotionQueue {
+ public:
+  struct Options {
+    Duration stop_time{};             ///< from full motion to standstill by pause() and stop()
+    double speed_override = 1.0;      ///< project speed, (0, 1]
+    bool reports_stale_tags = false;  ///< see Settings
+  };
+
+  MotionQueue(const arm::ArmModel& arm, const arm::JointVector& posture, Options options);
+
+  /// Takes an item; it acts at the next run(). A motion clears a robot error.
+  void push(QueueItem item);
+  /// Does all that is due at `now`: ends a motion, settles tags, starts the next motion. A motion that cannot
+  /// be made does not start; the queue is emptied, and its tags are settled as not complete. False when
+  /// nothing was due.
+  bool run(Instant now);
+  [[nodiscard]] Instant nextEvent() const;
+  [[nodiscard]] std::vector<QueueEvent> takeEvents();
+
+  /// Slows down on the path and stands; resume() goes on. Both act once however often they are called.
+  void pause(Instant now);
+  void resume(Instant now);
+  /// Slows down on the path, gives up the rest of the motion and everything behind it. A pause stays.
+  void stop(Instant now);
+  /// Stands at once; everything is given up.
+  void halt(Instant now);
+  /// As when a project starts: no base, no TCP, no load, no error, no pause. Motion is not touched.
+  void resetSetting();
+
+  [[nodiscard]] motion::JointState at(Instant now) const;
+  [[nodiscard]] bool inMotion(Instant now) const;
+  /// No motion is under way and none waits.
+  [[nodiscard]] bool idle() const { return !active_ && items_.empty(); }
+  [[nodiscard]] bool paused() const { return paused_; }
+  [[nodiscard]] int motionCount() const;
+  [[nodiscard]] const motion::Setting& setting() const { return setting_; }
+  [[nodiscard]] const std::string& baseName() const { return base_name_; }
+  [[nodiscard]] const std::string& tcpName() const { return tcp_name_; }
+  [[nodiscard]] double tcpMass() const { return tcp_mass_; }
+  [[nodiscard]] double load() const { return load_; }
+  /// Why the last motion was not made; until the next one is queued.
+  [[nodiscard]] const std::optional<RobotError>& error() const { return error_; }
+
+ private:
+  void endActive();
+  void apply(const MotionRequest& request, Instant now);
+  void apply(const BaseChange& change, Instant now);
+  void apply(const TcpChange& change, Instant now);
+  void apply(const LoadChange& change, Instant now);
+  void apply(const QueuedTag& tag, Instant now);
+  void fail(const motion::Refusal& refusal);
+  void dropQueue();
+  void settle(const QueuedTag& tag, bool complete) { events_.emplace_back(TagSettled{tag, complete}); }
+
+  const arm::ArmModel& arm_;
+  Options options_;
+  motion::Setting setting_;
+  std::string base_name_, tcp_name_;
+  double tcp_mass_ = 0.0;
+  double load_ = 0.0;
+
+  arm::JointVector posture_;  // where the arm stands, while nothing is active
+  motion::TrajectoryPtr active_;
+  PathClock clock_;
+  std::optional<Instant> end_at_;  // of the active motion; nothing while a pause holds it
+  bool stopping_ = false;
+  bool paused_ = false;
+
+  std::deque<QueueItem> items_;
+  std::vector<QueuedTag> stale_tags_;
+  std::vector<QueueEvent> events_;
+  std::optional<RobotError> error_;
+};
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,36 @@
+#include "robot_error.h"
+
+namespace cobot_command::simulator {
+
+namespace {
+
+int codeFor(motion::Refusal::Reason reason) {
+  using Reason = motion::Refusal::Reason;
+  switch (reason) {
+    case Reason::Unreachable:
+      return 0x01;  // IK failed, working range
+    case Reason::DegenerateCircle:
+      return 0x15;  // circle
+    case Reason::BadParameter:
+      return 0x21;  // speed over range
+    case Reason::JointSpeed:
+      return 0x21;  // speed over range
+    case Reason::NotFinite:
+      return 0x14058;  // IK failed
+    case Reason::PoseBits:
+      return 0x14058;  // IK failed
+    case Reason::JointLimit:
+      return 0x1405A;  // joint outside its range
+    case Reason::Singular:
+      return 0x14064;  // singular
+  }
+  return 0x14058;
+}
+
+}  // namespace
+
+RobotError robotErrorFor(const motion::Refusal& refusal) {
+  return {codeFor(refusal.reason), std::string(motion::toString(refusal.reason)) + ": " + refusal.message};
+}
+
+}  // namespace cobot_command::simulator

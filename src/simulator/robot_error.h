@@ -1,0 +1,18 @@
+// The controller's Error_Code for a motion that cannot be made (fact sheet 2.6).
+#pragma once
+
+#include <string>
+
+#include "cobot_command/motion/refusal.h"
+
+namespace cobot_command::simulator {
+
+struct RobotError {
+  int code = 0;
+  std::string text;  ///< for Error_Content and the log
+};
+
+/// The mapping is ours where the fact sheet only names the codes; see doc/simulator.md.
+[[nodiscard]] RobotError robotErrorFor(const motion::Refusal& refusal);
+
+}  // namespace cobot_command::simulator
