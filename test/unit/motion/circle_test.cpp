@@ -184,6 +184,27 @@ TEST(Circle, comesBackToItsStartAfterAFullTurn) {
   EXPECT_LT(distance(half_way, moved(from, 0.06, 0, 0)), 1e-6);
 }
 
+TEST(Circle, carriesItsJointsFurtherThanHalfATurn) {
+  // Around the first axis with the orientation held: J1 and J6 turn by the whole arc.
+  const arm::ArmModel arm = model();
+  const arm::JointVector start = degrees(-120, 0, 90, 0, 90, 0);
+  const auto around = [&](double angle) {
+    arm::Pose pose = arm::forwardKinematics(arm, start);
+    pose.translation() = Eigen::AngleAxisd(degToRad(angle), Vector3d::UnitZ()) * pose.translation();
+    return pose;
+  };
+  const Circle circle{around(60), around(120), degToRad(240), SpeedRatio{0.2}, milliseconds(200)};
+  const auto motion = planned(plan(arm, start, circle, Setting{}));
+  EXPECT_NEAR(motion->end().position[0], degToRad(120), 1e-9);
+  EXPECT_NEAR(std::abs(motion->end().position[5]), degToRad(240), 1e-9);
+  arm::JointVector previous = start;
+  for (Duration time{}; time <= motion->duration(); time += milliseconds(1)) {
+    const arm::JointVector joints = motion->at(time).position;
+    ASSERT_LT((joints - previous).cwiseAbs().maxCoeff(), 0.01) << toSeconds(time);
+    previous = joints;
+  }
+}
+
 TEST(Circle, reportsADegenerateSetAtItsStart) {
   const arm::ArmModel arm = model();
   const Setting setting = displacedSetting();

@@ -135,6 +135,12 @@ TEST(Line, turnsAtTheSameShareOfHalfATurnPerSecondWhenTheTurnTakesLonger) {
   EXPECT_NEAR(lineSeconds(SpeedRatio{0.1}, 0.14, 0.2), 0.14 / 0.14 + 0.1, 1e-6) << "the way takes longer";
 }
 
+TEST(Line, turnsNoFasterThanHalfATurnPerSecondHoweverFastTheTcp) {
+  Setting setting;
+  setting.speed_override = 0.2;
+  EXPECT_NEAR(lineSeconds(TcpSpeed{3.0}, 0.0, 0.2, setting), 0.2 / (0.2 * kPi) + 0.1, 1e-6);
+}
+
 TEST(Line, takesNoTimeToWhereItAlreadyIsEvenOnASingularity) {
   const arm::ArmModel arm = model();
   const arm::JointVector upright = arm::JointVector::Zero();
