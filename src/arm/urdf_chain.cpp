@@ -82,6 +82,11 @@ Result<std::string, ModelError> prefixOf(const urdf::ModelInterface& model) {
       model.getName(), prefixes.size(), kJointNames[0])});
 }
 
+/// The links of urdfdom own their children: in a ring they own each other, and the memory would be lost.
+void releaseRings(const urdf::ModelInterface& model) {
+  for (const auto& [name, link] : model.links_) link->child_links.clear();
+}
+
 /// The joints from the base to the flange, in this order.
 Result<std::vector<urdf::JointConstSharedPtr>, ModelError> pathOf(const urdf::ModelInterface& model,
                                                                   const std::string& prefix) {
@@ -95,6 +100,7 @@ Result<std::vector<urdf::JointConstSharedPtr>, ModelError> pathOf(const urdf::Mo
     link = model.getLink(link->parent_joint->parent_link_name);
   }
   if (!link || link->name != base) {
+    releaseRings(model);
     return refuse(ModelError{
         fmt::format("The URDF \"{}\" has no chain of joints from the link \"{}\" to the link \"{}\". "
                     "Name the first and the last link of the arm so.",

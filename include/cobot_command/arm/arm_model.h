@@ -44,9 +44,10 @@ class ArmModel {
   /// that is built into the library. An unknown name is refused with the list of the known ones.
   [[nodiscard]] static Result<ArmModel, ModelError> named(std::string_view name);
 
-  /// From the text of a URDF, for instance a calibrated one. The robot's name selects the ratings. Refused
-  /// when the chain base -> flange_link does not have the six joints and the parallel and crossing axes of
-  /// the TM family, as the closed-form kinematics would then be wrong.
+  /// From the text of a URDF with other lengths or limits. The robot's name must be a known one, as it
+  /// selects the ratings; its links and joints may all have one prefix ("left_"). Refused when the chain base
+  /// -> flange_link does not have the six joints and the parallel and crossing axes of the TM family
+  /// (tolerance 1e-6 m and rad), as the closed-form kinematics would then be wrong.
   [[nodiscard]] static Result<ArmModel, ModelError> fromUrdf(const std::string& urdf);
 
   [[nodiscard]] static const std::vector<std::string>& knownNames();

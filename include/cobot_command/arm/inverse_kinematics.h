@@ -21,23 +21,25 @@ struct Branch {
 using Branches = boost::container::static_vector<Branch, 8>;
 
 /// All postures (at most eight, no two with the same bits) that bring the flange to `flange` in the robot
-/// base [m]. Joint limits are not considered. Empty when the pose is out of reach or not finite.
+/// base [m]. Joint limits are not considered. Empty when the pose is out of reach, not finite, or its linear
+/// part is not a rotation (tolerance 1e-6).
 ///
-/// On the wrist singularity (J5 = 0 or 180 degrees) only J4 +- J6 is determined: J6 is then taken from
-/// `reference`, the posture from which the arm comes. On the shoulder and the elbow singularity two branches
-/// meet; both are reported, with distinct bits and the same joints.
+/// On a singularity two branches meet; both are reported, with distinct bits and the same joints. On the
+/// wrist singularity (J5 = 0 or 180 degrees) only J4 +- J6 is determined: J6 is then that of `reference`, the
+/// posture from which the arm comes, or as near to it as the reach allows.
 [[nodiscard]] Branches allBranches(const ArmModel& arm, const Pose& flange,
                                    const JointVector& reference = JointVector::Zero());
 
 /// The same posture with every joint turned by whole turns to be nearest to `reference` while inside the
-/// limits. Nothing when a joint has no turn inside its limits.
+/// limits; exactly half a turn from it a joint stays as it is. Nothing when a joint has no turn inside its
+/// limits, or is not finite.
 [[nodiscard]] std::optional<JointVector> nearestTurn(const ArmModel& arm, const JointVector& joints,
                                                      const JointVector& reference);
 
 /// Why no posture can be given.
 struct IkRefusal {
   enum class Reason {
-    NotFinite,        ///< the pose has a NaN or infinite entry
+    NotFinite,        ///< the pose or the reference is not finite, or the pose's axes are not a rotation
     OutOfReach,       ///< no posture at all reaches the pose
     BitsNotPossible,  ///< it can be reached, but not with these pose bits
     OutsideLimits     ///< the posture with these bits has a joint outside its limits

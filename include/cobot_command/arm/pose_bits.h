@@ -34,9 +34,9 @@ struct PoseBits {
   friend bool operator!=(const PoseBits& a, const PoseBits& b) { return !(a == b); }
 };
 
-/// The bits of a posture. On a singularity (J3 = 0, J5 = 0 or the wrist centre on the shoulder cylinder) a
-/// bit is not defined by the manual's strict inequalities; the "else" branch of the manual then holds (Lefty,
-/// Below, Flip).
+/// The bits of a posture; whole turns of a joint do not change them. On a singularity (J3 = 0, J5 = 0 or the
+/// wrist centre on the shoulder cylinder) a bit is not defined by the manual's strict inequalities; the
+/// "else" branch of the manual then holds (Lefty, Below, Flip).
 [[nodiscard]] PoseBits poseBitsOf(const ArmModel& arm, const JointVector& joints);
 
 /// As people write it: "RIGHTY ABOVE NOFLIP".
