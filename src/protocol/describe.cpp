@@ -25,8 +25,9 @@ std::string lineList(const std::vector<int>& lines) {
 }
 
 std::string described(const ScriptRequest& request) {
-  const auto further = std::count(request.script.begin(), request.script.end(), '\n');
   std::string_view script = request.script;
+  script.remove_prefix(std::min(script.find_first_not_of("\r\n"), script.size()));
+  const auto further = std::count(script.begin(), script.end(), '\n');
   std::string_view first = takeUntil('\n', script);
   if (!first.empty() && first.back() == '\r') first.remove_suffix(1);
   std::string text = fmt::format("run script {}: {}", request.id, shortened(first));
@@ -84,27 +85,34 @@ std::string described(const CommunicationError& error) {
   return {};
 }
 
-std::string describedAsText(const StatusFrame& frame, std::string_view format) {
-  return fmt::format("{} items {}: {}", format, frame.id, shortened(frame.content));
+std::string names(const std::vector<StatusItem>& items) {
+  std::string text;
+  for (const StatusItem& item : items) text.append(text.empty() ? "" : ", ").append(item.name);
+  return text;
 }
 
 std::string described(const StatusFrame& frame) {
+  const auto say = [&](std::string_view what, std::string_view content) {
+    return fmt::format("{} {}: {}", what, frame.id, shortened(content));
+  };
+  const auto items = parseBinaryItems(frame.content);
   switch (static_cast<StatusMode>(frame.mode)) {
     case StatusMode::Reply:
-      if (const auto reply = parseStatusReply(frame.content))
-        return fmt::format("item request {}: {}", frame.id, shortened(frame.content));
+      if (parseStatusReply(frame.content)) return say("answer to item request", frame.content);
       break;
     case StatusMode::WriteBinary:
-    case StatusMode::ReadBinary:
-      if (const auto items = parseBinaryItems(frame.content))
-        return fmt::format("binary items {}: {} items", frame.id, items->size());
+      if (items) return say("binary items", names(*items));
       break;
+    case StatusMode::ReadBinary:
+      return say("binary items asked", items ? names(*items) : frame.content);
     case StatusMode::WriteString:
+      return say("text items", frame.content);
     case StatusMode::ReadString:
-      return describedAsText(frame, "text");
+      return say("text items asked", frame.content);
     case StatusMode::WriteJson:
+      return say("JSON items", frame.content);
     case StatusMode::ReadJson:
-      return describedAsText(frame, "JSON");
+      return say("JSON items asked", frame.content);
   }
   return fmt::format("item frame {} of mode {} with content that means nothing", frame.id, frame.mode);
 }
@@ -125,9 +133,14 @@ std::string describe(const Frame& frame) {
     return items ? described(*items) : items.error().message;
   }
   // A reply is told from a script by its words, so it is tried first: "1,OK" is no useful script.
-  if (const auto message = parseControllerMessage(frame)) return describe(*message);
-  const auto message = parseClientMessage(frame);
-  return message ? describe(*message) : message.error().message;
+  const auto from_controller = parseControllerMessage(frame);
+  if (from_controller) return describe(*from_controller);
+  const auto from_client = parseClientMessage(frame);
+  if (from_client) return describe(*from_client);
+  if (from_controller.error().kind == MessageFault::Kind::UnknownHeader)
+    return fmt::format("unknown header {}, known are TMSCT, TMSTA, TMSVR, CPERR", printable(frame.header));
+  return from_client.error().kind == MessageFault::Kind::Data ? from_client.error().message
+                                                              : from_controller.error().message;
 }
 
 }  // namespace cobot_command::protocol

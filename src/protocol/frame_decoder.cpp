@@ -203,9 +203,10 @@ bool FrameDecoder::scanLength(Candidate& candidate) {
     const unsigned digit = hexValue(bytes[i]);
     length = length * base + digit;
     if (digit >= base || length > kMaxDataLength || i - field >= kMaxLengthField) {
-      return candidate.fails(DecodeFault::Kind::Length, i + 1,
-                             fmt::format("LENGTH is {}, expected a number from 0 to {} and ','",
-                                         quoted(bytes.substr(field, i + 1 - field)), kMaxDataLength));
+      return candidate.fails(
+          DecodeFault::Kind::Length, i + 1,
+          fmt::format("LENGTH is {}, expected a number from 0 to {} and ','",
+                      quoted(bytes.substr(field, i - field + (bytes[i] == ',' ? 0 : 1))), kMaxDataLength));
     }
   }
   return candidate.needs(bytes.size() + 1);

@@ -12,7 +12,8 @@
 
 namespace cobot_command::protocol {
 
-/// Client -> controller: run this script (one command a line). Id: one or more of A-Z a-z 0-9, not "0".
+/// Client -> controller: run this script (one command a line). Id: isScriptId(). A controller takes "0" too,
+/// as it only echoes the id; its reply would then look like ListenNodeEntered.
 struct ScriptRequest {
   std::string id;
   std::string script;
@@ -65,7 +66,7 @@ enum class CommunicationErrorCode {
   NotListening = 0xF1
 };
 
-/// CPERR: carries no id, so it belongs to the oldest frame that has no answer yet.
+/// CPERR, a code of the list above: carries no id, so it belongs to the oldest frame that has no answer yet.
 struct CommunicationError {
   CommunicationErrorCode code = CommunicationErrorCode::Ok;
 };
@@ -98,6 +99,8 @@ using ControllerMessage =
 /// The meaning of any frame of either port and either direction, or why it means nothing.
 [[nodiscard]] std::string describe(const Frame& frame);
 
+/// What a client may use as id of a script: one or more of A-Z a-z 0-9, not "0", which is the controller's
+/// own.
 [[nodiscard]] bool isScriptId(std::string_view id);
 
 }  // namespace cobot_command::protocol

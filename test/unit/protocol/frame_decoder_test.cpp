@@ -231,6 +231,28 @@ TEST(FrameDecoder, doesNotWaitForEverForTheEndOfAFrameOfEmptyLength) {
   EXPECT_EQ(decoder.pending(), 0u);
 }
 
+// These three take a moment; with bytes that are read or moved again for each piece they would take hours.
+TEST(FrameDecoder, takesALongFrameByteByByteInLinearTime) {
+  const std::string frame = encodeFrame("TMSCT", std::string(std::size_t{1} << 22u, '$'));
+  EXPECT_EQ(decodeInPieces(frame, 1, 1).size(), 1u);
+}
+
+TEST(FrameDecoder, takesManyFramesAtOnceInLinearTime) {
+  std::string stream;
+  for (int i = 0; i < 200000; ++i) stream += "$TMSCT,5,10,OK,*6D\r\n";
+  EXPECT_EQ(decode(stream).size(), 200000u);
+}
+
+TEST(FrameDecoder, takesManyFalseStartsInLinearTime) {
+  std::string stream;
+  for (int i = 0; i < 200000; ++i) stream += "$A,16000000,$A,,";
+  const FrameDecoder lenient(FrameDecoder::Options{true});
+  FrameDecoder decoder = lenient;
+  decoder.feed(stream);
+  decoder.finish();
+  EXPECT_EQ(drain(decoder).size(), 400000u);
+}
+
 TEST(FrameDecoder, tellsWhatIsLeftWhenTheStreamEnds) {
   const auto finished = [](std::string_view bytes) {
     FrameDecoder decoder;

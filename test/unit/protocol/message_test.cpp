@@ -206,15 +206,22 @@ TEST(Describe, tellsPeopleWhatAFrameSays) {
   EXPECT_EQ(said("TMSTA", "01,88,none"), "tag 88 unknown");
   EXPECT_EQ(said("TMSTA", std::string("90,\0", 4)), "script data on 90: \\x00");
   EXPECT_EQ(said("CPERR", "02"), "controller: checksum error");
-  EXPECT_EQ(said("TMSVR", "Q2,0,04,NotExist;X"), "item request Q2: 04,NotExist;X");
+  EXPECT_EQ(said("TMSVR", "Q2,0,04,NotExist;X"), "answer to item request Q2: 04,NotExist;X");
+  EXPECT_EQ(said("TMSCT", "1,\r\nPause()"), "run script 1: Pause()");
+  EXPECT_EQ(said("TMSVR", "9,12,A"), "text items asked 9: A");
+  EXPECT_EQ(said("TMSVR", "9,13,[]"), "JSON items asked 9: []");
+  EXPECT_EQ(said("TMSVR", std::string("9,11,\x01\0A", 8)), "binary items asked 9: \\x01\\x00A");
   EXPECT_EQ(said("TMSVR", "9,2,A=1"), "text items 9: A=1");
   EXPECT_EQ(said("TMSVR", "9,3,[]"), "JSON items 9: []");
-  EXPECT_EQ(said("TMSVR", std::string("0,1,\x01\0A\x01\0\x01", 10)), "binary items 0: 1 items");
+  EXPECT_EQ(said("TMSVR", std::string("0,1,\x01\0A\x01\0\x01", 10)), "binary items 0: A");
 }
 
 TEST(Describe, tellsWhyAFrameMeansNothing) {
   EXPECT_THAT(describe({"TMsct", "1,Pause()"}), HasSubstr("TMsct"));
   EXPECT_THAT(describe({"TMSTA", "XXXX"}), HasSubstr("XXXX"));
+  EXPECT_THAT(describe({"CPERR", "99"}), HasSubstr("error code"));
+  EXPECT_THAT(describe({"TMSVR", "S1,1,[{}]"}), HasSubstr("means nothing"));
+  EXPECT_THAT(describe({"TMSVR", "S1,0,x"}), HasSubstr("means nothing"));
   EXPECT_THAT(describe({"TMSVR", "x"}), HasSubstr("expected"));
   EXPECT_THAT(describe({"TMSVR", "S1,99,x"}), HasSubstr("mode 99"));
 }
