@@ -13,21 +13,20 @@ std::vector<ErrorEntry> connectErrors() {
       {kBlock, connect_error::kTimeoutRange, "Timeout range: 10~300 seconds", kRange,
        "timeout is below 10 s, above 300 s, or not a number"},
       {kBlock, connect_error::kConnection, "Connection Error", "Use CBT_Connect FB for connection",
-       "until the timeout no TCP connection could be made or kept: unknown host, unreachable, no answer, or "
-       "closed again at once"},
+       "until the timeout no TCP connection could be made or kept: refused (no project is running), unknown "
+       "host, unreachable, no answer, or closed again at once"},
       {kBlock, connect_error::kTimeOut, "TimeOut Error", "Cobot is not in Listen Node",
-       "until the timeout the controller refused connections (no project is running) or its flow was in no "
-       "Listen node"},
+       "until the timeout the controller answered, but its flow was in no Listen node"},
       {kBlock, connect_error::kClearBuffer, "Clear Buffer Error", kWiring, kNoStep},
       {kBlock, connect_error::kGetStatus, "Get TCP Status Error", kWiring,
        "cannot occur any more: the state of the socket is told by its events, it is not asked for"},
       {kBlock, connect_error::kSend, "TCP Send Error", kWiring,
        "cannot occur any more: a failed send closes the connection, see 16#20 and 16#90"},
       {kBlock, connect_error::kReceive, "TCP Receive Error", kWiring,
-       "until the timeout the device accepted connections and answered nothing"},
+       "cannot occur any more: bytes are read as they come; a device that sends none is 16#70"},
       {kBlock, connect_error::kNotACobot, "Target device is not a Cobot", "Cobot is not in Listen Node",
-       "until the timeout the device answered something that is not the protocol of a script port, or it is "
-       "the status port"},
+       "until the timeout the device accepted connections and answered nothing, or something that is not the "
+       "protocol of a script port; or it is the status port"},
       {kBlock, connect_error::kGetStatusAgain, "Get TCP Status Error", kWiring,
        "cannot occur any more: see 16#40"},
       {kBlock, connect_error::kDisconnected, "Socket disconnected", kWiring,

@@ -27,16 +27,16 @@ bool isHost(const std::string& host) {
 Failure timedOut(link::Trouble trouble, const std::string& diagnosis) {
   using link::Trouble;
   switch (trouble) {
-    case Trouble::Refused:
     case Trouble::NotListening:
-      return {connect_error::kTimeOut, diagnosis,
-              "Start the TMflow project and let its flow enter the Listen node"};
+      return {connect_error::kTimeOut, diagnosis, "Let the flow of the TMflow project enter its Listen node"};
     case Trouble::Silent:
-      return {connect_error::kReceive, diagnosis,
-              "Check that host and port are those of the robot controller, and that it works"};
     case Trouble::NotTmRobot:
     case Trouble::StatusPort:
-      return {connect_error::kNotACobot, diagnosis, "Use the controller's script port, usually 5890"};
+      return {connect_error::kNotACobot, diagnosis,
+              "Check that host and port are those of the robot controller; its script port is usually 5890"};
+    case Trouble::Refused:
+      return {connect_error::kConnection, diagnosis,
+              "Start a TMflow project that has a Listen node, or check the port"};
     case Trouble::None:
     case Trouble::NotTriedYet:
     case Trouble::Unreachable:

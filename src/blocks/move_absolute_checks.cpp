@@ -52,14 +52,13 @@ class Checks {
   bool isSpeedAbsolute() const { return hasFormat(AbsoluteFormat::Cap) || hasFormat(AbsoluteFormat::Car); }
   bool isBlendingRadius() const { return hasFormat(AbsoluteFormat::Cpr) || hasFormat(AbsoluteFormat::Car); }
 
+  /// 0 is refused too, though the table has it in the range: such a motion never ends.
   void checkSpeed() {
-    const std::string found = fmt::format("speed is {} {}", goal_.speed, isSpeedAbsolute() ? "mm/s" : "%");
-    if (isSpeedAbsolute()) {
-      require(isWithin(goal_.speed, 0, kMaxSpeedMmPerSecond), motion_error::kSpeedRangeAbsolute, found);
-    } else {
-      require(isWithin(goal_.speed, 0, kMaxSpeedPercent), motion_error::kSpeedRangePercent, found);
-    }
-    require(!(goal_.speed >= 0 && goal_.speed <= 0), own_error::kSpeedZero, "");
+    const double highest = isSpeedAbsolute() ? kMaxSpeedMmPerSecond : kMaxSpeedPercent;
+    require(goal_.speed > 0 && goal_.speed <= highest,
+            isSpeedAbsolute() ? motion_error::kSpeedRangeAbsolute : motion_error::kSpeedRangePercent,
+            fmt::format("speed is {} {}, it must be above 0 and at most {}", goal_.speed,
+                        isSpeedAbsolute() ? "mm/s" : "%", highest));
   }
 
   void checkRobotPose() {

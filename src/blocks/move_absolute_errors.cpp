@@ -20,7 +20,7 @@ std::vector<ErrorEntry> thesisErrors() {
        "another command is Busy; a blended motion is not any more once the controller has accepted it"},
       {kBlock, motion_error::kClearBuffer, "Clear buffer error", kWiring, kNoStep},
       {kBlock, motion_error::kSpeedRangeAbsolute, "Speed range in Line: 0~4500 mm/s", kRange,
-       "a format with speed in mm/s (CAP, CAR): speed is negative, above 4500, or not a number"},
+       "a format with speed in mm/s (CAP, CAR): speed is not above 0, above 4500, or not a number"},
       {kBlock, motion_error::kSpeedRangePercent, "Speed range in PTP: 0~100 %", kRange,
        "a format with speed in % (JPP, CPP, CPR), PTP or Line: speed is negative, above 100, or not a "
        "number"},
@@ -78,8 +78,6 @@ std::vector<ErrorEntry> ownErrors() {
        "planning: the path runs into or too close to a singularity"},
       {kBlock, own_error::kNotPlannable, "Motion cannot be planned", kRange,
        "planning: refused for another reason, which the description tells"},
-      {kBlock, own_error::kSpeedZero, "Speed must be greater than 0", kRange,
-       "speed is 0: the motion could never finish"},
       {kBlock, own_error::kBlendingRange, "Blending range: 0~100 % or 0~2000 mm", kRange,
        "blending_enable and blending_value is outside 0..100 (formats ..P) or 0..2000 (formats ..R), or not "
        "a "

@@ -29,9 +29,8 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
   const std::string bytes = protocol::encodeFrame(frame.header, frame.data);
   if (frame.header == protocol::header::kItems && state_ == State::Probing) {
     fault(bytes, "frame of the status stream on the script port", now);
-    diagnose(
-        Trouble::StatusPort,
-        fmt::format("{}:{} is the status stream of a TM robot, not its script port (5890)", host_, port_));
+    diagnose(Trouble::StatusPort,
+             fmt::format("{}:{} is the status port of a TM robot, not its script port", host_, port_));
     fire(Event::ForeignPeer, now);
     return;
   }

@@ -57,12 +57,11 @@ inline constexpr int kJointSpeed = 0x204;
 inline constexpr int kSingular = 0x205;
 inline constexpr int kNotPlannable = 0x206;
 // The parameters.
-inline constexpr int kSpeedZero = 0x210;
-inline constexpr int kBlendingRange = 0x211;
-inline constexpr int kMovementUnknown = 0x212;
-inline constexpr int kPoseWithJoints = 0x213;
-inline constexpr int kCoordinateRange = 0x214;
-inline constexpr int kNoFreeTag = 0x215;
+inline constexpr int kBlendingRange = 0x210;
+inline constexpr int kMovementUnknown = 0x211;
+inline constexpr int kPoseWithJoints = 0x212;
+inline constexpr int kCoordinateRange = 0x213;
+inline constexpr int kNoFreeTag = 0x214;
 // The controller.
 inline constexpr int kNotListening = 0x220;
 inline constexpr int kEmergencyStop = 0x221;

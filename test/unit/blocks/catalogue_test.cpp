@@ -88,8 +88,13 @@ std::map<Row, Scenario> connectScenarios() {
       {row(connect_error::kConnection),
        [] { return connectUntilTimeout([](auto& rig) { rig.failOpen(Kind::UnknownHost); }); }},
       {row(connect_error::kTimeOut),
-       [] { return connectUntilTimeout([](auto& rig) { rig.failOpen(Kind::Refused); }); }},
-      {row(connect_error::kReceive), [] { return connectUntilTimeout([](auto& rig) { rig.open(); }); }},
+       [] {
+         return connectUntilTimeout([](auto& rig) {
+           rig.answers_lifesigns = true;
+           rig.listening = false;
+           rig.open();
+         });
+       }},
       {row(connect_error::kNotACobot),
        [] {
          return connectUntilTimeout([](auto& rig) {
@@ -158,7 +163,6 @@ std::map<Row, Scenario> parameterScenarios() {
       {row(motion_error::kFormatForLine),
        [] { return moveWith([](auto& g) { line(g, AbsoluteFormat::Jpp, 10); }); }},
       {row(own_error::kNotFinite), [] { return moveWith([](auto& g) { g.target[0] = std::nan(""); }); }},
-      {row(own_error::kSpeedZero), [] { return moveWith([](auto& g) { g.speed = 0; }); }},
       {row(own_error::kBlendingRange),
        [] {
          return moveWith([](auto& g) {

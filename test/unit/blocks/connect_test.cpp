@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "core_rig.h"
+#include "status_frames.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,7 +72,7 @@ TEST(Connect, tellsItsTroublesApartAtTheTimeout) {
     FailureKind kind;
     int error_id;
     const char* words;
-  } kRows[] = {{FailureKind::Refused, connect_error::kTimeOut, "refused"},
+  } kRows[] = {{FailureKind::Refused, connect_error::kConnection, "refused"},
                {FailureKind::Unreachable, connect_error::kConnection, "unreachable"},
                {FailureKind::UnknownHost, connect_error::kConnection, "unknown host"},
                {FailureKind::TimedOut, connect_error::kConnection, "does not answer"},
@@ -90,7 +91,7 @@ TEST(Connect, saysThatNothingAnswers) {
   CoreRig rig;
   rig.answers_lifesigns = false;
   const Outcome outcome = timedOut(rig, [&] { rig.open(); });
-  EXPECT_EQ(outcome.error_id, connect_error::kReceive);
+  EXPECT_EQ(outcome.error_id, connect_error::kNotACobot);
   EXPECT_THAT(outcome.error_description, HasSubstr("nothing answers"));
 }
 
@@ -114,7 +115,7 @@ TEST(Connect, saysThatItIsTheStatusPort) {
     rig.receive(protocol::encode(protocol::StatusFrame{"3", 1, ""}));
   });
   EXPECT_EQ(outcome.error_id, connect_error::kNotACobot);
-  EXPECT_THAT(outcome.error_description, HasSubstr("status stream"));
+  EXPECT_THAT(outcome.error_description, HasSubstr("status port"));
 }
 
 TEST(Connect, saysThatTheConnectionIsClosedAtOnce) {
@@ -330,6 +331,27 @@ TEST(Connect, disconnectsEvenIfTheStopIsNotAnswered) {
   rig.pass(1s);
   EXPECT_EQ(rig.outcome(motion)->error_id, own_error::kStopNotConfirmed);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
+}
+
+TEST(Connect, deliversTheStatusStreamAlsoWithoutAProject) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  const GoalId goal = rig.submit(CoreRig::robot());
+  rig.failOpen(FailureKind::Refused);
+  ASSERT_TRUE(rig.pendingOpen(link::Channel::Status));
+  EXPECT_EQ(rig.pendingOpen(link::Channel::Status)->port, 5891);
+  rig.open(link::Channel::Status);
+  EXPECT_FALSE(rig.latest().status_stream);
+  rig.status(StatusFrames());
+  EXPECT_TRUE(rig.latest().status_stream);
+  EXPECT_EQ(rig.latest().link, LinkState::Connecting);
+  ASSERT_EQ(rig.robot_statuses.size(), 1u);
+  EXPECT_EQ(rig.robot_statuses[0].project_running, true);
+  rig.pass(1s);
+  EXPECT_FALSE(rig.latest().status_stream);
+  EXPECT_THAT(rig.latest().status_diagnosis, HasSubstr("silent"));
+  rig.cancel(goal);
+  EXPECT_FALSE(rig.connectionOpen(link::Channel::Status));
+  EXPECT_TRUE(rig.latest().status_diagnosis.empty());
 }
 
 TEST(Connect, ignoresAndCountsEventsOfOldConnections) {
