@@ -66,6 +66,10 @@ std::vector<Failure> checkConnect(const ConnectGoal& goal) {
   if (goal.port < 1 || goal.port > 65535) {
     failures.push_back({own_error::kPortRange, fmt::format("port is {}", goal.port), ""});
   }
+  if (goal.status_port && (*goal.status_port < 0 || *goal.status_port > 65535)) {
+    failures.push_back(
+        {own_error::kPortRange, fmt::format("status_port is {}; 0 means none", *goal.status_port), ""});
+  }
   return failures;
 }
 
@@ -130,7 +134,7 @@ void ConnectRun::act(ConnectAction action, Instant now) {
       board_.accept(Block::Connect, id_, 0);
       deadline_ = now + fromSeconds(goal_.timeout);
       script_.start(goal_.host, goal_.port, now);
-      if (settings_.status_port != 0) status_.start(goal_.host, now);
+      if (statusPort() != 0) status_.start(goal_.host, statusPort(), now);
       return;
     case Do::Hold:
       deadline_.reset();

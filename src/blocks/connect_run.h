@@ -50,6 +50,7 @@ class ConnectRun {
   void act(ConnectAction action, Instant now);
   void end(Outcome outcome, Instant now);
   void report();
+  [[nodiscard]] int statusPort() const { return goal_.status_port.value_or(settings_.status_port); }
 
   const link::LinkSettings& settings_;
   link::ScriptLink& script_;

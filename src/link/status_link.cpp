@@ -13,8 +13,9 @@ using Event = StatusLinkEvent;
 StatusLink::StatusLink(const LinkSettings& settings, Wire& wire)
     : settings_(settings), wire_(wire), back_off_(settings.retry_min, settings.retry_max) {}
 
-void StatusLink::start(const std::string& host, Instant now) {
+void StatusLink::start(const std::string& host, int port, Instant now) {
   host_ = host;
+  port_ = port;
   back_off_.reset();
   diagnosis_ = "no status stream yet";
   fire(Event::Start, now);
@@ -32,7 +33,7 @@ void StatusLink::opened(Instant now) {
 void StatusLink::openFailed(const OpenFailure& failure, Instant now) {
   connection_.reset();
   diagnosis_ = fmt::format("no status stream from {}:{}: {}. Is Ethernet Slave enabled in TMflow?", host_,
-                           settings_.status_port, failure.message);
+                           port_, failure.message);
   fire(Event::OpenFailed, now);
 }
 
@@ -116,7 +117,7 @@ void StatusLink::act(StatusLinkAction action, Instant now) {
       return;
     case StatusLinkAction::Open:
       deadline_.reset();
-      connection_ = wire_.open(Channel::Status, host_, settings_.status_port, settings_.open_timeout);
+      connection_ = wire_.open(Channel::Status, host_, port_, settings_.open_timeout);
       return;
     case StatusLinkAction::Watch:
       deadline_ = now + settings_.status_timeout;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -14,9 +15,10 @@ using GoalId = std::uint64_t;
 
 /// CBT_Connect (thesis 5.3.1): open the link and supervise it. Busy while connected.
 struct ConnectGoal {
-  std::string host;     ///< name or address of the controller
-  int port = 5890;      ///< script port, 0..65535; 0 is refused as nothing can listen there
-  double timeout = 10;  ///< how long to try [s], 10..300
+  std::string host;                ///< name or address of the controller
+  int port = 5890;                 ///< script port, 0..65535; 0 is refused as nothing can listen there
+  double timeout = 10;             ///< how long to try [s], 10..300
+  std::optional<int> status_port;  ///< of the status stream, 0: none; absent: the port of LinkSettings
 };
 
 enum class Movement : int { Line = 0, Ptp = 1 };                                  ///< Table 5.3.2.4

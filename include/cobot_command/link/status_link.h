@@ -20,7 +20,7 @@ class StatusLink {
  public:
   StatusLink(const LinkSettings& settings, Wire& wire);
 
-  void start(const std::string& host, Instant now);
+  void start(const std::string& host, int port, Instant now);
   void stop(Instant now);
 
   // --- Events of the connection for which owns() is true.
@@ -52,6 +52,7 @@ class StatusLink {
   Wire& wire_;
   StatusLinkState state_ = StatusLinkState::Off;
   std::string host_;
+  int port_ = 0;
   std::optional<ConnectionId> connection_;
   std::optional<Instant> deadline_;  ///< of the back-off or of the watchdog
   BackOff back_off_;

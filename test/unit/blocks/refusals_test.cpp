@@ -226,6 +226,10 @@ TEST(RefusalOfConnect, hasBothEndsOfEachRange) {
   for (const int bad : {-1, 0, 65536}) {
     EXPECT_EQ(error([&](auto& g) { g.port = bad; }), own_error::kPortRange);
   }
+  for (const int good : {0, 1, 65535}) EXPECT_EQ(error([&](auto& g) { g.status_port = good; }), 0);
+  for (const int bad : {-1, 65536}) {
+    EXPECT_EQ(error([&](auto& g) { g.status_port = bad; }), own_error::kPortRange);
+  }
   for (const std::string& good :
        {std::string("192.168.1.10"), std::string("fe80::1%eth0"), std::string(255, 'a')}) {
     EXPECT_EQ(error([&](auto& g) { g.host = good; }), 0);

@@ -84,7 +84,7 @@ class StatusLinkTest : public ::testing::Test {
     return count;
   }
   void stream() {
-    link.start("robot", now);
+    link.start("robot", 5891, now);
     link.opened(now);
     EXPECT_EQ(receive(frame(0)), 1);
   }
@@ -96,7 +96,7 @@ class StatusLinkTest : public ::testing::Test {
 };
 
 TEST_F(StatusLinkTest, streamsWithTheFirstFrame) {
-  link.start("robot", now);
+  link.start("robot", 5891, now);
   EXPECT_EQ(wire.opened, std::vector<std::string>{"robot:5891"});
   EXPECT_FALSE(link.streaming());
   EXPECT_FALSE(link.diagnosis().empty());
@@ -131,7 +131,7 @@ TEST_F(StatusLinkTest, reopensAStreamThatFallsSilent) {
 }
 
 TEST_F(StatusLinkTest, reopensWhenClosedOrRefusedWithABackOff) {
-  link.start("robot", now);
+  link.start("robot", 5891, now);
   for (const Duration wait : {100ms, 200ms, 400ms, 800ms, 1000ms, 1000ms}) {
     link.openFailed({OpenFailure::Kind::Refused, "refused"}, now);
     EXPECT_THAT(link.diagnosis(), HasSubstr("Ethernet Slave"));
@@ -150,7 +150,7 @@ TEST_F(StatusLinkTest, namesAWrongFormatAndKeepsTheConnection) {
   for (const auto& [mode, name] : {std::pair(2, "STRING"), std::pair(3, "JSON"), std::pair(9, "unknown")}) {
     testing::RecordingWire fresh_wire;
     StatusLink fresh(settings, fresh_wire);
-    fresh.start("robot", now);
+    fresh.start("robot", 5891, now);
     fresh.opened(now);
     now += 900ms;
     fresh.received(frame(0, mode));
@@ -178,7 +178,7 @@ TEST_F(StatusLinkTest, endsCleanlyInEveryState) {
   for (int step = 0; step < 4; ++step) {
     testing::RecordingWire fresh_wire;
     StatusLink fresh(settings, fresh_wire);
-    fresh.start("robot", now);
+    fresh.start("robot", 5891, now);
     if (step == 0) fresh.openFailed({}, now);
     if (step >= 2) fresh.opened(now);
     if (step == 3) {
