@@ -120,7 +120,7 @@ Value zeroFloats(const Values&) {
 
 constexpr int kAutomatic = 1;  // MA_Mode
 
-const Entry kEntries[] = {
+constexpr Entry kEntries[] = {
     // The table of the vendor's driver, in its order.
     {"Robot_Link", true, [](const Values&) -> Value { return Byte{1}; }},
     {"Robot_Error", true, [](const Values& v) -> Value { return v.state.error; }},

@@ -30,11 +30,10 @@ void MotionQueue::push(QueueItem item) {
 
 bool MotionQueue::run(Instant now) {
   bool ran = false;
-  for (;;) {
-    if (active_ && (!end_at_ || *end_at_ > now)) return ran;
+  for (;; ran = true) {
     if (active_) {
+      if (!end_at_ || *end_at_ > now) return ran;
       endActive();
-      ran = true;
       continue;
     }
     if (items_.empty()) return ran;
@@ -42,7 +41,6 @@ bool MotionQueue::run(Instant now) {
     const QueueItem item = std::move(items_.front());
     items_.pop_front();
     std::visit([&](const auto& what) { apply(what, now); }, item);
-    ran = true;
   }
 }
 
