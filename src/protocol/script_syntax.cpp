@@ -73,7 +73,10 @@ const auto add_element = [](auto& context) {
   x3::_val(context).kind = Literal::Kind::Array;
   x3::_val(context).elements.push_back(std::move(x3::_attr(context)));
 };
-const auto set_function = [](auto& context) { x3::_val(context).function = std::move(x3::_attr(context)); };
+const auto set_function = [](auto& context) {
+  x3::_val(context).function = std::move(x3::_attr(context));
+  x3::_val(context).arguments.reserve(16);
+};
 const auto add_argument = [](auto& context) {
   x3::_val(context).arguments.push_back(std::move(x3::_attr(context)));
 };

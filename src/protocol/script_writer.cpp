@@ -15,26 +15,48 @@ namespace cobot_command::protocol {
 
 namespace {
 
-std::string numberText(double value) {
+/// As a whole number of millionths where that fits, which is much faster than to format a double.
+void appendNumber(std::string& text, double value) {
   assert(std::isfinite(value));
-  std::string text = fmt::format("{:.6f}", value);
+  constexpr double kLimit = 9e15;
+  constexpr unsigned long long kMillion = 1000000;
+  const double millionths = std::round(value * kMillion);
+  if (!(std::abs(millionths) < kLimit)) {
+    text += fmt::format("{:.0f}", value);
+    return;
+  }
+  const auto magnitude = static_cast<unsigned long long>(std::abs(millionths));
+  if (millionths < 0) text += '-';
+  text += std::string_view(fmt::format_int(magnitude / kMillion).c_str());
+  if (magnitude % kMillion == 0) return;
+  // The million in front keeps the zeros behind the point.
+  text += std::string_view(fmt::format_int(kMillion + magnitude % kMillion).c_str());
+  text[text.size() - 7] = '.';
   text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
 }
 
 /// Name(argument,argument)
 class CallText {
  public:
-  explicit CallText(std::string_view function) : text_(function) { text_ += '('; }
+  explicit CallText(std::string_view function) {
+    text_.reserve(128);
+    text_.append(function) += '(';
+  }
 
   template <class Integer, class = std::enable_if_t<std::is_same_v<Integer, int>>>
   CallText& operator<<(Integer value) {
-    return add(fmt::format_int(value).str());
+    next() += std::string_view(fmt::format_int(value).c_str());
+    return *this;
   }
-  CallText& operator<<(double value) { return add(numberText(value)); }
-  CallText& operator<<(const DataFormat& format) { return add('"' + format.text() + '"'); }
-  CallText& operator<<(const std::string& name) { return add(quoted(name)); }
+  CallText& operator<<(double value) {
+    appendNumber(next(), value);
+    return *this;
+  }
+  CallText& operator<<(const DataFormat& format) { return *this << format.text(); }
+  CallText& operator<<(const std::string& name) {
+    appendQuoted(next(), name);
+    return *this;
+  }
   template <class Number, std::size_t N>
   CallText& operator<<(const std::array<Number, N>& numbers) {
     for (const Number value : numbers) *this << value;
@@ -44,7 +66,10 @@ class CallText {
   CallText& operator<<(const std::optional<Value>& value) {
     return value ? *this << *value : *this;
   }
-  CallText& addFlag(bool flag) { return add(flag ? "true" : "false"); }
+  CallText& addFlag(bool flag) {
+    next() += flag ? "true" : "false";
+    return *this;
+  }
   CallText& addOptions(const MotionOptions& options) {
     return *this << options.speed << options.accel_time << options.blending;
   }
@@ -55,21 +80,21 @@ class CallText {
   }
 
  private:
-  CallText& add(std::string_view argument) {
+  /// The text, ready for the next argument.
+  std::string& next() {
     if (text_.back() != '(') text_ += ',';
-    text_ += argument;
-    return *this;
+    return text_;
   }
 
-  static std::string quoted(std::string_view name) {
+  static void appendQuoted(std::string& text, std::string_view name) {
     assert(isName(name));
-    std::string text = "\"";
+    text += '"';
     for (const char c : name) {
       if (isControl(c)) continue;  // a line end in a name must never begin another command
       if (c == '"') text += '"';
       text += c;
     }
-    return text + '"';
+    text += '"';
   }
 
   std::string text_;

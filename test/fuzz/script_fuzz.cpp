@@ -8,6 +8,7 @@
 
 using namespace cobot_command::protocol;
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto script = parseScript(std::string_view(reinterpret_cast<const char*>(data), size));
   if (!script) {

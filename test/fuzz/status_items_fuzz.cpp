@@ -9,6 +9,7 @@
 
 using namespace cobot_command::protocol;
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   if (const auto items = parseBinaryItems(bytes)) REQUIRE(encodeBinaryItems(*items) == bytes);

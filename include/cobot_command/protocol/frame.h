@@ -1,6 +1,7 @@
 // One frame of the TM protocol: $HEADER,LENGTH,DATA,*CS\r\n (I848-E-03 section 7.3; thesis 4.2).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -9,7 +10,7 @@ namespace cobot_command::protocol {
 
 /// Upper limit of DATA that is accepted or sent [bytes]. The controller documents only int32; a trajectory in
 /// one frame has some 100 kB, so this leaves room and still bounds what a peer can make us store.
-inline constexpr std::size_t kMaxDataLength = 16u * 1024u * 1024u;
+inline constexpr std::size_t kMaxDataLength = std::size_t{16} * 1024 * 1024;
 
 namespace header {
 inline constexpr std::string_view kScript = "TMSCT";  ///< external script, port 5890

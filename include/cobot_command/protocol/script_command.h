@@ -3,7 +3,8 @@
 //
 // Units are the controller's own: mm, degrees, ms, %, mm/s, kg, kg mm^2. Numbers are written to the nearest
 // millionth (a nanometre: a thousand times finer than what the arm can hold, and finer than the controller's
-// 32-bit floats), without trailing zeros and exponent, whatever the locale.
+// 32-bit floats), without trailing zeros and exponent, whatever the locale;
+// beyond nine billion as whole numbers.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // tm_frame: frames of the TM protocol from and to bytes, for people and scripts.
 #include <cstdio>
+#include <exception>
 #include <iostream>
 #include <string>
 #include <string_view>
@@ -134,9 +135,7 @@ std::string checkHeader(const std::string& header) {
                        std::to_string(kMaxHeaderLength) + " letters";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app("Frames of the TM protocol: $HEADER,LENGTH,DATA,*CS");
   app.require_subcommand(1);
   app.footer("Exit status: 0 success, 1 a fault was found, 2 bad usage.");
@@ -164,4 +163,11 @@ int main(int argc, char** argv) {
   }
   if (encode->parsed()) return encodeToOutput(header, data);
   return hex ? decodeHexLines(FrameDecoder(options)) : decodeBytes(FrameDecoder(options));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try { return run(argc, argv); } catch (const std::exception& error) {
+  std::fprintf(stderr, "tm_frame: %s\n", error.what());
+  return kFaultFound;
 }
