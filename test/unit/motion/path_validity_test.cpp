@@ -90,7 +90,7 @@ TcpPath geometryOf(const arm::ArmModel& arm, const Request& request) {
 /// How far [m or rotation entry] the TCP is from the path: the path's nearest point is sought from `guess`
 /// on.
 double deviation(const TcpPath& path, const arm::Pose& tcp, double& guess) {
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 5; ++i) {
     const PathRate rate = path.rateAt(guess);
     const arm::Pose there = path.at(guess);
     PathRate gap;
