@@ -134,7 +134,9 @@ void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
   }
   if (event.state == protocol::TagState::Complete) {
     const bool open = tags_.complete(event.tag);
-    if (open) run_->tagCompleted(now);
+    if (!open) return;
+    preflight_.arrive(run_->order().plan, now);
+    run_->tagCompleted(now);
   } else if (event.asked) {
     run_->tagIncomplete(event.state, now);
   } else if (event.state == protocol::TagState::Incomplete) {

@@ -35,7 +35,9 @@ int idOf(motion::Refusal::Reason reason) {
 }  // namespace
 
 bool Preflight::isQueued(const RobotWatch& robot, Instant now) const {
-  return queue_end_ && (now < queue_end_->time || robot.moving().value_or(false) || robot.held());
+  if (!queue_end_) return false;
+  const bool seen_since = robot.status() && robot.status()->received > queue_end_->time;
+  return now < queue_end_->time || !seen_since || robot.moving().value_or(false) || robot.held();
 }
 
 Result<std::optional<Plan>, Failure> Preflight::plan(const motion::Command& command, const RobotWatch& robot,
@@ -60,6 +62,11 @@ Result<std::optional<Plan>, Failure> Preflight::plan(const motion::Command& comm
 void Preflight::queue(const std::optional<Plan>& plan, Instant now) {
   queue_end_.reset();
   if (plan) queue_end_ = QueueEnd{plan->end, now + plan->start_delay + plan->duration};
+}
+
+void Preflight::arrive(const std::optional<Plan>& plan, Instant now) {
+  queue_end_.reset();
+  if (plan) queue_end_ = QueueEnd{plan->end, now};
 }
 
 }  // namespace cobot_command::blocks

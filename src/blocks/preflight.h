@@ -30,6 +30,9 @@ class Preflight {
 
   /// A blended command was sent: the next one starts at its end.
   void queue(const std::optional<Plan>& plan, Instant now);
+  /// The queue tag of a planned motion came back: the next one starts at its end, until the stream, which is
+  /// always a little behind, shows the robot standing.
+  void arrive(const std::optional<Plan>& plan, Instant now);
   /// Nothing is queued any more, or nobody knows.
   void forget() { queue_end_.reset(); }
 

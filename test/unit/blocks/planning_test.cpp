@@ -97,6 +97,19 @@ TEST_F(Planning, startsAtTheEndOfWhatIsQueuedInFrontOfIt) {
   EXPECT_EQ(rig.outcome(second)->ending, Ending::Done);
 }
 
+TEST_F(Planning, startsAtTheTargetJustReachedWhileTheStreamStillShowsTheMotion) {
+  rig.status(StatusFrames());
+  rig.submit(toJoints(kAside));
+  rig.reply(rig.takeScript().id);
+  rig.status(StatusFrames().moving());
+  rig.pass(10ms);
+  rig.tag(1);
+  const GoalId second = rig.submit(toJoints(kBack));
+  EXPECT_EQ(rig.progress(second).back().planned, ptpTime(kAside, kBack));
+  EXPECT_EQ(rig.progress(second).back().phase, Phase::Sent);
+  rig.takeScript();
+}
+
 TEST_F(Planning, startsWhereTheRobotStandsOnceTheQueueIsDone) {
   rig.status(StatusFrames());
   MoveAbsoluteGoal blended = toJoints(kAside);
