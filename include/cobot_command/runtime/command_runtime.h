@@ -1,0 +1,47 @@
+// The command core of one robot with real sockets and a real clock, on a thread of its own.
+//
+// The program's way to the core: goals go in from any thread, actions come out on the core's thread. The
+// sockets' share of the actions is carried out here.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/blocks/command_core.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/link/connection.h"
+
+namespace cobot_command::runtime {
+
+/// Thread-safe, but for what is said of stop().
+class CommandRuntime {
+ public:
+  /// Gets every action but OpenConnection, CloseConnection and SendBytes, in order, one at a time, on the
+  /// core's thread, with the present on the clock of all Instants in the actions: monotonic, zero when the
+  /// runtime was made. It must not throw, and not wait for long: the link waits for it. It may call submit()
+  /// and cancel(), which take effect after it has returned.
+  using Observer = std::function<void(const blocks::Action&, Instant now)>;
+
+  CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer);
+  ~CommandRuntime();  ///< stop()
+  CommandRuntime(const CommandRuntime&) = delete;
+  CommandRuntime& operator=(const CommandRuntime&) = delete;
+
+  /// False, and nothing will be heard of the goal, once stop() has begun. Otherwise it gets its GoalEnded.
+  [[nodiscard]] bool submit(blocks::GoalId id, blocks::Goal goal);
+  /// The falling edge of Execute. After stop() all goals have ended, so there is nothing to cancel.
+  void cancel(blocks::GoalId id);
+
+  /// Ends all goals, closes all connections, ends the thread. The observer is not called any more once this
+  /// returns, whichever thread called it first. It never waits for the network. Not from the observer.
+  void stop();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cobot_command::runtime

@@ -1,0 +1,158 @@
+#include "cobot_command/runtime/command_runtime.h"
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "core_thread.h"
+#include <boost/asio/steady_timer.hpp>
+
+#include "cobot_command/transport/tcp_connection.h"
+
+namespace cobot_command::runtime {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+link::OpenFailure toOpenFailure(const transport::NetworkError& error) {
+  using From = transport::NetworkError::Kind;
+  using To = link::OpenFailure::Kind;
+  switch (error.kind) {
+    case From::Refused:
+      return {To::Refused, error.message};
+    case From::Unreachable:
+      return {To::Unreachable, error.message};
+    case From::UnknownHost:
+      return {To::UnknownHost, error.message};
+    case From::TimedOut:
+      return {To::TimedOut, error.message};
+    case From::AddressInUse:
+    case From::BadAddress:
+    case From::Other:
+      break;
+  }
+  return {To::Other, error.message};
+}
+
+}  // namespace
+
+class CommandRuntime::Impl {
+ public:
+  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer)
+      : observer_(std::move(observer)),
+        core_(std::move(arm), settings),
+        start_(Clock::now()),
+        timer_(thread_.context()) {
+    thread_.post([this] { advance(); });
+    thread_.start();
+  }
+
+  ~Impl() { stop(); }
+
+  /// An event for the core, from any thread.
+  template <class Event>
+  bool post(Event event) {
+    return thread_.post([this, event = std::move(event)] { handle(event); });
+  }
+
+  void stop() {
+    thread_.finish([this] {
+      core_.shutDown(now());
+      carryOut();
+      connections_.clear();
+    });
+  }
+
+  [[nodiscard]] Instant now() const { return Instant(Clock::now() - start_); }
+
+ private:
+  template <class Event>
+  void handle(const Event& event) {
+    event(core_, now());
+    carryOut();
+    const auto deadline = core_.nextDeadline();
+    if (!deadline) {
+      timer_.cancel();
+      return;
+    }
+    timer_.expires_at(start_ + deadline->time_since_epoch());
+    timer_.async_wait([this](const boost::system::error_code& replaced) {
+      if (!replaced) {
+        advance();
+      }
+    });
+  }
+
+  void advance() {
+    handle([](blocks::CommandCore& core, Instant now) { core.advance(now); });
+  }
+
+  void carryOut() {
+    for (const auto& action : core_.takeActions()) {
+      std::visit([&](const auto& what) { carryOut(what, action); }, action);
+    }
+  }
+
+  template <class Told>
+  void carryOut(const Told& /*told*/, const blocks::Action& action) {
+    observer_(action, now());
+  }
+  void carryOut(const blocks::SendBytes& send, const blocks::Action& /*action*/) {
+    if (const auto connection = connections_.find(send.id); connection != connections_.end()) {
+      connection->second.send(send.bytes);
+    }
+  }
+  void carryOut(const blocks::CloseConnection& close, const blocks::Action& /*action*/) {
+    connections_.erase(close.id);
+  }
+  void carryOut(const blocks::OpenConnection& open, const blocks::Action& /*action*/) {
+    const auto id = open.id;
+    transport::TcpConnection::Callbacks callbacks;
+    callbacks.opened = [this, id] { handle([&](auto& core, Instant now) { core.opened(id, now); }); };
+    callbacks.failed = [this, id](const transport::NetworkError& error) {
+      connections_.erase(id);
+      handle([&](auto& core, Instant now) { core.openFailed(id, toOpenFailure(error), now); });
+    };
+    callbacks.received = [this, id](std::string_view bytes) {
+      handle([&](auto& core, Instant now) { core.received(id, bytes, now); });
+    };
+    callbacks.closed = [this, id](const std::string& reason) {
+      connections_.erase(id);
+      handle([&](auto& core, Instant now) { core.closed(id, reason, now); });
+    };
+    const auto [connection, is_new] = connections_.try_emplace(id, thread_.context(), std::move(callbacks));
+    if (is_new) {
+      connection->second.open(open.host, static_cast<std::uint16_t>(open.port), open.timeout);
+    }
+  }
+
+  CoreThread thread_;  ///< first: the sockets and the timer live on its context
+  const Observer observer_;
+  blocks::CommandCore core_;
+  const Clock::time_point start_;
+  boost::asio::steady_timer timer_;
+  std::map<link::ConnectionId, transport::TcpConnection> connections_;
+};
+
+CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
+                               Observer observer)
+    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(observer))) {}
+
+CommandRuntime::~CommandRuntime() = default;
+
+bool CommandRuntime::submit(blocks::GoalId id, blocks::Goal goal) {
+  return impl_->post([id, goal = std::move(goal)](auto& core, Instant now) { core.submit(id, goal, now); });
+}
+
+void CommandRuntime::cancel(blocks::GoalId id) {
+  impl_->post([id](auto& core, Instant now) { core.cancel(id, now); });
+}
+
+void CommandRuntime::stop() {
+  impl_->stop();
+}
+
+}  // namespace cobot_command::runtime

@@ -1,0 +1,99 @@
+// tm_simulator: a simulated TM controller on two TCP ports, without ROS.
+//
+// Exit status: 0 after SIGINT or SIGTERM, 1 when the ports cannot be served, 2 on bad usage.
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <fmt/format.h>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/runtime/simulator_runtime.h"
+
+namespace {
+
+using namespace cobot_command;
+
+enum ExitStatus { kEnded = 0, kCannotServe = 1, kBadUsage = 2 };
+
+struct Options {
+  std::string model = "tm5-900";
+  runtime::SimulatorOptions simulator;
+  simulator::Settings settings;
+  bool verbose = false;
+};
+
+void describe(CLI::App& app, Options& options) {
+  app.description(
+      "A simulated TM controller: any client of the TM protocol can use it in place of a robot.\n"
+      "Prints `listening script=PORT status=PORT` once it serves; Ctrl-C ends it.");
+  app.add_option("--model", options.model, "arm to simulate")
+      ->check(CLI::IsMember(arm::ArmModel::knownNames()))
+      ->capture_default_str();
+  app.add_option("--script-port", options.simulator.script_port, "port of the Listen node; 0: any free one")
+      ->capture_default_str();
+  app.add_option("--status-port", options.simulator.status_port, "port of the status stream; 0: any free one")
+      ->capture_default_str();
+  app.add_option("--bind", options.simulator.bind_address,
+                 "address to serve; 127.0.0.1: programs on this machine alone, 0.0.0.0: every network")
+      ->capture_default_str();
+  app.add_option(
+         "--time-scale", options.simulator.time_scale,
+         fmt::format("simulated seconds in a real one, {} to {}; 0 or max: motions as fast as possible",
+                     runtime::kSlowestTimeScale, runtime::kFastestTimeScale))
+      ->transform([](std::string text) { return text == "max" ? std::string("0") : text; })
+      ->capture_default_str();
+  app.add_option("--listen-node", options.settings.listen_node_message, "message of the Listen node")
+      ->capture_default_str();
+  app.add_flag("--verbose", options.verbose, "print what is sent and received");
+}
+
+void printLog(const simulator::LogLine& line) {
+  fmt::print("{:10.3f} {}\n", toSeconds(line.time.time_since_epoch()), line.text);
+}
+
+int serve(Options options) {
+  auto arm = arm::ArmModel::named(options.model);
+  if (!arm) {
+    fmt::print(stderr, "tm_simulator: {}\n", arm.error().message);
+    return kBadUsage;
+  }
+  boost::asio::io_context context;
+  boost::asio::signal_set end(context, SIGINT, SIGTERM);
+  end.async_wait([](const boost::system::error_code&, int) {});
+
+  runtime::SimulatorRuntime::Observer observer;
+  if (options.verbose) {
+    observer.log = printLog;
+  }
+  runtime::SimulatorRuntime simulator(std::move(*arm), std::move(options.settings),
+                                      std::move(options.simulator), std::move(observer));
+  const auto ports = simulator.start();
+  if (!ports) {
+    fmt::print(stderr, "tm_simulator: {}\n", ports.error().message);
+    return ports.error().kind == runtime::SimulatorError::Kind::BadOption ? kBadUsage : kCannotServe;
+  }
+  fmt::print("listening script={} status={}\n", ports->script, ports->status);
+  context.run();  // until the signal
+  simulator.stop();
+  return kEnded;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // whoever reads a pipe sees each line at once
+  CLI::App app;
+  Options options;
+  describe(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kEnded : kBadUsage;
+  }
+  return serve(std::move(options));
+}

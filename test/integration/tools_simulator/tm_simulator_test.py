@@ -1,0 +1,168 @@
+"""tm_simulator as its users meet it: a process with options, output, signals and an exit status.
+
+Usage: tm_simulator_test.py PROGRAM [unittest options]
+"""
+import re
+import signal
+import socket
+import subprocess
+import sys
+import unittest
+
+PROGRAM = ''
+DEADLINE = 60  # seconds; reached only when something is broken
+
+
+def frame(header, data):
+    body = '%s,%d,%s,' % (header, len(data), data)
+    checksum = 0
+    for byte in body.encode():
+        checksum ^= byte
+    return ('$%s*%02X\r\n' % (body, checksum)).encode()
+
+
+def run(*options):
+    """A run that is expected to end by itself."""
+    return subprocess.run([PROGRAM, *options], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True, timeout=DEADLINE)
+
+
+class Simulator:
+    """A running tm_simulator on free ports."""
+
+    def __init__(self, *options):
+        self.process = subprocess.Popen([PROGRAM, '--script-port', '0', '--status-port', '0', *options],
+                                        stdout=subprocess.PIPE, universal_newlines=True)
+        self.lines = []
+        for line in self.process.stdout:
+            self.lines.append(line)
+            ports = re.fullmatch(r'listening script=(\d+) status=(\d+)\n', line)
+            if ports:
+                self.script, self.status = (int(port) for port in ports.groups())
+                return
+        raise AssertionError('never listened: %s' % self.lines)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+
+    def end(self, signal_number):
+        self.process.send_signal(signal_number)
+        output, _ = self.process.communicate(timeout=DEADLINE)
+        self.lines += output.splitlines(keepends=True)
+        return self.process.returncode
+
+
+class Client:
+    def __init__(self, port):
+        self.socket = socket.create_connection(('127.0.0.1', port), timeout=DEADLINE)
+        self.received = b''
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.socket.close()
+
+    def send(self, header, data):
+        self.socket.sendall(frame(header, data))
+
+    def read_until(self, expected):
+        while expected not in self.received:
+            piece = self.socket.recv(4096)
+            if not piece:
+                raise AssertionError('closed after %r' % self.received)
+            self.received += piece
+
+
+class Serving(unittest.TestCase):
+    def test_says_that_it_listens(self):
+        with Simulator() as simulator, Client(simulator.script) as client:
+            client.send('TMSTA', '00')
+            client.read_until(frame('TMSTA', '00,true,Listen1'))
+
+    def test_says_the_message_of_its_listen_node(self):
+        with Simulator('--listen-node', 'Cell, left') as simulator, Client(simulator.script) as client:
+            client.send('TMSTA', '00')
+            client.read_until(frame('TMSTA', '00,true,Cell, left'))
+
+    def test_streams_its_status(self):
+        with Simulator() as simulator, Client(simulator.status) as client:
+            client.read_until(b'Joint_Angle')
+
+    def test_moves_each_model_and_reports_the_tag(self):
+        models = re.search(r'--model TEXT:\{([^}]*)\}', run('--help').stdout).group(1).split(',')
+        self.assertIn('tm5-900', models)
+        for model in models:
+            with self.subTest(model), Simulator('--model', model, '--time-scale', 'max') as simulator, \
+                    Client(simulator.script) as client:
+                client.send('TMSCT', '7,PTP("JPP",30,0,90,0,90,0,35,200,0,false)\r\nQueueTag(8)')
+                client.read_until(frame('TMSCT', '7,OK'))
+                client.read_until(frame('TMSTA', '01,08,true'))
+
+    def test_prints_the_traffic_when_asked_to(self):
+        with Simulator('--verbose') as simulator:
+            with Client(simulator.script) as client:
+                client.send('TMSTA', '00')
+                client.read_until(frame('TMSTA', '00,true,Listen1'))
+            self.assertEqual(simulator.end(signal.SIGINT), 0)
+            self.assertRegex(''.join(simulator.lines), 'in a Listen node')
+
+    def test_prints_nothing_else_when_not(self):
+        with Simulator() as simulator:
+            with Client(simulator.script) as client:
+                client.send('TMSTA', '00')
+                client.read_until(frame('TMSTA', '00,true,Listen1'))
+            simulator.end(signal.SIGINT)
+            self.assertEqual(len(simulator.lines), 1)
+
+
+class Ending(unittest.TestCase):
+    def test_ends_cleanly_by_signal_also_in_motion_and_with_clients(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(number), Simulator() as simulator, Client(simulator.script) as client, \
+                    Client(simulator.status):
+                client.send('TMSCT', '1,PTP("JPP",90,0,90,0,90,0,1,200,0,false)')
+                client.read_until(frame('TMSCT', '1,OK'))
+                self.assertEqual(simulator.end(number), 0)
+
+
+class Refusing(unittest.TestCase):
+    def assert_bad_usage(self, mention, *options):
+        ended = run(*options)
+        self.assertEqual(ended.returncode, 2, ended)
+        self.assertIn(mention, ended.stderr)
+        self.assertEqual(ended.stdout, '')
+
+    def test_bad_usage(self):
+        self.assert_bad_usage('tm5-900', '--model', 'tm99')
+        self.assert_bad_usage('65535', '--script-port', '65536')
+        self.assert_bad_usage('65535', '--status-port', '-1')
+        self.assert_bad_usage('--script-port', '--script-port', 'none')
+        self.assert_bad_usage('0.01 to 100', '--time-scale', '-1')
+        self.assert_bad_usage('0.01 to 100', '--time-scale', 'nan')
+        self.assert_bad_usage('--time-scale', '--time-scale', 'fast')
+        self.assert_bad_usage('address', '--bind', 'nowhere')
+        self.assert_bad_usage('--unknown', '--unknown')
+
+    def test_a_port_in_use(self):
+        with Simulator() as first:
+            second = run('--script-port', str(first.script), '--status-port', '0')
+            self.assertEqual(second.returncode, 1)
+            self.assertIn(str(first.script), second.stderr)
+            self.assertIn('choose another port', second.stderr)
+
+    def test_helps(self):
+        helped = run('--help')
+        self.assertEqual(helped.returncode, 0)
+        for option in ('--model', '--script-port', '--status-port', '--time-scale', '--listen-node', '--bind'):
+            self.assertIn(option, helped.stdout)
+
+
+if __name__ == '__main__':
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()
