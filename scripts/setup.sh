@@ -34,6 +34,8 @@ build_with() {
   shift
   # The ROS tools belong to the system's Python, whatever else stands first on the PATH.
   mkdir -p "$folder"
+  # Paths relative to the repository, so that every clone on a machine shares what one has compiled.
+  export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
   cmake -S "$root" -B "$folder" -G Ninja -DPYTHON_EXECUTABLE=/usr/bin/python3 \
     -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" >"$folder/configure.log" 2>&1 ||
     { cat "$folder/configure.log" >&2; exit 1; }
@@ -41,6 +43,7 @@ build_with() {
 }
 
 use_build() {
+  export PATH="/usr/bin:$PATH"
   # ROS's own set-up script reads variables that may not be set.
   set +u
   # shellcheck disable=SC1091

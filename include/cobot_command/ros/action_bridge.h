@@ -1,0 +1,135 @@
+// One function block as an action server: goals go to the core, what becomes of them comes back here.
+//
+// Threads: ROS calls in on its spinner, the core's thread calls accepted(), progressed() and ended(); both at
+// once is fine. The bridge never holds its own lock while it calls the action server, whose lock is held in
+// ROS callbacks.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <actionlib/server/action_server.h>
+#include <ros/node_handle.h>
+
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/outcome.h"
+#include "cobot_command/ros/conversions.h"
+
+namespace cobot_command::ros_adapter {
+
+/// Where goals go.
+struct GoalSink {
+  std::function<blocks::GoalId()> new_id;
+  std::function<void(blocks::GoalId, const blocks::Goal&)> submit;
+  std::function<void(blocks::GoalId)> cancel;
+};
+
+/// What the core tells of goals; each bridge answers only for its own.
+class GoalListener {
+ public:
+  virtual ~GoalListener() = default;
+  virtual void accepted(blocks::GoalId id) = 0;
+  virtual void progressed(blocks::GoalId id, const blocks::Progress& progress) = 0;
+  virtual void ended(blocks::GoalId id, const blocks::Outcome& outcome) = 0;
+};
+
+template <class Action>
+class ActionBridge : public GoalListener {
+ public:
+  /// Serves the action `name`, relative to `node`, until it is destroyed.
+  ActionBridge(const ros::NodeHandle& node, const std::string& name, GoalSink sink)
+      : sink_(std::move(sink)),
+        server_(
+            node, name, [this](Handle handle) { onGoal(handle); },
+            [this](Handle handle) { onCancel(handle); }, false) {
+    server_.start();
+  }
+
+  void accepted(blocks::GoalId id) override {
+    Handle handle;
+    if (find(id, handle)) handle.setAccepted();
+  }
+
+  void progressed(blocks::GoalId id, const blocks::Progress& progress) override {
+    Handle handle;
+    if (!find(id, handle)) return;
+    Feedback feedback;
+    fill(feedback, progress);
+    handle.publishFeedback(feedback);
+  }
+
+  void ended(blocks::GoalId id, const blocks::Outcome& outcome) override {
+    Handle handle;
+    if (!take(id, handle)) return;
+    Result result;
+    fill(result, outcome);
+    switch (outcome.ending) {
+      case blocks::Ending::Done:
+        handle.setSucceeded(result, outcome.error_description);
+        break;
+      case blocks::Ending::Rejected:
+        handle.setRejected(result, outcome.error_description);
+        break;
+      case blocks::Ending::Aborted:
+        handle.setAborted(result, outcome.error_description);
+        break;
+      case blocks::Ending::CommandAborted:
+        handle.setCanceled(result, outcome.error_description);
+        break;
+    }
+  }
+
+ private:
+  using Server = actionlib::ActionServer<Action>;
+  using Handle = typename Server::GoalHandle;
+  using Result = typename Server::Result;
+  using Feedback = typename Server::Feedback;
+
+  struct Open {
+    blocks::GoalId id;
+    Handle handle;
+  };
+
+  void onGoal(Handle handle) {
+    const blocks::GoalId id = sink_.new_id();
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      open_.push_back({id, handle});
+    }
+    sink_.submit(id, toGoal(*handle.getGoal()));
+  }
+
+  void onCancel(Handle handle) {
+    blocks::GoalId id = 0;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const auto found =
+          std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.handle == handle; });
+      if (found == open_.end()) return;
+      id = found->id;
+    }
+    sink_.cancel(id);
+  }
+
+  bool find(blocks::GoalId id, Handle& handle) { return lookUp(id, handle, false); }
+  bool take(blocks::GoalId id, Handle& handle) { return lookUp(id, handle, true); }
+
+  bool lookUp(blocks::GoalId id, Handle& handle, bool forget) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.id == id; });
+    if (found == open_.end()) return false;
+    handle = found->handle;
+    if (forget) open_.erase(found);
+    return true;
+  }
+
+  GoalSink sink_;
+  std::mutex mutex_;
+  std::vector<Open> open_;
+  Server server_;  // last: its callbacks use all of the above
+};
+
+}  // namespace cobot_command::ros_adapter

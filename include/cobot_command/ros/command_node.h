@@ -1,0 +1,43 @@
+// The command node of one robot: action servers and publishers around one command core.
+//
+// Everything it offers is relative to the node's namespace, so several robots are several namespaces.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+
+#include "cobot_command/ros/action_bridge.h"
+#include "cobot_command/ros/parameters.h"
+#include "cobot_command/ros/status_publisher.h"
+#include "cobot_command/runtime/command_runtime.h"
+
+namespace cobot_command::ros_adapter {
+
+class CommandNode {
+ public:
+  CommandNode(const ros::NodeHandle& node, CommandParameters parameters);
+  /// Ends every open goal, closes the connections and joins the core's thread.
+  ~CommandNode();
+  CommandNode(const CommandNode&) = delete;
+  CommandNode& operator=(const CommandNode&) = delete;
+
+ private:
+  void onAction(const blocks::Action& action, Instant now);  // on the core's thread
+  template <class ActionType>
+  void serve(const ros::NodeHandle& node, const char* name);
+
+  void submit(blocks::GoalId id, blocks::Goal goal);
+
+  std::string default_host_;
+  int default_port_;
+  std::atomic<blocks::GoalId> last_goal_{0};
+  StatusPublisher publisher_;
+  std::vector<std::unique_ptr<GoalListener>> bridges_;
+  std::unique_ptr<runtime::CommandRuntime> runtime_;
+};
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,24 @@
+// The simulated controller as a ROS node. Exit status: 0 at the end, 1 when a port cannot be had, 2 when a
+// parameter cannot be used.
+#include "cobot_command/ros/simulated_controller_node.h"
+
+#include <ros/ros.h>
+
+int main(int argc, char** argv) {
+  using cobot_command::runtime::SimulatorError;
+  ros::init(argc, argv, "simulated_controller");
+  const ros::NodeHandle node;
+  const ros::NodeHandle self("~");
+  auto parameters = cobot_command::ros_adapter::readSimulatorParameters(node, self);
+  if (!parameters) {
+    ROS_FATAL_STREAM(parameters.error().message);
+    return 2;
+  }
+  cobot_command::ros_adapter::SimulatedControllerNode controller(self, std::move(*parameters));
+  if (const auto started = controller.start(); !started) {
+    ROS_FATAL_STREAM(started.error().message);
+    return started.error().kind == SimulatorError::Kind::BadOption ? 2 : 1;
+  }
+  ros::spin();
+  return 0;
+}

@@ -1,0 +1,150 @@
+#include "cobot_command/ros/parameters.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/runtime/simulator_runtime.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+/// Reads parameters one after the other and keeps the first complaint.
+class Reader {
+ public:
+  explicit Reader(const ros::NodeHandle& self) : self_(self) {}
+
+  template <class Value>
+  Value read(const std::string& name, Value fallback) {
+    if (!self_.hasParam(name)) return fallback;
+    Value value = fallback;
+    if (!self_.getParam(name, value)) complain(name, "has the wrong type", "the type that README.md lists");
+    return value;
+  }
+
+  template <class Number>
+  Number readInRange(const std::string& name, Number fallback, Number lowest, Number highest) {
+    const Number value = read(name, fallback);
+    // Written so that NaN is refused as well.
+    if (!(value >= lowest && value <= highest)) {
+      complain(name, fmt::format("is {}", value), fmt::format("{} to {}", lowest, highest));
+    }
+    return value;
+  }
+
+  Duration readSeconds(const std::string& name, Duration fallback, double lowest, double highest) {
+    const double seconds = readInRange(name, toSeconds(fallback), lowest, highest);
+    return error_ ? fallback : fromSeconds(seconds);
+  }
+
+  void complain(const std::string& name, const std::string& found, const std::string& allowed) {
+    if (error_) return;
+    error_ =
+        ParameterError{fmt::format("parameter {} {}; allowed: {}", self_.resolveName(name), found, allowed)};
+  }
+
+  [[nodiscard]] const std::optional<ParameterError>& error() const { return error_; }
+
+ private:
+  const ros::NodeHandle& self_;
+  std::optional<ParameterError> error_;
+};
+
+/// The model named by ~robot_model, else the one of robot_description.
+std::optional<arm::ArmModel> readArm(const ros::NodeHandle& node, Reader& reader) {
+  const auto name = reader.read<std::string>("robot_model", "");
+  std::string urdf;
+  if (!name.empty()) {
+    auto model = arm::ArmModel::named(name);
+    if (model) return std::move(*model);
+    reader.complain("robot_model", "is not usable: " + model.error().message, "a known model, or empty");
+  } else if (node.getParam("robot_description", urdf)) {
+    auto model = arm::ArmModel::fromUrdf(urdf);
+    if (model) return std::move(*model);
+    reader.complain("robot_model", "is empty, and robot_description is not usable: " + model.error().message,
+                    "a known model, or a robot_description of the TM family");
+  }
+  return std::nullopt;
+}
+
+link::LinkSettings readLink(Reader& reader) {
+  link::LinkSettings link;
+  link.status_port = reader.readInRange("status_port", link.status_port, 0, 65535);
+  link.open_timeout = reader.readSeconds("open_timeout", link.open_timeout, 0.1, 60.0);
+  link.retry_min = reader.readSeconds("retry_min", link.retry_min, 0.01, 60.0);
+  link.retry_max = reader.readSeconds("retry_max", link.retry_max, 0.01, 60.0);
+  link.reply_timeout = reader.readSeconds("reply_timeout", link.reply_timeout, 0.05, 60.0);
+  link.supervision_period = reader.readSeconds("supervision_period", link.supervision_period, 0.05, 60.0);
+  link.supervision_misses = reader.readInRange("supervision_misses", link.supervision_misses, 1, 100);
+  link.status_timeout = reader.readSeconds("status_timeout", link.status_timeout, 0.1, 60.0);
+  link.tag_deadline_factor = reader.readInRange("tag_deadline_factor", link.tag_deadline_factor, 1.0, 100.0);
+  link.tag_deadline_margin = reader.readSeconds("tag_deadline_margin", link.tag_deadline_margin, 0.1, 3600.0);
+  link.unplanned_motion_timeout =
+      reader.readSeconds("unplanned_motion_timeout", link.unplanned_motion_timeout, 1.0, 86400.0);
+  return link;
+}
+
+simulator::Settings readSettings(Reader& reader) {
+  simulator::Settings settings;
+  settings.listen_node_message = reader.read<std::string>("listen_node", settings.listen_node_message);
+  settings.project_running = reader.read("project_running", settings.project_running);
+  settings.project_speed_percent =
+      reader.readInRange("project_speed", settings.project_speed_percent, 5, 100);
+  settings.reports_stale_tags = reader.read("reports_stale_tags", settings.reports_stale_tags);
+  settings.status_period = reader.readSeconds("status_period", settings.status_period, 0.001, 1.0);
+  const auto start = reader.read("start_posture_deg", std::vector<double>{});
+  if (start.size() == arm::kJointCount) {
+    arm::ControllerJoints joints{};
+    std::copy(start.begin(), start.end(), joints.begin());
+    settings.start_posture = arm::toJointVector(joints);
+  } else if (!start.empty()) {
+    reader.complain("start_posture_deg", fmt::format("has {} values", start.size()),
+                    "six joint angles [deg]");
+  }
+  return settings;
+}
+
+}  // namespace
+
+Result<CommandParameters, ParameterError> readCommandParameters(const ros::NodeHandle& node,
+                                                                const ros::NodeHandle& self) {
+  Reader reader(self);
+  CommandParameters parameters;
+  parameters.arm = readArm(node, reader);
+  parameters.prefix = reader.read<std::string>("prefix", "");
+  parameters.robot_ip = reader.read<std::string>("robot_ip", "");
+  parameters.script_port = reader.readInRange("script_port", parameters.script_port, 0, 65535);
+  parameters.link = readLink(reader);
+  if (reader.error()) return refuse(*reader.error());
+  return parameters;
+}
+
+Result<SimulatorParameters, ParameterError> readSimulatorParameters(const ros::NodeHandle& node,
+                                                                    const ros::NodeHandle& self) {
+  Reader reader(self);
+  auto arm = readArm(node, reader);
+  if (!arm)
+    reader.complain("robot_model", "is missing", "a known model, or a robot_description to take it from");
+  if (reader.error()) return refuse(*reader.error());
+  SimulatorParameters parameters(std::move(*arm));
+  parameters.prefix = reader.read<std::string>("prefix", "");
+  parameters.settings = readSettings(reader);
+  parameters.bind_address = reader.read("bind_address", parameters.bind_address);
+  parameters.script_port = reader.readInRange("script_port", parameters.script_port, 0, 65535);
+  parameters.status_port = reader.readInRange("status_port", parameters.status_port, 0, 65535);
+  parameters.time_scale = reader.readInRange("time_scale", parameters.time_scale, runtime::kSlowestTimeScale,
+                                             runtime::kFastestTimeScale);
+  parameters.publish_rate = reader.readInRange("publish_rate", parameters.publish_rate, 0.1, 1000.0);
+  if (const int outside = parameters.arm.firstJointOutsideLimits(parameters.settings.start_posture);
+      outside >= 0) {
+    reader.complain("start_posture_deg", fmt::format("puts joint {} outside its limits", outside + 1),
+                    "a posture of " + parameters.arm.name());
+  }
+  if (reader.error()) return refuse(*reader.error());
+  return parameters;
+}
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,127 @@
+#include "cobot_command/ros/simulated_controller_node.h"
+
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <utility>
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/console.h>
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+constexpr std::uint32_t kQueueSize = 100;
+
+runtime::SimulatorOptions optionsOf(const SimulatorParameters& parameters) {
+  runtime::SimulatorOptions options;
+  options.bind_address = parameters.bind_address;
+  options.script_port = parameters.script_port;
+  options.status_port = parameters.status_port;
+  options.time_scale = parameters.time_scale;
+  options.state_period = fromSeconds(1.0 / parameters.publish_rate);
+  return options;
+}
+
+cobot_command::RobotStatus toMessage(const simulator::RobotState& state, const ros::Time& stamp) {
+  using Message = cobot_command::RobotStatus;
+  Message message;
+  message.header.stamp = stamp;
+  message.mode = Message::MODE_AUTOMATIC;
+  message.e_stopped = state.emergency_stop;
+  message.safeguard = Message::FALSE;
+  message.in_motion = state.in_motion;
+  message.in_error = state.error;
+  message.error_code = state.error_code;
+  message.error_text = state.error_text;
+  message.project_running = state.project_running;
+  message.project_paused = state.project_paused;
+  message.project_speed = state.project_speed_percent;
+  message.base_name = state.base_name;
+  message.tcp_name = state.tcp_name;
+  return message;
+}
+
+}  // namespace
+
+SimulatedControllerNode::SimulatedControllerNode(const ros::NodeHandle& self, SimulatorParameters parameters)
+    : self_(self),
+      joint_names_(jointNames(parameters.prefix)),
+      base_frame_(parameters.prefix + "base"),
+      joint_states_(self_.advertise<sensor_msgs::JointState>("joint_states", kQueueSize)),
+      tool_pose_(self_.advertise<geometry_msgs::PoseStamped>("tool_pose", kQueueSize)),
+      status_(self_.advertise<cobot_command::RobotStatus>("status", kQueueSize)),
+      run_project_(self_.advertiseService("run_project", &SimulatedControllerNode::runProject, this)),
+      stop_project_(self_.advertiseService("stop_project", &SimulatedControllerNode::stopProject, this)),
+      set_emergency_stop_(
+          self_.advertiseService("set_emergency_stop", &SimulatedControllerNode::setEmergencyStop, this)),
+      runtime_(std::move(parameters.arm), parameters.settings, optionsOf(parameters),
+               {[this](const simulator::RobotState& state) { publish(state); },
+                [](const simulator::LogLine& line) { ROS_DEBUG_STREAM_NAMED("traffic", line.text); }}) {}
+
+Result<void, runtime::SimulatorError> SimulatedControllerNode::start() {
+  const auto ports = runtime_.start();
+  if (!ports) return refuse(ports.error());
+  self_.setParam("listening/script_port", ports->script);
+  self_.setParam("listening/status_port", ports->status);
+  ROS_INFO("simulated controller: listening script=%d status=%d", ports->script, ports->status);
+  return {};
+}
+
+bool SimulatedControllerNode::operate(const runtime::SimulatorRuntime::Operation& operation) {
+  auto done = std::make_shared<std::promise<void>>();
+  auto future = done->get_future();
+  const bool posted =
+      runtime_.post([operation, done](simulator::SimulatedController& controller, Instant now) {
+        operation(controller, now);
+        done->set_value();
+      });
+  if (!posted) return false;
+  try {
+    future.get();
+    return true;
+  } catch (const std::future_error&) {
+    return false;  // the runtime was stopped before it came to the operation
+  }
+}
+
+bool SimulatedControllerNode::runProject(Trigger::Request& /*request*/, Trigger::Response& response) {
+  bool running = false;
+  response.success = operate([&](simulator::SimulatedController& controller, Instant now) {
+    controller.runProject(now);
+    running = controller.state().project_running;
+  });
+  response.success = response.success && running;
+  response.message =
+      running ? "the project runs" : "the project does not run: release the emergency stop first";
+  return true;
+}
+
+bool SimulatedControllerNode::stopProject(Trigger::Request& /*request*/, Trigger::Response& response) {
+  response.success =
+      operate([](simulator::SimulatedController& controller, Instant now) { controller.stopProject(now); });
+  response.message = "the project is stopped";
+  return true;
+}
+
+bool SimulatedControllerNode::setEmergencyStop(SetBool::Request& request, SetBool::Response& response) {
+  const bool pressed = request.data != 0;
+  response.success = operate([pressed](simulator::SimulatedController& controller, Instant now) {
+    controller.setEmergencyStop(pressed, now);
+  });
+  response.message = pressed ? "the emergency stop is pressed" : "the emergency stop is released";
+  return true;
+}
+
+void SimulatedControllerNode::publish(const simulator::RobotState& state) {
+  const ros::Time stamp = ros::Time::now();
+  joint_states_.publish(jointState(joint_names_, state.joints, &state.velocities, nullptr, stamp));
+  geometry_msgs::PoseStamped tool;
+  tool.header.stamp = stamp;
+  tool.header.frame_id = base_frame_;
+  tool.pose = toPoseMessage(state.flange * state.tcp);
+  tool_pose_.publish(tool);
+  status_.publish(toMessage(state, stamp));
+}
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,76 @@
+#include "cobot_command/ros/status_publisher.h"
+
+#include <utility>
+#include <vector>
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/node_handle.h>
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+// Deep enough that a subscriber that is late for a moment loses nothing at 66 messages a second.
+constexpr std::uint32_t kQueueSize = 100;
+
+const arm::JointVector* pointerTo(const std::optional<arm::JointVector>& value) {
+  return value ? &*value : nullptr;
+}
+
+geometry_msgs::TransformStamped stamped(const arm::Pose& pose, const std::string& parent,
+                                        const std::string& child, const ros::Time& stamp) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = parent;
+  message.child_frame_id = child;
+  message.transform = toTransform(pose);
+  return message;
+}
+
+}  // namespace
+
+StatusPublisher::StatusPublisher(ros::NodeHandle node, JointNames joint_names, std::string prefix)
+    : joint_names_(std::move(joint_names)), prefix_(std::move(prefix)) {
+  joint_states_ = node.advertise<sensor_msgs::JointState>("joint_states", kQueueSize);
+  tool_pose_ = node.advertise<geometry_msgs::PoseStamped>("tool_pose", kQueueSize);
+  robot_status_ = node.advertise<cobot_command::RobotStatus>("robot_status", kQueueSize, true);
+  command_status_ = node.advertise<cobot_command::CommandStatus>("command_status", kQueueSize, true);
+  frames_ = node.advertise<cobot_command::FrameTrace>("frames", kQueueSize);
+}
+
+void StatusPublisher::publish(const link::RobotStatus& status) {
+  const ros::Time stamp = ros::Time::now();
+  if (status.joints) {
+    joint_states_.publish(jointState(joint_names_, *status.joints, pointerTo(status.joint_velocities),
+                                     pointerTo(status.joint_torques), stamp));
+  }
+  if (status.tool) {
+    geometry_msgs::PoseStamped message;
+    message.header.stamp = stamp;
+    message.header.frame_id = prefix_ + "base";
+    message.pose = toPoseMessage(*status.tool);
+    tool_pose_.publish(message);
+  }
+  robot_status_.publish(toMessage(status, stamp));
+  publishFrames(status, stamp);
+}
+
+void StatusPublisher::publishFrames(const link::RobotStatus& status, const ros::Time& stamp) {
+  std::vector<geometry_msgs::TransformStamped> frames;
+  if (status.base) frames.push_back(stamped(*status.base, prefix_ + "base", prefix_ + "active_base", stamp));
+  if (status.tcp) frames.push_back(stamped(*status.tcp, prefix_ + "tool0", prefix_ + "active_tool", stamp));
+  if (!frames.empty()) tf_.sendTransform(frames);
+}
+
+void StatusPublisher::publish(const blocks::CommandStatus& status, const ClockPair& clocks) {
+  command_status_.publish(toMessage(status, clocks));
+  if (streaming_ && !status.status_stream)
+    robot_status_.publish(toMessage(link::RobotStatus{}, clocks.ros_now));
+  streaming_ = status.status_stream;
+}
+
+void StatusPublisher::publish(const blocks::FrameTraced& trace, const ClockPair& clocks) {
+  if (frames_.getNumSubscribers() > 0) frames_.publish(toMessage(trace, clocks));
+}
+
+}  // namespace cobot_command::ros_adapter

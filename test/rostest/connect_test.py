@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""The connect action against a simulated controller over real sockets."""
+import socket
+
+import rospy
+from actionlib_msgs.msg import GoalStatus
+
+from cobot_command.msg import CommandStatus
+from cobot_test import CobotTestCase, finish
+
+
+class Connect(CobotTestCase):
+    def test_stays_active_while_connected_and_reports_the_listen_node(self):
+        self.robot.establish()
+        status = self.robot.status.message
+        self.assertEqual(status.listen_node, "Listen1")
+        self.assertEqual(status.port, self.robot.port())
+        self.assertGreater(status.last_connected.to_sec(), 0)
+        self.assertEqual(self.robot.connect.get_state(), GoalStatus.ACTIVE)
+        self.assertEqual([b.block for b in status.blocks if b.busy], ["connect"])
+
+    def test_succeeds_when_it_is_cancelled_and_closes_the_link(self):
+        self.robot.establish()
+        self.robot.connect.cancel_goal()
+        self.assert_done(finish(self.robot.connect))
+        self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.DISCONNECTED, "the end of the link")
+
+    def test_is_aborted_when_the_link_is_lost_and_a_new_goal_connects_again(self):
+        self.robot.establish()
+        self.robot.operate("stop_project")
+        self.assert_aborted(finish(self.robot.connect), 0x90)
+        lost = self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.DISCONNECTED, "the lost link")
+        self.assertGreater(lost.last_lost.to_sec(), 0)
+        self.robot.operate("run_project")
+        self.robot.establish()
+
+    def test_keeps_trying_until_the_project_runs(self):
+        self.robot.operate("stop_project")
+        self.robot.send_connect()
+        self.robot.status.wait_for(lambda s: "refused" in s.diagnosis.lower(), "the diagnosis \"refused\"")
+        self.robot.operate("run_project")
+        self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY, "a ready link")
+
+    def test_is_aborted_after_its_timeout_when_nobody_listens(self):
+        self.robot.operate("stop_project")
+        self.robot.send_connect(timeout=10.0)
+        self.assert_aborted(finish(self.robot.connect), 0x20, "refused")
+
+    def test_tells_the_status_port_from_the_script_port(self):
+        self.robot.send_connect(port=self.robot.port("status_port"))
+        self.robot.status.wait_for(lambda s: "status port" in s.diagnosis.lower(), "the diagnosis \"status port\"")
+
+    def test_tells_a_device_that_is_silent_from_a_controller(self):
+        with socket.create_server(("127.0.0.1", 0)) as silent:
+            self.robot.send_connect(port=silent.getsockname()[1], timeout=10.0)
+            self.assert_aborted(finish(self.robot.connect), 0x70)
+
+    def test_is_rejected_with_a_timeout_outside_10_to_300_seconds(self):
+        for timeout in (9.99, 300.01, -1.0, 0.0, float("nan"), float("inf")):
+            with self.subTest(timeout=timeout):
+                self.robot.send_connect(timeout=timeout)
+                self.assert_rejected(finish(self.robot.connect), 0x15)
+
+    def test_accepts_both_ends_of_the_timeout_range(self):
+        for timeout in (10.0, 300.0):
+            with self.subTest(timeout=timeout):
+                self.robot.send_connect(timeout=timeout)
+                self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY, "a ready link")
+                self.robot.close()
+
+    def test_is_rejected_with_a_host_or_port_that_cannot_be(self):
+        for changes in ({"port": 65536}, {"port": -1}, {"host": "a\r\nb"}, {"host": "x" * 10000},
+                        {"status_port": 70000}):
+            with self.subTest(**changes):
+                self.robot.send_connect(**changes)
+                state, result = finish(self.robot.connect)
+                self.assertEqual(state, GoalStatus.REJECTED)
+                self.assertGreaterEqual(result.error_id, 0x200)
+
+    def test_is_rejected_while_another_connect_goal_is_active(self):
+        self.robot.establish()
+        first = self.robot.connect.gh  # the client forgets it with the next goal
+        self.robot.send_connect()
+        state, result = finish(self.robot.connect)
+        self.assertEqual(state, GoalStatus.REJECTED, result.error_description)
+        self.assertEqual(self.robot.status.message.link_state, CommandStatus.READY)
+        first.cancel()
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("connect_test")
+    rostest.rosrun("cobot_command", "connect", Connect)
