@@ -40,8 +40,7 @@ std::vector<ErrorEntry> connectErrors() {
        "host is empty, longer than 255 characters, or has blanks, control or non-ASCII characters"},
       {kBlock, own_error::kPortRange, "Port range: 1~65535", kRange,
        "port is 0, on which nothing can listen, negative, or above 65535; or status_port is negative or "
-       "above "
-       "65535"},
+       "above 65535"},
       {kBlock, own_error::kConnectBusy, "Connect is under execution",
        "Cancel the running connect, or use the connection that it made", "another connect goal is Busy"},
   };
