@@ -21,12 +21,15 @@ enum class Ending {
 
 struct Outcome {
   Ending ending = Ending::Done;
-  int error_id = 0;                 ///< of the catalogue; 0 unless Rejected or Aborted
-  std::string error_description;    ///< the catalogue's text, then what was found
-  std::string remedy;               ///< what to do
-  int command_id_ack = 0;           ///< CmdID_Ack: the tag of this command, 0 when it got none
+  int error_id = 0;               ///< of the catalogue; 0 unless Rejected or Aborted
+  std::string error_description;  ///< the catalogue's text, then what was found
+  std::string remedy;             ///< what to do
+  /// CmdID_Ack: the caller's command_id, or the tag that the layer chose; 0 for neither.
+  int command_id_ack = 0;
   std::optional<Duration> planned;  ///< planned duration of the motion, when it could be planned
   std::optional<Duration> actual;   ///< from the acceptance by the controller to the end
+  /// Of the last status frame before the end: up to one period of the stream old, as an end waits for
+  /// nothing.
   std::optional<std::array<double, 6>> final_joints_deg;
   std::optional<std::array<double, 6>> final_pose_mm_deg;  ///< active TCP in the active base
 };
