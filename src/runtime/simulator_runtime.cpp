@@ -22,7 +22,7 @@ using simulator::Port;
 using simulator::SimulatedController;
 
 /// What the slowest client may have left to read while the time jumps [bytes].
-constexpr std::size_t kBacklogForJumping = 64u * 1024u;
+constexpr std::size_t kBacklogForJumping = std::size_t{64} * 1024;
 
 std::optional<SimulatorError> problemIn(const SimulatorOptions& options) {
   using Kind = SimulatorError::Kind;

@@ -19,7 +19,7 @@ const auto& rows() {
   namespace error = boost::asio::error;
   using Kind = NetworkError::Kind;
   const auto& system = boost::system::system_category();
-  static const std::array<Row, 14> kRows{{
+  static const std::array<Row, 14> table{{
       {error::connection_refused, Kind::Refused},
       {error::connection_reset, Kind::Refused},
       {error::network_unreachable, Kind::Unreachable},
@@ -35,7 +35,7 @@ const auto& rows() {
       {error_code(EADDRNOTAVAIL, system), Kind::BadAddress},
       {error::invalid_argument, Kind::BadAddress},
   }};
-  return kRows;
+  return table;
 }
 
 }  // namespace

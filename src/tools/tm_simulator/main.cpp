@@ -18,7 +18,7 @@ namespace {
 
 using namespace cobot_command;
 
-enum ExitStatus { kEnded = 0, kCannotServe = 1, kBadUsage = 2 };
+enum ExitStatus { Ended = 0, CannotServe = 1, BadUsage = 2 };
 
 struct Options {
   std::string model = "tm5-900";
@@ -60,7 +60,7 @@ int serve(Options options) {
   auto arm = arm::ArmModel::named(options.model);
   if (!arm) {
     fmt::print(stderr, "tm_simulator: {}\n", arm.error().message);
-    return kBadUsage;
+    return BadUsage;
   }
   boost::asio::io_context context;
   boost::asio::signal_set end(context, SIGINT, SIGTERM);
@@ -75,12 +75,12 @@ int serve(Options options) {
   const auto ports = simulator.start();
   if (!ports) {
     fmt::print(stderr, "tm_simulator: {}\n", ports.error().message);
-    return ports.error().kind == runtime::SimulatorError::Kind::BadOption ? kBadUsage : kCannotServe;
+    return ports.error().kind == runtime::SimulatorError::Kind::BadOption ? BadUsage : CannotServe;
   }
   fmt::print("listening script={} status={}\n", ports->script, ports->status);
   context.run();  // until the signal
   simulator.stop();
-  return kEnded;
+  return Ended;
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kEnded : kBadUsage;
+    return app.exit(error) == 0 ? Ended : BadUsage;
   }
   return serve(std::move(options));
 }
