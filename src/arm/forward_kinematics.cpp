@@ -24,7 +24,7 @@ Posture postureAt(const DhLengths& lengths, const JointVector& joints) {
   const double c1 = std::cos(joints[0]);
   const double s1 = std::sin(joints[0]);
   // Directions in the plane of the joints 2 to 4, by their angle from the vertical.
-  const auto inPlane = [c1, s1](double sine, double cosine) {
+  const auto in_plane = [c1, s1](double sine, double cosine) {
     return Vector3d(sine * c1, sine * s1, cosine);
   };
   const double upper_arm = joints[1];
@@ -37,12 +37,12 @@ Posture postureAt(const DhLengths& lengths, const JointVector& joints) {
 
   Posture posture;
   posture.across = Vector3d(-s1, c1, 0);
-  posture.wrist_2 = inPlane(s, c);
-  const Vector3d forward = inPlane(c, -s);
+  posture.wrist_2 = in_plane(s, c);
+  const Vector3d forward = in_plane(c, -s);
   posture.flange_side = c5 * forward + s5 * posture.across;
   posture.wrist_3 = s5 * forward - c5 * posture.across;
-  posture.elbow = lengths.a2 * inPlane(std::sin(upper_arm), std::cos(upper_arm));
-  posture.wrist_1 = posture.elbow + lengths.a3 * inPlane(std::sin(forearm), std::cos(forearm));
+  posture.elbow = lengths.a2 * in_plane(std::sin(upper_arm), std::cos(upper_arm));
+  posture.wrist_1 = posture.elbow + lengths.a3 * in_plane(std::sin(forearm), std::cos(forearm));
   posture.flange = posture.wrist_1 + lengths.d4 * posture.across + lengths.d5 * posture.wrist_2 +
                    lengths.d6 * posture.wrist_3;
   return posture;
@@ -65,15 +65,15 @@ Pose forwardKinematics(const ArmModel& arm, const JointVector& joints) {
 Jacobian jacobianAt(const ArmModel& arm, const JointVector& joints) {
   const Posture posture = postureAt(arm.lengths(), joints);
   Jacobian jacobian;
-  const auto setColumn = [&](Eigen::Index joint, const Vector3d& axis, const Vector3d& lever) {
+  const auto set_column = [&](Eigen::Index joint, const Vector3d& axis, const Vector3d& lever) {
     jacobian.col(joint) << axis.cross(lever), axis;
   };
-  setColumn(0, Vector3d::UnitZ(), posture.flange);
-  setColumn(1, posture.across, posture.flange);
-  setColumn(2, posture.across, posture.flange - posture.elbow);
-  setColumn(3, posture.across, posture.flange - posture.wrist_1);
-  setColumn(4, posture.wrist_2, arm.lengths().d6 * posture.wrist_3);
-  setColumn(5, posture.wrist_3, Vector3d::Zero());
+  set_column(0, Vector3d::UnitZ(), posture.flange);
+  set_column(1, posture.across, posture.flange);
+  set_column(2, posture.across, posture.flange - posture.elbow);
+  set_column(3, posture.across, posture.flange - posture.wrist_1);
+  set_column(4, posture.wrist_2, arm.lengths().d6 * posture.wrist_3);
+  set_column(5, posture.wrist_3, Vector3d::Zero());
   return jacobian;
 }
 

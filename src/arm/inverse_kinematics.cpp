@@ -87,7 +87,7 @@ class Solver {
   void addShoulderSide(Shoulder bit, double distance, double scale) {
     const double c1 = (distance * wrist_centre_.x() + lengths_.d4 * wrist_centre_.y()) * scale;
     const double s1 = (distance * wrist_centre_.y() - lengths_.d4 * wrist_centre_.x()) * scale;
-    const auto inPlane = [c1, s1](const auto& v) { return InPlane{c1 * v.x() + s1 * v.y(), v.z()}; };
+    const auto in_plane = [c1, s1](const auto& v) { return InPlane{c1 * v.x() + s1 * v.y(), v.z()}; };
     const auto across = [c1, s1](const auto& v) { return c1 * v.y() - s1 * v.x(); };
     const auto x = flange_.linear().col(0);
     const auto y = flange_.linear().col(1);
@@ -95,9 +95,9 @@ class Solver {
     ShoulderSide side;
     side.bit = bit;
     side.joint_1 = std::atan2(s1, c1);
-    side.wrist_centre = inPlane(wrist_centre_);
-    side.flange_x = inPlane(x);
-    side.flange_y = inPlane(y);
+    side.wrist_centre = in_plane(wrist_centre_);
+    side.flange_x = in_plane(x);
+    side.flange_y = in_plane(y);
     side.x_across = across(x);
     side.y_across = across(y);
     side.sin_5 = std::sqrt(side.x_across * side.x_across + side.y_across * side.y_across);
@@ -157,14 +157,14 @@ class Solver {
   /// put axis 4 out of reach. Turns axis 5 by as little as brings axis 4 back, if the pose allows it.
   void bringAxis4IntoReach(const ShoulderSide& shoulder, WristSide& wrist) const {
     const double squared_distance = shoulder.wrist_centre.squaredNorm();
-    const auto angleFor = [&](double tube) {  // between wrist centre and axis 5, when axis 4 is `tube` away
+    const auto angle_for = [&](double tube) {  // between wrist centre and axis 5, when axis 4 is `tube` away
       const double cosine = (squared_distance + lengths_.d5 * lengths_.d5 - tube * tube) /
                             (2 * std::sqrt(squared_distance) * lengths_.d5);
       return std::acos(std::min(std::max(cosine, -1.0), 1.0));
     };
     const double from_centre = std::remainder(wrist.axis_5_angle - shoulder.wrist_centre.angle(), 2 * kPi);
-    const double reachable = std::min(std::max(std::abs(from_centre), angleFor(lengths_.a2 - lengths_.a3)),
-                                      angleFor(lengths_.a2 + lengths_.a3));
+    const double reachable = std::min(std::max(std::abs(from_centre), angle_for(lengths_.a2 - lengths_.a3)),
+                                      angle_for(lengths_.a2 + lengths_.a3));
     const double change = std::copysign(reachable, from_centre) - from_centre;
     if (shoulder.sin_5 * std::abs(change) <= kNearWristTolerance) turnAxis5(shoulder, wrist, change);
   }

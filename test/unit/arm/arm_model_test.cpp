@@ -19,7 +19,7 @@ struct DataSheet {
   Ratings ratings;
 };
 
-const std::vector<DataSheet> kDataSheets = {
+const std::vector<DataSheet> data_sheets = {
     {"tm5-700",
      {145.2, 329.0, 311.5, -122.3, 106.0, 113.15},
      {270, 180, 155, 180, 180, 270},
@@ -58,7 +58,7 @@ TEST(ArmModel, knowsTheSixModelsOfTheFamily) {
 }
 
 TEST(ArmModel, everyModelHasTheLengthsOfItsDataSheet) {
-  for (const DataSheet& sheet : kDataSheets) {
+  for (const DataSheet& sheet : data_sheets) {
     SCOPED_TRACE(sheet.name);
     const DhLengths found = model(sheet.name).lengths();
     EXPECT_NEAR(found.d1, mmToM(sheet.mm.d1), 1e-12);
@@ -71,7 +71,7 @@ TEST(ArmModel, everyModelHasTheLengthsOfItsDataSheet) {
 }
 
 TEST(ArmModel, everyModelHasTheLimitsAndRatingsOfItsDataSheet) {
-  for (const DataSheet& sheet : kDataSheets) {
+  for (const DataSheet& sheet : data_sheets) {
     SCOPED_TRACE(sheet.name);
     const ArmModel arm = model(sheet.name);
     EXPECT_EQ(arm.name(), sheet.name);

@@ -27,7 +27,7 @@ struct BadUrdf {
 
 class BadUrdfTest : public testing::TestWithParam<BadUrdf> {};
 
-const std::vector<BadUrdf> kBadUrdfs = {
+const std::vector<BadUrdf> bad_urdfs = {
     {"unknownRobot", "robot name=\"tm5-900\"", "robot name=\"ur5\"", "Known models: tm5-700"},
     {"robotWithoutName", "robot name=\"tm5-900\"", "robot", "name"},
     {"notClosed", "</robot>", "", "This is not a URDF"},
@@ -76,7 +76,7 @@ const std::vector<BadUrdf> kBadUrdfs = {
     {"baseOfAnotherName", "<link name=\"base\"/>", "<link name=\"base\"/><link name=\"base\"/>", "base"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Of, BadUrdfTest, testing::ValuesIn(kBadUrdfs),
+INSTANTIATE_TEST_SUITE_P(Of, BadUrdfTest, testing::ValuesIn(bad_urdfs),
                          [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST_P(BadUrdfTest, isRefusedWithAHelpfulMessageAndWithoutAWordOnTheConsole) {

@@ -53,8 +53,8 @@ TEST(ControllerPose, reportsZeroRzAtGimbalLock) {
 TEST(ControllerPose, keepsTheOrientationAtEveryDistanceFromGimbalLock) {
   for (const double sign : {1.0, -1.0}) {
     for (const double offset : {1e-1, 1e-3, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12, 0.0}) {
-      for (double rx = -175; rx < 180; rx += 35) {
-        const Pose pose = toPose({0, 0, 0, rx, sign * (90 - offset), 47 - rx / 2});
+      for (int rx = -175; rx < 180; rx += 35) {
+        const Pose pose = toPose({0, 0, 0, 1.0 * rx, sign * (90 - offset), 47 - 0.5 * rx});
         EXPECT_LT(angleBetween(toPose(toControllerPose(pose)), pose), 2e-10) << offset << ' ' << rx;
       }
     }
@@ -69,10 +69,10 @@ TEST(ControllerPose, reportsHalfATurnAsPlus180) {
 }
 
 TEST(ControllerPose, neverReportsMinus180OrMinusZero) {
-  for (double rx = -360; rx <= 360; rx += 45) {
-    for (double ry = -360; ry <= 360; ry += 45) {
-      for (double rz = -360; rz <= 360; rz += 45) {
-        const Pose pose = toPose({-0.0, -0.0, -0.0, rx, ry, rz});
+  for (int rx = -360; rx <= 360; rx += 45) {
+    for (int ry = -360; ry <= 360; ry += 45) {
+      for (int rz = -360; rz <= 360; rz += 45) {
+        const Pose pose = toPose({-0.0, -0.0, -0.0, 1.0 * rx, 1.0 * ry, 1.0 * rz});
         const ControllerPose reported = toControllerPose(pose);
         for (const double value : reported) {
           EXPECT_FALSE(value == 0 && std::signbit(value));

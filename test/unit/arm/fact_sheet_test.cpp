@@ -21,7 +21,7 @@ struct ForwardVector {
 };
 
 // clang-format off
-const std::vector<ForwardVector> kForwardVectors = {
+const std::vector<ForwardVector> forward_vectors = {
     {"tm5-700", {0, 0, 0, 0, 0, 0}, {0.000, -235.450, 891.700, 90.000, 0.000, 0.000}, {1, 3, 5}},
     {"tm5-700", {0, 0, 90, 0, 90, 0}, {417.500, -122.300, 361.050, 180.000, 0.000, 90.000}, {0, 2, 4}},
     {"tm5-700", {0, 0, 90, -90, 90, 0}, {424.650, -122.300, 580.200, 90.000, 0.000, 90.000}, {0, 2, 4}},
@@ -54,8 +54,8 @@ const std::vector<ForwardVector> kForwardVectors = {
 // clang-format on
 
 TEST(FactSheet, forwardKinematicsGivesEveryListedPoseWithItsBits) {
-  ASSERT_EQ(kForwardVectors.size(), 28U);
-  for (const ForwardVector& vector : kForwardVectors) {
+  ASSERT_EQ(forward_vectors.size(), 28U);
+  for (const ForwardVector& vector : forward_vectors) {
     const ArmModel arm = model(vector.model);
     const JointVector joints = toJointVector(vector.joints);
     SCOPED_TRACE(std::string(vector.model) + testing::PrintToString(vector.joints));
@@ -77,7 +77,7 @@ struct InverseTable {
 };
 
 // clang-format off
-const std::vector<InverseTable> kInverseTables = {
+const std::vector<InverseTable> inverse_tables = {
     {"tm5-700",
      {417.5, -122.3, 361.05, 180, 0, 90},
      {
@@ -142,8 +142,8 @@ const std::vector<InverseTable> kInverseTables = {
 // clang-format on
 
 TEST(FactSheet, inverseKinematicsGivesAllEightListedPosturesWithTheirBits) {
-  ASSERT_EQ(kInverseTables.size(), 5U);
-  for (const InverseTable& table : kInverseTables) {
+  ASSERT_EQ(inverse_tables.size(), 5U);
+  for (const InverseTable& table : inverse_tables) {
     SCOPED_TRACE(table.model);
     const ArmModel arm = model(table.model);
     const Pose flange = forwardKinematics(arm, toJointVector(table.branches.front().joints));

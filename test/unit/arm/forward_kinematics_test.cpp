@@ -13,8 +13,8 @@ constexpr int kPostures = 2000;
 
 class ForwardKinematics : public testing::TestWithParam<std::string> {
  protected:
-  const ArmModel arm_ = model(GetParam());
-  RandomPostures postures_{arm_};
+  const ArmModel arm = model(GetParam());
+  RandomPostures postures{arm};
 };
 INSTANTIATE_TEST_SUITE_P(EveryModel, ForwardKinematics, testing::ValuesIn(ArmModel::knownNames()),
                          modelNameForTest);
@@ -26,12 +26,12 @@ KDL::JntArray toKdl(const JointVector& joints) {
 }
 
 TEST_P(ForwardKinematics, agreesWithKdlOnTheChainOfTheUrdf) {
-  KDL::ChainFkSolverPos_recursive solver(arm_.chain());
+  KDL::ChainFkSolverPos_recursive solver(arm.chain());
   for (int i = 0; i < kPostures; ++i) {
-    const JointVector joints = postures_.next();
+    const JointVector joints = postures.next();
     KDL::Frame frame;
     ASSERT_GE(solver.JntToCart(toKdl(joints), frame), 0);
-    const Pose flange = forwardKinematics(arm_, joints);
+    const Pose flange = forwardKinematics(arm, joints);
     for (int row = 0; row < 3; ++row) {
       ASSERT_NEAR(flange.translation()[row], frame.p(row), 1e-12);
       for (int column = 0; column < 3; ++column) {
@@ -42,24 +42,24 @@ TEST_P(ForwardKinematics, agreesWithKdlOnTheChainOfTheUrdf) {
 }
 
 TEST_P(ForwardKinematics, itsJacobianAgreesWithKdl) {
-  KDL::ChainJntToJacSolver solver(arm_.chain());
+  KDL::ChainJntToJacSolver solver(arm.chain());
   KDL::Jacobian expected(6);
   for (int i = 0; i < kPostures; ++i) {
-    const JointVector joints = postures_.next();
+    const JointVector joints = postures.next();
     ASSERT_GE(solver.JntToJac(toKdl(joints), expected), 0);
-    ASSERT_LT((jacobianAt(arm_, joints) - expected.data).cwiseAbs().maxCoeff(), 1e-12);
+    ASSERT_LT((jacobianAt(arm, joints) - expected.data).cwiseAbs().maxCoeff(), 1e-12);
   }
 }
 
 TEST_P(ForwardKinematics, itsJacobianIsTheDerivativeOfThePose) {
   constexpr double kStep = 1e-6;
   for (int i = 0; i < kPostures / 10; ++i) {
-    const JointVector joints = postures_.next();
-    const Jacobian jacobian = jacobianAt(arm_, joints);
+    const JointVector joints = postures.next();
+    const Jacobian jacobian = jacobianAt(arm, joints);
     for (Eigen::Index k = 0; k < 6; ++k) {
       const JointVector step = kStep * JointVector::Unit(k);
-      const Pose before = forwardKinematics(arm_, joints - step);
-      const Pose after = forwardKinematics(arm_, joints + step);
+      const Pose before = forwardKinematics(arm, joints - step);
+      const Pose after = forwardKinematics(arm, joints + step);
       const Eigen::Vector3d linear = (after.translation() - before.translation()) / (2 * kStep);
       const Eigen::AngleAxisd turn(after.linear() * before.linear().transpose());
       const Eigen::Vector3d angular = turn.axis() * turn.angle() / (2 * kStep);
@@ -71,20 +71,20 @@ TEST_P(ForwardKinematics, itsJacobianIsTheDerivativeOfThePose) {
 
 TEST_P(ForwardKinematics, theJacobiansDeterminantIsTheProductOfTheSingularityDistances) {
   for (int i = 0; i < kPostures; ++i) {
-    const JointVector joints = postures_.next();
-    const SingularityDistance distance = singularityDistance(arm_, joints);
+    const JointVector joints = postures.next();
+    const SingularityDistance distance = singularityDistance(arm, joints);
     const double expected =
-        arm_.lengths().a2 * arm_.lengths().a3 * distance.shoulder * distance.elbow * distance.wrist;
-    ASSERT_NEAR(std::abs(jacobianAt(arm_, joints).determinant()), expected, 1e-12);
+        arm.lengths().a2 * arm.lengths().a3 * distance.shoulder * distance.elbow * distance.wrist;
+    ASSERT_NEAR(std::abs(jacobianAt(arm, joints).determinant()), expected, 1e-12);
   }
 }
 
 TEST_P(ForwardKinematics, aWholeTurnOfAnyJointChangesNothing) {
   for (int i = 0; i < kPostures / 10; ++i) {
-    const JointVector joints = postures_.next();
+    const JointVector joints = postures.next();
     for (Eigen::Index k = 0; k < 6; ++k) {
       const JointVector turned = joints - 2 * kPi * JointVector::Unit(k);
-      ASSERT_LT(difference(forwardKinematics(arm_, turned), forwardKinematics(arm_, joints)), 1e-14);
+      ASSERT_LT(difference(forwardKinematics(arm, turned), forwardKinematics(arm, joints)), 1e-14);
     }
   }
 }

@@ -10,8 +10,8 @@ namespace {
 using testing::HasSubstr;
 using Reason = IkRefusal::Reason;
 
-const PoseBits kRightyAboveNoFlip{};
-const ControllerJoints kReady = {0, 0, 90, 0, 90, 0};
+constexpr PoseBits kRightyAboveNoFlip{};
+constexpr ControllerJoints kReady = {0, 0, 90, 0, 90, 0};
 
 class NearestTurn : public testing::Test {
  protected:
@@ -75,26 +75,26 @@ TEST_F(NearestTurn, isNothingForWhatIsNotFinite) {
 class PostureFor : public testing::Test {
  protected:
   Result<JointVector, IkRefusal> posture(const Pose& flange, const PoseBits& bits) {
-    return postureFor(arm_, flange, bits, toJointVector(kReady));
+    return postureFor(arm, flange, bits, toJointVector(kReady));
   }
-  Pose flangeAt(const ControllerJoints& joints) { return forwardKinematics(arm_, toJointVector(joints)); }
+  Pose flangeAt(const ControllerJoints& joints) { return forwardKinematics(arm, toJointVector(joints)); }
 
-  const ArmModel arm_ = model("tm5-900");
+  const ArmModel arm = model("tm5-900");
 };
 
 TEST_F(PostureFor, givesThePostureWithTheWantedBits) {
   const Pose flange = flangeAt({30, -20, 100, 10, 80, -45});
-  for (const Branch& branch : allBranches(arm_, flange)) {
+  for (const Branch& branch : allBranches(arm, flange)) {
     const auto found = posture(flange, branch.bits);
     ASSERT_TRUE(found);
-    EXPECT_EQ(poseBitsOf(arm_, *found), branch.bits);
-    EXPECT_LT(difference(forwardKinematics(arm_, *found), flange), 1e-12);
+    EXPECT_EQ(poseBitsOf(arm, *found), branch.bits);
+    EXPECT_LT(difference(forwardKinematics(arm, *found), flange), 1e-12);
   }
 }
 
 TEST_F(PostureFor, takesTheTurnNearestToTheReference) {
   const JointVector joints = toJointVector({200, -20, 100, 10, 80, -260});
-  const auto found = postureFor(arm_, forwardKinematics(arm_, joints), poseBitsOf(arm_, joints), joints);
+  const auto found = postureFor(arm, forwardKinematics(arm, joints), poseBitsOf(arm, joints), joints);
   ASSERT_TRUE(found);
   EXPECT_LT((*found - joints).cwiseAbs().maxCoeff(), 1e-12);
 }
@@ -111,7 +111,7 @@ TEST_F(PostureFor, refusesBitsThatThePoseDoesNotAllowAndNamesThePossibleOnes) {
   // Arm nearly straight forward, wrist bent outwards: turned the other way the wrist does not reach.
   const ControllerJoints stretched = {0, 90, 1, 0, 90, 0};
   const Pose flange = flangeAt(stretched);
-  const Branches branches = allBranches(arm_, flange);
+  const Branches branches = allBranches(arm, flange);
   ASSERT_FALSE(branches.empty());
   ASSERT_LT(branches.size(), 8U);
   int refusals = 0;
@@ -134,7 +134,7 @@ TEST_F(PostureFor, refusesBitsThatThePoseDoesNotAllowAndNamesThePossibleOnes) {
 
 TEST_F(PostureFor, namesTheJointThatWouldLeaveItsLimits) {
   const JointVector folded = toJointVector({30, 20, 160, 10, 80, -45});
-  const auto refused = posture(forwardKinematics(arm_, folded), poseBitsOf(arm_, folded));
+  const auto refused = posture(forwardKinematics(arm, folded), poseBitsOf(arm, folded));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().reason, Reason::OutsideLimits);
   EXPECT_EQ(refused.error().joint, 2);
@@ -157,7 +157,7 @@ TEST_F(PostureFor, refusesWhatIsNotFiniteOrNotAPose) {
   }
   JointVector reference = toJointVector(kReady);
   reference[5] = std::numeric_limits<double>::infinity();
-  const auto refused = postureFor(arm_, good, kRightyAboveNoFlip, reference);
+  const auto refused = postureFor(arm, good, kRightyAboveNoFlip, reference);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().reason, Reason::NotFinite);
 }

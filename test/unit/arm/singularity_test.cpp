@@ -53,24 +53,24 @@ void bringToZero(const ArmModel&, JointVector& joints, double offset) {
   joints.setConstant(offset);
 }
 
-const std::vector<double> kAllOffsets = {1e-2,  1e-4, 1e-6,   1e-8,  1e-10, 1e-12,
+const std::vector<double> all_offsets = {1e-2,  1e-4, 1e-6,   1e-8,  1e-10, 1e-12,
                                          1e-14, 0.0,  -1e-12, -1e-8, -1e-6, -1e-2};
 /// Between these, where joint 1 and joint 6 are both lost in rounding, a posture with a stretched arm may be
 /// missed (doc/kinematics.md).
-const std::vector<double> kCoarseOffsetsAndZero = {1e-2, 1e-4, 1e-6, 0.0, -1e-6, -1e-2};
+const std::vector<double> coarse_offsets_and_zero = {1e-2, 1e-4, 1e-6, 0.0, -1e-6, -1e-2};
 
-const std::vector<Approach> kApproaches = {
-    {"straightWrist", bringToStraightWrist, kAllOffsets},
-    {"foldedWrist", bringToFoldedWrist, kAllOffsets},
-    {"elbow", bringToElbow, kAllOffsets},
-    {"shoulder", bringToShoulder, kAllOffsets},
-    {"armStraightUp", bringToStraightUp, kAllOffsets},
-    {"elbowAndWrist", bringToElbowAndWrist, kAllOffsets},
-    {"shoulderAndWrist", bringToShoulderAndWrist, kCoarseOffsetsAndZero},
-    {"zeroPosture", bringToZero, kCoarseOffsetsAndZero}};
+const std::vector<Approach> approaches = {
+    {"straightWrist", bringToStraightWrist, all_offsets},
+    {"foldedWrist", bringToFoldedWrist, all_offsets},
+    {"elbow", bringToElbow, all_offsets},
+    {"shoulder", bringToShoulder, all_offsets},
+    {"armStraightUp", bringToStraightUp, all_offsets},
+    {"elbowAndWrist", bringToElbowAndWrist, all_offsets},
+    {"shoulderAndWrist", bringToShoulderAndWrist, coarse_offsets_and_zero},
+    {"zeroPosture", bringToZero, coarse_offsets_and_zero}};
 
 class Singularity : public testing::TestWithParam<Approach> {};
-INSTANTIATE_TEST_SUITE_P(From, Singularity, testing::ValuesIn(kApproaches),
+INSTANTIATE_TEST_SUITE_P(From, Singularity, testing::ValuesIn(approaches),
                          [](const auto& approach) { return std::string(approach.param.name); });
 
 TEST_P(Singularity, theGeneratingPostureIsFoundUnderItsBits) {
@@ -93,7 +93,7 @@ TEST_P(Singularity, everyBranchReachesThePoseWhateverTheOffsetAndTheReference) {
   for (const std::string& name : ArmModel::knownNames()) {
     const ArmModel arm = model(name);
     RandomPostures postures(arm);
-    for (const double offset : kAllOffsets) {
+    for (const double offset : all_offsets) {
       for (int i = 0; i < kPostures; ++i) {
         JointVector joints = postures.next();
         GetParam().bring(arm, joints, offset);
@@ -122,31 +122,31 @@ TEST_P(Singularity, noTwoBranchesShareTheirBitsExactlyThere) {
 
 class StraightWrist : public testing::TestWithParam<double> {
  protected:
-  const ArmModel arm_ = model("tm5-900");
+  const ArmModel arm = model("tm5-900");
 };
 INSTANTIATE_TEST_SUITE_P(Joint5, StraightWrist, testing::Values(0.0, kPi));
 
 TEST_P(StraightWrist, takesJoint6FromTheReference) {
-  RandomPostures postures(arm_);
+  RandomPostures postures(arm);
   for (int i = 0; i < kPostures; ++i) {
     JointVector joints = postures.next();
     joints[4] = GetParam();
-    const Branches branches = allBranches(arm_, forwardKinematics(arm_, joints), joints);
-    const Branch* branch = branchWith(branches, poseBitsOf(arm_, joints));
+    const Branches branches = allBranches(arm, forwardKinematics(arm, joints), joints);
+    const Branch* branch = branchWith(branches, poseBitsOf(arm, joints));
     ASSERT_NE(branch, nullptr);
     ASSERT_NEAR(std::remainder(branch->joints[5] - joints[5], 2 * kPi), 0, 1e-9);
   }
 }
 
 TEST_P(StraightWrist, isFoundWhateverTheReference) {
-  RandomPostures postures(arm_);
+  RandomPostures postures(arm);
   for (int i = 0; i < kPostures; ++i) {
     JointVector joints = postures.next();
     joints[4] = GetParam();
-    const Pose flange = forwardKinematics(arm_, joints);
-    const Branches branches = allBranches(arm_, flange, postures.next());
-    ASSERT_NE(branchWith(branches, poseBitsOf(arm_, joints)), nullptr) << joints.transpose();
-    ASSERT_LT(worstPoseError(arm_, branches, flange), 1e-10);
+    const Pose flange = forwardKinematics(arm, joints);
+    const Branches branches = allBranches(arm, flange, postures.next());
+    ASSERT_NE(branchWith(branches, poseBitsOf(arm, joints)), nullptr) << joints.transpose();
+    ASSERT_LT(worstPoseError(arm, branches, flange), 1e-10);
   }
 }
 
@@ -154,10 +154,10 @@ TEST_P(StraightWrist, isFoundFromAReferenceThatIsNotFinite) {
   JointVector joints = toJointVector({30, -20, 100, 10, 0, -45});
   joints[4] = GetParam();
   const JointVector unknown = JointVector::Constant(std::nan(""));
-  const Pose flange = forwardKinematics(arm_, joints);
-  const Branches branches = allBranches(arm_, flange, unknown);
+  const Pose flange = forwardKinematics(arm, joints);
+  const Branches branches = allBranches(arm, flange, unknown);
   ASSERT_FALSE(branches.empty());
-  EXPECT_LT(worstPoseError(arm_, branches, flange), 1e-10);
+  EXPECT_LT(worstPoseError(arm, branches, flange), 1e-10);
 }
 
 TEST(ElbowSingularity, reportsTheMeetingBranchesWithTheSameJoints) {
