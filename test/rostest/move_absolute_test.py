@@ -6,7 +6,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import MoveAbsoluteGoal, RobotPose
-from cobot_test import CobotTestCase, finish, line_to, ptp_to, to_joints
+from cobot_test import CobotTestCase, finish, line_to, ptp_to, to_joints, wait_until
 
 HOME = (0, 0, 90, 0, 90, 0)
 ELSEWHERE = (60, -20, 100, 10, 80, -45)
@@ -48,7 +48,7 @@ class MoveAbsolute(CobotTestCase):
 
     def test_is_done_on_acceptance_when_it_blends(self):
         self.assert_done(self.robot.run(to_joints(*ELSEWHERE, blending_enable=True, blending_value=50, **SLOWLY)))
-        self.robot.true_status.wait_for(lambda s: s.in_motion == 1, "the motion that goes on")
+        self.wait_for_departure()
 
     def test_leaves_the_listen_node_after_the_motion_on_request(self):
         self.assert_done(self.robot.run(to_joints(*ELSEWHERE, exit_node=True)))
@@ -106,9 +106,8 @@ class MoveAbsolute(CobotTestCase):
         self.assert_rejected(self.robot.run(to_joints(*HOME)), 0x10)
 
     def test_is_refused_while_another_goal_is_executed(self):
-        self.robot.move.send_goal(to_joints(*ELSEWHERE, **SLOWLY))
+        self.start_slowly()
         first = self.robot.move.gh
-        self.robot.true_status.wait_for(lambda s: s.in_motion == 1, "the first motion")
         self.assert_rejected(self.robot.run(to_joints(*HOME)), 0x11)
         first.cancel()
         self.robot.true_status.wait_for(lambda s: s.in_motion == 0, "the stop")
@@ -154,8 +153,14 @@ class MoveAbsolute(CobotTestCase):
 
     # --- Helpers.
     def start_slowly(self):
+        """Starts towards ELSEWHERE, and returns when the arm is on its way."""
         self.robot.move.send_goal(to_joints(*ELSEWHERE, **SLOWLY))
-        self.robot.true_status.wait_for(lambda s: s.in_motion == 1, "the motion")
+        # A client that cancels before the server's first word on a goal takes the goal for lost.
+        wait_until(lambda: self.robot.move.get_state() == GoalStatus.ACTIVE, "the active goal")
+        self.wait_for_departure()
+
+    def wait_for_departure(self):
+        self.robot.true_joints.wait_for(lambda m: m.position[0] > 0.01, "the arm's departure from HOME")
 
     def assert_stands_at(self, degrees):
         """The truth of the simulator and what the status stream says of it."""
