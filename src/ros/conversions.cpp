@@ -223,15 +223,15 @@ JointNames jointNames(const std::string& prefix) {
 sensor_msgs::JointState jointState(const JointNames& names, const arm::JointVector& positions,
                                    const arm::JointVector* velocities, const arm::JointVector* torques,
                                    const ros::Time& stamp) {
-  const auto toVector = [](const arm::JointVector& v) {
+  const auto to_vector = [](const arm::JointVector& v) {
     return std::vector<double>(v.data(), v.data() + v.size());
   };
   sensor_msgs::JointState message;
   message.header.stamp = stamp;
   message.name.assign(names.begin(), names.end());
-  message.position = toVector(positions);
-  if (velocities != nullptr) message.velocity = toVector(*velocities);
-  if (torques != nullptr) message.effort = toVector(*torques);
+  message.position = to_vector(positions);
+  if (velocities != nullptr) message.velocity = to_vector(*velocities);
+  if (torques != nullptr) message.effort = to_vector(*torques);
   return message;
 }
 

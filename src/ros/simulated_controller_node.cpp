@@ -23,23 +23,22 @@ runtime::SimulatorOptions optionsOf(const SimulatorParameters& parameters) {
   return options;
 }
 
-cobot_command::RobotStatus toMessage(const simulator::RobotState& state, const ros::Time& stamp) {
-  using Message = cobot_command::RobotStatus;
-  Message message;
-  message.header.stamp = stamp;
-  message.mode = Message::MODE_AUTOMATIC;
-  message.e_stopped = state.emergency_stop;
-  message.safeguard = Message::FALSE;
-  message.in_motion = state.in_motion;
-  message.in_error = state.error;
-  message.error_code = state.error_code;
-  message.error_text = state.error_text;
-  message.project_running = state.project_running;
-  message.project_paused = state.project_paused;
-  message.project_speed = state.project_speed_percent;
-  message.base_name = state.base_name;
-  message.tcp_name = state.tcp_name;
-  return message;
+/// The truth in the words of the status stream, so that both make the same message.
+link::RobotStatus asStreamed(const simulator::RobotState& state) {
+  link::RobotStatus status;
+  status.joint_velocities = state.velocities;
+  status.operating_mode = 1;  // automatic: the only one that is simulated
+  status.emergency_stop = state.emergency_stop;
+  status.safeguard = false;
+  status.error = state.error;
+  status.error_code = state.error_code;
+  status.error_text = state.error_text;
+  status.project_running = state.project_running;
+  status.project_paused = state.project_paused;
+  status.project_speed_percent = state.project_speed_percent;
+  status.base_name = state.base_name;
+  status.tcp_name = state.tcp_name;
+  return status;
 }
 
 }  // namespace
@@ -121,7 +120,7 @@ void SimulatedControllerNode::publish(const simulator::RobotState& state) {
   tool.header.frame_id = base_frame_;
   tool.pose = toPoseMessage(state.flange * state.tcp);
   tool_pose_.publish(tool);
-  status_.publish(toMessage(state, stamp));
+  status_.publish(toMessage(asStreamed(state), stamp));
 }
 
 }  // namespace cobot_command::ros_adapter

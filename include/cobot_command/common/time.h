@@ -11,7 +11,7 @@ struct DriverClock {
   using period = std::chrono::nanoseconds::period;
   using duration = std::chrono::nanoseconds;
   using time_point = std::chrono::time_point<DriverClock>;
-  static constexpr bool is_steady = true;
+  static constexpr bool is_steady = true;  // NOLINT(readability-identifier-naming): std::chrono's name
 };
 
 using Duration = std::chrono::nanoseconds;
