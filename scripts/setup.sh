@@ -32,17 +32,18 @@ install_missing() {
 build_with() {
   local folder=$1
   shift
-  # The ROS tools belong to the system's Python, whatever else stands first on the PATH.
   mkdir -p "$folder"
   # Paths relative to the repository, so that every clone on a machine shares what one has compiled.
   export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+  # The ROS tools belong to the system's Python, whatever else stands first on the PATH.
   cmake -S "$root" -B "$folder" -G Ninja -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-    -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" >"$folder/configure.log" 2>&1 ||
+    -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" >"$folder/configure.log" 2>&1 ||
     { cat "$folder/configure.log" >&2; exit 1; }
   ninja -C "$folder"
 }
 
 use_build() {
+  # For the same reason: our own Python programs ask for the first python3 on the PATH.
   export PATH="/usr/bin:$PATH"
   # ROS's own set-up script reads variables that may not be set.
   set +u

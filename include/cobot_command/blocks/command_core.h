@@ -61,6 +61,7 @@ struct RobotStatusReceived {
   link::RobotStatus status;
 };
 /// The flight recorder: every frame and every fault, sent and received.
+/// A received frame is written anew from header and data, a fault holds the bytes that were dropped.
 struct FrameTraced {
   Instant time;
   link::Channel channel;
