@@ -7,12 +7,13 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/common/overloaded.h"
 
 namespace cobot_command::blocks {
 namespace {
 
 Block blockOf(const Goal& goal) {
-  return std::holds_alternative<ConnectGoal>(goal) ? Block::Connect : Block::MoveAbsolute;
+  return static_cast<Block>(goal.index());
 }
 
 void sortByTable(std::vector<Failure>& failures) {
@@ -26,7 +27,9 @@ void CommandCore::Impl::submit(GoalId id, const Goal& goal, Instant now) {
   if (shut_down_) {
     board_.reject(blockOf(goal), id, toRejection(blockOf(goal), {{own_error::kShutDown, "", ""}}));
   } else {
-    std::visit([&](const auto& g) { execute(id, g, now); }, goal);
+    std::visit(Overloaded{[&](const ConnectGoal& g) { execute(id, g, now); },
+                          [&](const MoveAbsoluteGoal& g) { execute(id, g, now); }, [](const auto&) {}},
+               goal);
   }
   settle(now);
 }

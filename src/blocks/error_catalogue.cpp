@@ -12,6 +12,26 @@ const char* toString(Block block) {
       return "connect";
     case Block::MoveAbsolute:
       return "move_absolute";
+    case Block::MoveRelative:
+      return "move_relative";
+    case Block::MoveCircle:
+      return "move_circle";
+    case Block::ChangeBase:
+      return "change_base";
+    case Block::ChangeTcp:
+      return "change_tcp";
+    case Block::ProgramControl:
+      return "program_control";
+    case Block::Stop:
+      return "stop";
+    case Block::ExitListenNode:
+      return "exit_listen_node";
+    case Block::RunScript:
+      return "run_script";
+    case Block::CheckSequence:
+      return "check_sequence";
+    case Block::PickAndPlace:
+      return "pick_and_place";
   }
   return "unknown";
 }

@@ -28,6 +28,10 @@ const char* toString(Phase phase) {
       return "queued";
     case Phase::Active:
       return "active";
+    case Phase::Held:
+      return "held";
+    case Phase::Dwelling:
+      return "dwelling";
     case Phase::Stopping:
       return "stopping";
   }

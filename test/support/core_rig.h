@@ -80,6 +80,7 @@ class CoreRig {
   int opens = 0;
   std::vector<blocks::FrameTraced> traces;
   std::vector<link::RobotStatus> robot_statuses;
+  std::vector<blocks::ActiveFrames> active_frames;  ///< every change
 
   void pump();
 
@@ -96,6 +97,8 @@ class CoreRig {
   void take(const blocks::GoalEnded& action);
   void take(const blocks::StatusChanged& action);
   void take(const blocks::RobotStatusReceived& action);
+  void take(const blocks::ActiveFramesChanged& action);
+  void take(const blocks::PathPlanned& action);
   void take(const blocks::FrameTraced& action);
   void take(const blocks::LogMessage& action);
   void answerLifesigns();

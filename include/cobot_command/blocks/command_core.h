@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cobot_command/arm/arm_model.h"
+#include "cobot_command/blocks/active_frames.h"
 #include "cobot_command/blocks/command_status.h"
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/outcome.h"
@@ -42,6 +43,7 @@ struct SendBytes {
   link::ConnectionId id;
   std::string bytes;
 };
+/// It is its turn. A goal that waits (BufferMode::Buffered) is not accepted yet: only its progress is told.
 struct GoalAccepted {
   GoalId goal;
 };
@@ -49,7 +51,8 @@ struct GoalProgressed {
   GoalId goal;
   Progress progress;
 };
-/// The one and only end of a goal. Rejected comes without a GoalAccepted before it, the others with one.
+/// The one and only end of a goal. Rejected comes without a GoalAccepted before it, CommandAborted also
+/// without one when the goal still waited, the others with one.
 struct GoalEnded {
   GoalId goal;
   Outcome outcome;
@@ -59,6 +62,15 @@ struct StatusChanged {
 };
 struct RobotStatusReceived {
   link::RobotStatus status;
+};
+/// Base and TCP that the next command will be taken in are others than before.
+struct ActiveFramesChanged {
+  ActiveFrames frames;
+};
+/// The path of a motion that was checked or is about to start: the TCP in the robot base.
+struct PathPlanned {
+  GoalId goal;
+  std::vector<arm::Pose> tool_path;
 };
 /// The flight recorder: every frame and every fault, sent and received.
 /// A received frame is written anew from header and data, a fault holds the bytes that were dropped.
@@ -76,7 +88,8 @@ struct LogMessage {
 };
 
 using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed,
-                            GoalEnded, StatusChanged, RobotStatusReceived, FrameTraced, LogMessage>;
+                            GoalEnded, StatusChanged, RobotStatusReceived, ActiveFramesChanged, PathPlanned,
+                            FrameTraced, LogMessage>;
 
 class CommandCore {
  public:

@@ -1,12 +1,27 @@
 // The one place with every ErrorID, its text and its remedy (thesis tables 5.3.x; own ids from 16#200).
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace cobot_command::blocks {
 
-enum class Block { Connect, MoveAbsolute };
+enum class Block {
+  Connect,
+  MoveAbsolute,
+  MoveRelative,
+  MoveCircle,
+  ChangeBase,
+  ChangeTcp,
+  ProgramControl,
+  Stop,
+  ExitListenNode,
+  RunScript,
+  CheckSequence,
+  PickAndPlace
+};
+inline constexpr std::size_t kBlockCount = 12;
 [[nodiscard]] const char* toString(Block block);  ///< "connect", "move_absolute": the action's name
 
 /// One row of a block's error table. The meaning of an id depends on the block.

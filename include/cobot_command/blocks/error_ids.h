@@ -21,7 +21,8 @@ inline constexpr int kDisconnected = 0x90;
 inline constexpr int kClose = 0x100;
 }  // namespace connect_error
 
-/// Table 5.3.2.8, and 16#99 of annex code. The same numbers mean the same in the other motion blocks.
+/// Table 5.3.2.8, and 16#99 of annex code. The same numbers mean the same in the other blocks, as far as
+/// those have them; exceptions below.
 namespace motion_error {
 inline constexpr int kNotConnected = 0x10;
 inline constexpr int kOtherBlockBusy = 0x11;
@@ -47,6 +48,17 @@ inline constexpr int kReceiveTag = 0x100;
 inline constexpr int kMotionFailed = 0x110;
 }  // namespace motion_error
 
+/// Table 5.3.3.7: where it differs from MoveAbsolute.
+namespace relative_error {
+inline constexpr int kFormatForPtp = 0x30;
+inline constexpr int kFormatForLine = 0x31;
+}  // namespace relative_error
+
+/// Table 5.3.6.6: where it differs from MoveAbsolute.
+namespace tcp_error {
+inline constexpr int kWeightRange = 0x25;
+}  // namespace tcp_error
+
 namespace own_error {
 // The target.
 inline constexpr int kNotFinite = 0x200;
@@ -56,12 +68,26 @@ inline constexpr int kJointLimit = 0x203;
 inline constexpr int kJointSpeed = 0x204;
 inline constexpr int kSingular = 0x205;
 inline constexpr int kNotPlannable = 0x206;
+inline constexpr int kBlendingTooLarge = 0x207;
+inline constexpr int kStartUnknown = 0x208;
+inline constexpr int kNoModel = 0x209;
 // The parameters.
 inline constexpr int kBlendingRange = 0x210;
 inline constexpr int kMovementUnknown = 0x211;
 inline constexpr int kPoseWithJoints = 0x212;
 inline constexpr int kCoordinateRange = 0x213;
 inline constexpr int kNoFreeTag = 0x214;
+inline constexpr int kBufferModeUnknown = 0x215;
+inline constexpr int kQueueFull = 0x216;
+inline constexpr int kFrameUnknown = 0x217;
+inline constexpr int kQuaternion = 0x218;
+inline constexpr int kPoseNeedsCartesian = 0x219;
+inline constexpr int kArcAngleRange = 0x21A;
+inline constexpr int kFormatForCircle = 0x21B;
+inline constexpr int kProgramCommandUnknown = 0x21C;
+inline constexpr int kInertiaRange = 0x21D;
+inline constexpr int kScriptInvalid = 0x21E;
+inline constexpr int kNameInvalid = 0x21F;
 // The controller.
 inline constexpr int kNotListening = 0x220;
 inline constexpr int kEmergencyStop = 0x221;
@@ -71,10 +97,21 @@ inline constexpr int kCommunication = 0x224;
 inline constexpr int kStopNotConfirmed = 0x225;
 // The layer.
 inline constexpr int kShutDown = 0x230;
+inline constexpr int kBaseUnknown = 0x231;
 // The connection.
 inline constexpr int kHostInvalid = 0x240;
 inline constexpr int kPortRange = 0x241;
 inline constexpr int kConnectBusy = 0x242;
+// Sequences.
+inline constexpr int kStepCount = 0x250;
+inline constexpr int kStepRefused = 0x251;
+inline constexpr int kStepFailed = 0x252;
+inline constexpr int kDwellRange = 0x253;
+inline constexpr int kCycleRange = 0x254;
+inline constexpr int kOutputInvalid = 0x255;
+inline constexpr int kStepsUnreadable = 0x256;
+inline constexpr int kOutputFailed = 0x257;
+inline constexpr int kBlendBeforeDwell = 0x258;
 }  // namespace own_error
 
 }  // namespace cobot_command::blocks
