@@ -233,6 +233,12 @@ void CoreRig::take(const RobotStatusReceived& action) {
   robot_statuses.push_back(action.status);
 }
 
+void CoreRig::take(const ActiveFramesChanged& action) {
+  active_frames.push_back(action.frames);
+}
+
+void CoreRig::take(const PathPlanned& /*action*/) {}
+
 void CoreRig::take(const FrameTraced& action) {
   traces.push_back(action);
 }
