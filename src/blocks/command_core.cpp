@@ -18,6 +18,10 @@ void CommandCore::cancel(GoalId id, Instant now) {
   impl_->cancel(id, now);
 }
 
+void CommandCore::keepConnected(const ConnectGoal& target, Instant now) {
+  impl_->keepConnected(target, now);
+}
+
 void CommandCore::shutDown(Instant now) {
   impl_->shutDown(now);
 }

@@ -17,6 +17,8 @@ namespace {
 constexpr double kMinTimeout = 10;
 constexpr double kMaxTimeout = 300;
 constexpr std::size_t kMaxHostLength = 255;
+/// A controller streams every 15 ms; opening the connection takes time as well.
+constexpr Duration kFirstFrameWait = std::chrono::milliseconds(500);
 
 bool isHost(const std::string& host) {
   return !host.empty() && host.size() <= kMaxHostLength &&
@@ -77,9 +79,30 @@ ConnectRun::ConnectRun(const link::LinkSettings& settings, link::ScriptLink& scr
                        OutputBoard& board)
     : settings_(settings), script_(script), status_(status), board_(board) {}
 
+bool ConnectRun::isSameController(const ConnectGoal& goal) const {
+  return goal.host == goal_.host && goal.port == goal_.port &&
+         goal.status_port.value_or(settings_.status_port) == statusPort();
+}
+
 void ConnectRun::execute(GoalId id, const ConnectGoal& goal, Instant now) {
+  const bool take_over = busy() && isSameController(goal);
+  if (busy() && !take_over) end(Outcome{}, now);
   id_ = id;
   goal_ = goal;
+  reported_.reset();
+  board_.accept(Block::Connect, id, 0);
+  if (!take_over) {
+    state_ = State::Idle;
+    fire(Event::Execute, now);
+  } else if (state_ == State::Trying) {
+    deadline_ = now + fromSeconds(goal_.timeout);
+  }
+  report();
+}
+
+void ConnectRun::keep(const ConnectGoal& target, Instant now) {
+  id_.reset();
+  goal_ = target;
   fire(Event::Execute, now);
 }
 
@@ -102,18 +125,42 @@ void ConnectRun::abandon(const std::string& why, Instant now) {
 
 void ConnectRun::linkChanged(Instant now) {
   if (!busy()) return;
-  if (script_.state() == link::ScriptLinkState::Ready) fire(Event::BecameReady, now);
+  becomeReadyWhenDue(now);
   if (!disconnecting()) report();
+}
+
+void ConnectRun::statusReceived(Instant now) {
+  if (state_ == State::Trying) linkChanged(now);
+}
+
+/// Without the first status frame nobody knows where the robot stands, and a command that comes at once could
+/// not be planned.
+void ConnectRun::becomeReadyWhenDue(Instant now) {
+  if (state_ != State::Trying || script_.state() != link::ScriptLinkState::Ready) {
+    first_frame_by_.reset();
+    return;
+  }
+  if (!first_frame_by_) first_frame_by_ = now + kFirstFrameWait;
+  const bool known = statusPort() == 0 || status_.streaming();
+  if (!known && now < *first_frame_by_) return;
+  first_frame_by_.reset();
+  fire(Event::BecameReady, now);
 }
 
 void ConnectRun::linkLost(const std::string& reason, Instant now) {
   loss_ = reason;
   if (connected_) last_lost_ = now;
   connected_ = false;
-  fire(settings_.auto_reconnect ? Event::LostToRetry : Event::Lost, now);
+  fire(settings_.auto_reconnect || !id_ ? Event::LostToRetry : Event::Lost, now);
+}
+
+std::optional<Instant> ConnectRun::nextDeadline() const {
+  if (deadline_ && first_frame_by_) return std::min(*deadline_, *first_frame_by_);
+  return deadline_ ? deadline_ : first_frame_by_;
 }
 
 void ConnectRun::advance(Instant now) {
+  if (first_frame_by_ && now >= *first_frame_by_) linkChanged(now);
   if (deadline_ && now >= *deadline_) fire(Event::TimedOut, now);
 }
 
@@ -130,11 +177,7 @@ void ConnectRun::act(ConnectAction action, Instant now) {
     case Do::None:
       return;
     case Do::Start:
-      reported_.reset();
-      board_.accept(Block::Connect, id_, 0);
-      deadline_ = now + fromSeconds(goal_.timeout);
-      script_.start(goal_.host, goal_.port, now);
-      if (statusPort() != 0) status_.start(goal_.host, statusPort(), now);
+      start(now);
       return;
     case Do::Hold:
       deadline_.reset();
@@ -142,7 +185,7 @@ void ConnectRun::act(ConnectAction action, Instant now) {
       last_connected_ = now;
       return;
     case Do::RestartTimeout:
-      deadline_ = now + fromSeconds(goal_.timeout);
+      if (id_) deadline_ = now + fromSeconds(goal_.timeout);
       return;
     case Do::StopMotions:
       deadline_.reset();
@@ -162,21 +205,30 @@ void ConnectRun::act(ConnectAction action, Instant now) {
   }
 }
 
+void ConnectRun::start(Instant now) {
+  if (id_) deadline_ = now + fromSeconds(goal_.timeout);
+  script_.start(goal_.host, goal_.port, now);
+  if (statusPort() != 0) status_.start(goal_.host, statusPort(), now);
+}
+
 void ConnectRun::end(Outcome outcome, Instant now) {
   deadline_.reset();
+  first_frame_by_.reset();
   if (connected_) last_lost_ = now;
   connected_ = false;
   script_.stop(now);
   status_.stop(now);
-  board_.end(Block::Connect, id_, std::move(outcome));
+  if (id_) board_.end(Block::Connect, *id_, std::move(outcome));
 }
 
 void ConnectRun::report() {
+  if (!id_) return;
   Progress progress;
   progress.text = script_.diagnosis();
   switch (script_.state()) {
     case link::ScriptLinkState::Ready:
-      progress.phase = Phase::Connected;
+      progress.phase = ready() ? Phase::Connected : Phase::Probing;
+      if (!ready()) progress.text += "; waiting for the first status frame";
       break;
     case link::ScriptLinkState::Probing:
     case link::ScriptLinkState::NotListening:
@@ -188,7 +240,7 @@ void ConnectRun::report() {
   }
   if (reported_ == std::pair(progress.phase, progress.text)) return;
   reported_.emplace(progress.phase, progress.text);
-  board_.progress(Block::Connect, id_, std::move(progress));
+  board_.progress(Block::Connect, *id_, std::move(progress));
 }
 
 }  // namespace cobot_command::blocks

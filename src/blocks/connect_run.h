@@ -1,4 +1,6 @@
 // CBT_Connect (thesis 5.3.1): opens both links, stays Busy while it supervises them, closes them.
+//
+// Besides for a goal it can keep a link by itself: without timeout, and without an end.
 #pragma once
 
 #include <optional>
@@ -24,8 +26,11 @@ class ConnectRun {
   ConnectRun(const link::LinkSettings& settings, link::ScriptLink& script, link::StatusLink& status,
              OutputBoard& board);
 
-  /// Precondition: not busy(), and checkConnect() found nothing.
+  /// For a goal. A link that is kept by itself is taken over when it is to the same controller, else closed
+  /// first. Precondition: mayExecute(), and checkConnect() found nothing.
   void execute(GoalId id, const ConnectGoal& goal, Instant now);
+  /// Without a goal: tries for ever, and again after each loss. Precondition: not busy().
+  void keep(const ConnectGoal& target, Instant now);
   /// Motions have to be ended first; then motionsEnded().
   void cancel(Instant now);
   void motionsEnded(Instant now);
@@ -33,13 +38,22 @@ class ConnectRun {
 
   /// The state or the diagnosis of the script link is another one.
   void linkChanged(Instant now);
+  /// A status frame came.
+  void statusReceived(Instant now);
   void linkLost(const std::string& reason, Instant now);
   void advance(Instant now);
-  [[nodiscard]] std::optional<Instant> nextDeadline() const { return deadline_; }
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
+  /// For a goal, or by itself.
   [[nodiscard]] bool busy() const { return state_ != ConnectState::Idle; }
+  [[nodiscard]] bool mayExecute() const { return !busy() || !id_; }
+  /// Commands can be sent: the flow is in the Listen node, and it is known where the robot stands, or it was
+  /// waited for that long enough.
+  [[nodiscard]] bool ready() const {
+    return state_ == ConnectState::Supervising && script_.state() == link::ScriptLinkState::Ready;
+  }
   [[nodiscard]] bool disconnecting() const { return state_ == ConnectState::Disconnecting; }
-  [[nodiscard]] GoalId goal() const { return id_; }
+  [[nodiscard]] std::optional<GoalId> goal() const { return id_; }
   /// Of the goal that is Busy, or of the last one.
   [[nodiscard]] const ConnectGoal& target() const { return goal_; }
   [[nodiscard]] std::optional<Instant> lastConnected() const { return last_connected_; }
@@ -50,6 +64,9 @@ class ConnectRun {
   void act(ConnectAction action, Instant now);
   void end(Outcome outcome, Instant now);
   void report();
+  void becomeReadyWhenDue(Instant now);
+  void start(Instant now);
+  [[nodiscard]] bool isSameController(const ConnectGoal& goal) const;
   [[nodiscard]] int statusPort() const { return goal_.status_port.value_or(settings_.status_port); }
 
   const link::LinkSettings& settings_;
@@ -57,9 +74,10 @@ class ConnectRun {
   link::StatusLink& status_;
   OutputBoard& board_;
   ConnectState state_ = ConnectState::Idle;
-  GoalId id_ = 0;
+  std::optional<GoalId> id_;  ///< nothing: kept by itself
   ConnectGoal goal_;
-  std::optional<Instant> deadline_;
+  std::optional<Instant> deadline_;       ///< of a goal that tries
+  std::optional<Instant> first_frame_by_;  ///< until then the first status frame is waited for
   bool connected_ = false;  ///< was Ready since the last loss
   std::string loss_;
   std::optional<std::pair<Phase, std::string>> reported_;  ///< the last progress

@@ -11,7 +11,8 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       status_(settings_, *this),
       preflight_(std::move(arm)),
       board_(actions_),
-      connect_(settings_, script_, status_, board_) {}
+      connect_(settings_, script_, status_, board_),
+      stop_(settings_, script_, tags_, robot_) {}
 
 void CommandCore::Impl::opened(link::ConnectionId id, Instant now) {
   if (script_.owns(id)) {
@@ -62,17 +63,25 @@ void CommandCore::Impl::advance(Instant now) {
   status_.advance(now);
   settle(now);
   if (run_) run_->advance(now);
+  for (CommandRun& run : direct_) run.advance(now);
+  if (cycle_) cycle_->advance(now);
+  stop_.advance(now);
   connect_.advance(now);
   settle(now);
 }
 
 std::optional<Instant> CommandCore::Impl::nextDeadline() const {
   std::optional<Instant> next;
-  const auto run_deadline = run_ ? run_->nextDeadline() : std::nullopt;
-  for (const auto& candidate :
-       {script_.nextDeadline(), status_.nextDeadline(), connect_.nextDeadline(), run_deadline}) {
+  const auto consider = [&](const std::optional<Instant>& candidate) {
     if (candidate && (!next || *candidate < *next)) next = candidate;
+  };
+  for (const auto& candidate :
+       {script_.nextDeadline(), status_.nextDeadline(), connect_.nextDeadline(), stop_.nextDeadline()}) {
+    consider(candidate);
   }
+  if (run_) consider(run_->nextDeadline());
+  if (cycle_) consider(cycle_->nextDeadline());
+  for (const CommandRun& run : direct_) consider(run.nextDeadline());
   return next;
 }
 
@@ -84,28 +93,37 @@ std::vector<Action> CommandCore::Impl::takeActions() {
 
 /// Handles everything that follows from an event, until nothing more does.
 void CommandCore::Impl::settle(Instant now) {
-  bool more = true;
-  while (more) {
+  for (bool more = true; more;) {
     more = false;
     while (const auto output = script_.next(now)) {
       std::visit([&](const auto& event) { handle(event, now); }, *output);
-      if (run_ && run_->ended()) run_.reset();
+      finish(now);
     }
     while (const auto status = status_.next(now)) handle(*status, now);
     if (robot_.status() && !status_.streaming()) {
       robot_.forget();
-      if (run_) run_->robotChanged(now);
+      robotChanged(now);
     }
-    if (run_ && run_->ended()) {
-      run_.reset();
-      more = true;
-    }
-    if (connect_.disconnecting() && !run_) {
+    finish(now);
+    dispatch(now);
+    if (connect_.disconnecting() && !run_ && !cycle_ && !stop_.busy() && direct_.empty()) {
       connect_.motionsEnded(now);
       more = true;
     }
+    if (kept_ && !connect_.busy() && !shut_down_) {
+      connect_.keep(*kept_, now);
+      more = true;
+    }
   }
+  tellPlaces();
+  publishFrames();
   publishStatus();
+}
+
+void CommandCore::Impl::finish(Instant now) {
+  finishStop(now);
+  finishRuns(now);
+  finishCycle(now);
 }
 
 void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) {
@@ -115,13 +133,35 @@ void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) 
 void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   log(Severity::Warning, "link lost: " + event.reason);
   preflight_.forget();
+  frames_.forget();
+  loose_since_.reset();
+  dropWaiting("the link was lost: " + event.reason);
   if (run_) run_->linkLost(event.reason, now);
+  for (CommandRun& run : direct_) run.linkLost(event.reason, now);
+  if (cycle_) cycle_->linkLost(event.reason, now);
+  stop_.linkLost(event.reason, now);
   tags_.renewEpoch();
+  finish(now);
   connect_.linkLost(event.reason, now);
 }
 
 void CommandCore::Impl::handle(const link::ScriptAnswered& event, Instant now) {
-  if (run_) run_->answered(event, now);
+  stop_.answered(event, now);
+  for (CommandRun& run : direct_) run.answered(event, now);
+  if (!run_) return;
+  const bool before = run_->accepted();
+  run_->answered(event, now);
+  if (!before && run_->accepted()) commandAccepted(run_->order(), now);
+}
+
+void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) {
+  if (!order.commands) {
+    frames_.forget();
+    preflight_.forget();
+  } else {
+    for (const auto& command : *order.commands) frames_.accepted(command, mayStillMove() || order.moves, now);
+  }
+  if (order.moves && !order.tag) loose_since_ = now;
 }
 
 void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
@@ -136,6 +176,7 @@ void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
     const bool open = tags_.complete(event.tag);
     if (!open) return;
     preflight_.arrive(run_->order().plan, now);
+    loose_since_.reset();  // tags complete in the order of the queue
     run_->tagCompleted(now);
   } else if (event.asked) {
     run_->tagIncomplete(event.state, now);
@@ -151,76 +192,20 @@ void CommandCore::Impl::handle(const link::TagQueryFailed& event, Instant now) {
 void CommandCore::Impl::handle(const link::RobotStatus& status, Instant now) {
   robot_.update(status);
   actions_.emplace_back(RobotStatusReceived{status});
-  if (run_) run_->robotChanged(now);
+  robotChanged(now);
+  connect_.statusReceived(now);
 }
 
-void CommandCore::Impl::log(Severity severity, std::string text) {
-  actions_.emplace_back(LogMessage{severity, std::move(text)});
-}
-
-namespace {
-
-CommandStatus::LinkState toLinkState(link::ScriptLinkState state) {
-  switch (state) {
-    case link::ScriptLinkState::Disconnected:
-      break;
-    case link::ScriptLinkState::BackingOff:
-    case link::ScriptLinkState::Connecting:
-      return CommandStatus::LinkState::Connecting;
-    case link::ScriptLinkState::Probing:
-      return CommandStatus::LinkState::Probing;
-    case link::ScriptLinkState::NotListening:
-    case link::ScriptLinkState::Leaving:
-      return CommandStatus::LinkState::NotListening;
-    case link::ScriptLinkState::Ready:
-      return CommandStatus::LinkState::Ready;
+void CommandCore::Impl::robotChanged(Instant now) {
+  frames_.robotChanged(robot_, now);
+  // A motion is seen in the stream a little after its acceptance.
+  constexpr Duration kBegins = std::chrono::milliseconds(500);
+  if (loose_since_ && now - *loose_since_ > kBegins && robot_.moving() == false && !robot_.held()) {
+    loose_since_.reset();
   }
-  return CommandStatus::LinkState::Disconnected;
-}
-
-}  // namespace
-
-void CommandCore::Impl::publishStatus() {
-  CommandStatus status;
-  status.link = toLinkState(script_.state());
-  status.diagnosis = script_.diagnosis();
-  status.host = connect_.target().host;
-  status.port = connect_.target().port;
-  status.listen_node = script_.listenNode();
-  status.status_stream = status_.streaming();
-  status.status_diagnosis = status_.diagnosis();
-  status.last_connected = connect_.lastConnected();
-  status.last_lost = connect_.lastLost();
-  status.queue_depth = run_ ? 1 : 0;
-  status.open_tags = tags_.openTags();
-  status.late_replies = script_.lateReplies() + tags_.staleReports() + late_events_;
-  status.decode_faults = script_.decodeFaults() + status_.decodeFaults();
-  status.blocks = board_.outputs();
-  if (status == published_) return;
-  published_ = status;
-  actions_.emplace_back(StatusChanged{std::move(status)});
-}
-
-// --- Wire.
-
-link::ConnectionId CommandCore::Impl::open(link::Channel channel, const std::string& host, int port,
-                                           Duration timeout) {
-  const link::ConnectionId id = ++last_connection_;
-  actions_.emplace_back(OpenConnection{id, channel, host, port, timeout});
-  return id;
-}
-
-void CommandCore::Impl::close(link::ConnectionId id) {
-  actions_.emplace_back(CloseConnection{id});
-}
-
-void CommandCore::Impl::send(link::ConnectionId id, std::string bytes) {
-  actions_.emplace_back(SendBytes{id, std::move(bytes)});
-}
-
-void CommandCore::Impl::trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,
-                              std::string meaning) {
-  actions_.emplace_back(FrameTraced{now, channel, sent, std::string(bytes), std::move(meaning)});
+  if (run_) run_->robotChanged(now);
+  if (cycle_) cycle_->robotChanged(robot_, now);
+  stop_.robotChanged(now);
 }
 
 }  // namespace cobot_command::blocks

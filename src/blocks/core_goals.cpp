@@ -1,19 +1,25 @@
-// Goals: checked, refused or started.
+// Goals: checked, then refused or taken.
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
+#include "check_sequence.h"
 #include "core_impl.h"
-#include "move_absolute.h"
+#include "joint_path.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
-#include "cobot_command/common/overloaded.h"
 
 namespace cobot_command::blocks {
 namespace {
 
 Block blockOf(const Goal& goal) {
   return static_cast<Block>(goal.index());
+}
+
+void append(std::vector<Failure>& failures, const std::vector<Failure>& more) {
+  failures.insert(failures.end(), more.begin(), more.end());
 }
 
 void sortByTable(std::vector<Failure>& failures) {
@@ -27,16 +33,15 @@ void CommandCore::Impl::submit(GoalId id, const Goal& goal, Instant now) {
   if (shut_down_) {
     board_.reject(blockOf(goal), id, toRejection(blockOf(goal), {{own_error::kShutDown, "", ""}}));
   } else {
-    std::visit(Overloaded{[&](const ConnectGoal& g) { execute(id, g, now); },
-                          [&](const MoveAbsoluteGoal& g) { execute(id, g, now); }, [](const auto&) {}},
-               goal);
+    std::visit([&](const auto& g) { execute(id, g, now); }, goal);
   }
   settle(now);
 }
 
 void CommandCore::Impl::execute(GoalId id, const ConnectGoal& goal, Instant now) {
-  std::vector<Failure> failures = checkConnect(goal);
-  if (connect_.busy()) {
+  Failures failures = checkConnect(goal);
+  const bool taken = !connect_.mayExecute() || (connect_.busy() && busyBlock());
+  if (taken) {
     failures.push_back({own_error::kConnectBusy,
                         fmt::format("with {}:{}", connect_.target().host, connect_.target().port), ""});
   }
@@ -47,78 +52,199 @@ void CommandCore::Impl::execute(GoalId id, const ConnectGoal& goal, Instant now)
   connect_.execute(id, goal, now);
 }
 
-void CommandCore::Impl::execute(GoalId id, const MoveAbsoluteGoal& goal, Instant now) {
-  std::vector<Failure> failures = checkReadiness();
-  const std::vector<Failure> own = checkMoveAbsolute(goal);
-  failures.insert(failures.end(), own.begin(), own.end());
-  sortByTable(failures);
-
-  MotionOrder order;
-  order.block = Block::MoveAbsolute;
-  if (failures.empty()) {
-    auto plan = preflight_.plan(motionOf(goal), robot_, now);
-    if (plan) {
-      order.plan = *plan;
-    } else {
-      failures.push_back(plan.error());
-    }
-  }
-  if (failures.empty() && !goal.blending_enable) {
-    order.tag = tags_.open(goal.command_id);
-    if (!order.tag) failures.push_back({own_error::kNoFreeTag, "", ""});
-  }
-  if (!failures.empty()) {
-    Outcome outcome = toRejection(order.block, failures);
-    board_.reject(order.block, id, std::move(outcome));
+template <class CommandGoal>
+void CommandCore::Impl::execute(GoalId id, const CommandGoal& goal, Instant now) {
+  const CommandTraits traits = traitsOf(goal);
+  Failures failures = check(goal);
+  if (traits.check_only) {
+    checkOnly(id, goal, std::move(failures), now);
     return;
   }
-  order.goal = id;
-  order.command_id_ack = goal.command_id != 0 ? goal.command_id : order.tag.value_or(0);
-  order.script = scriptOf(goal, order.tag);
-  order.exits_node = goal.exit_node;
-  start(std::move(order), now);
+  append(failures, checkReadiness(traits.buffer_mode));
+  sortByTable(failures);
+  if (failures.empty()) {
+    enqueue(id, goal, traits.buffer_mode, now);
+  } else {
+    const Block block = blockOf(Goal(goal));
+    board_.reject(block, id, toRejection(block, failures));
+  }
 }
 
-std::vector<Failure> CommandCore::Impl::checkReadiness() const {
+void CommandCore::Impl::checkOnly(GoalId id, const Goal& goal, Failures failures, Instant now) {
+  const Block block = blockOf(goal);
+  std::optional<Plan> plan;
+  if (failures.empty()) {
+    auto planned = planFor(goal, originBehindAll(now));
+    if (!planned) {
+      failures.push_back(planned.error());
+    } else if (!*planned) {
+      failures.push_back(preflight_.arm() ? Failure{own_error::kStartUnknown, "", ""}
+                                          : Failure{own_error::kNoModel, "", ""});
+    } else {
+      plan = std::move(**planned);
+    }
+  }
+  if (!failures.empty()) {
+    board_.reject(block, id, toRejection(block, failures));
+    return;
+  }
+  board_.accept(block, id, 0);
+  Outcome outcome;
+  outcome.planned = plan->duration;
+  outcome.joint_path = jointPath(plan->motions);
+  tellPath(id, *plan);
+  board_.end(block, id, std::move(outcome));
+}
+
+void CommandCore::Impl::execute(GoalId id, const ProgramControlGoal& goal, Instant now) {
+  Failures failures = check(goal);
+  append(failures, checkLink());
+  sortByTable(failures);
+  if (!failures.empty()) {
+    board_.reject(Block::ProgramControl, id, toRejection(Block::ProgramControl, failures));
+    return;
+  }
+  CommandOrder order = orderOf(goal);
+  order.goal = id;
+  order.command_id_ack = goal.command_id;
+  board_.accept(order.block, id, order.command_id_ack);
+  direct_.emplace_back(std::move(order), RunContext{settings_, script_, tags_, robot_, stop_}, now);
+}
+
+void CommandCore::Impl::execute(GoalId id, const StopGoal& /*goal*/, Instant now) {
+  const Failures failures = checkLink();
+  if (!failures.empty()) {
+    board_.reject(Block::Stop, id, toRejection(Block::Stop, failures));
+    return;
+  }
+  board_.accept(Block::Stop, id, 0);
+  Progress progress;
+  progress.phase = Phase::Stopping;
+  progress.text = "stopping the robot";
+  board_.progress(Block::Stop, id, std::move(progress));
+  stop_goals_.push_back(id);
+  const bool stops_by_itself = run_ && run_->order().moves && !run_->stopping();
+  if (!stops_by_itself) stop_.ask(now);
+  abortAll("stopped by the stop block", now);
+}
+
+void CommandCore::Impl::execute(GoalId id, const CheckSequenceGoal& goal, Instant now) {
+  Outcome outcome = checkSequence(goal, preflight_.arm(), originBehindAll(now));
+  if (outcome.ending == Ending::Rejected) {
+    board_.reject(Block::CheckSequence, id, std::move(outcome));
+    return;
+  }
+  board_.accept(Block::CheckSequence, id, 0);
+  board_.end(Block::CheckSequence, id, std::move(outcome));
+}
+
+void CommandCore::Impl::execute(GoalId id, const PickAndPlaceGoal& goal, Instant now) {
+  const auto mode = static_cast<BufferMode>(goal.buffer_mode);
+  Failures failures = checkPickAndPlace(goal);
+  if (!goal.check_only) append(failures, checkReadiness(mode));
+  sortByTable(failures);
+  if (!failures.empty()) {
+    board_.reject(Block::PickAndPlace, id, toRejection(Block::PickAndPlace, failures));
+    return;
+  }
+  if (!goal.check_only) {
+    enqueue(id, goal, mode, now);
+    return;
+  }
+  Outcome outcome = checkCycle(goal, originBehindAll(now));
+  if (outcome.ending == Ending::Rejected) {
+    board_.reject(Block::PickAndPlace, id, std::move(outcome));
+    return;
+  }
+  board_.accept(Block::PickAndPlace, id, 0);
+  board_.end(Block::PickAndPlace, id, std::move(outcome));
+}
+
+Outcome CommandCore::Impl::checkCycle(const PickAndPlaceGoal& goal,
+                                      const std::optional<Origin>& origin) const {
+  Outcome outcome = checkSequence(asSequence(goal), preflight_.arm(), origin);
+  if (outcome.ending != Ending::Rejected) return outcome;
+  // The same findings, in the words of this block.
+  const ErrorEntry* entry = findError(Block::PickAndPlace, outcome.error_id);
+  assert(entry != nullptr);
+  outcome.remedy = outcome.remedy.empty() ? entry->remedy : outcome.remedy;
+  return outcome;
+}
+
+CommandCore::Impl::Failures CommandCore::Impl::checkLink() const {
   if (!connect_.busy() || connect_.disconnecting() || !script_.established()) {
     return {{motion_error::kNotConnected, script_.diagnosis(), ""}};
   }
-  std::vector<Failure> failures;
-  if (run_) {
-    failures.push_back({motion_error::kOtherBlockBusy, toString(run_->order().block), ""});
-  }
   if (script_.state() != link::ScriptLinkState::Ready) {
-    failures.push_back({own_error::kNotListening, script_.diagnosis(), ""});
+    return {{own_error::kNotListening, script_.diagnosis(), ""}};
+  }
+  return {};
+}
+
+CommandCore::Impl::Failures CommandCore::Impl::checkReadiness(BufferMode mode) const {
+  Failures failures = checkLink();
+  if (failures.empty() && !connect_.ready()) {
+    return {{motion_error::kNotConnected, "the first status frame is still awaited", "Wait for it"}};
+  }
+  if (!failures.empty() && failures.front().error_id == motion_error::kNotConnected) return failures;
+  const auto busy = busyBlock();
+  if (mode == BufferMode::Refuse && busy) {
+    failures.push_back({motion_error::kOtherBlockBusy, toString(*busy), ""});
+  }
+  if (mode == BufferMode::Buffered && waiting_.size() >= kMaxWaiting) {
+    failures.push_back({own_error::kQueueFull, fmt::format("{} commands wait", waiting_.size()), ""});
   }
   if (robot_.emergencyStop()) failures.push_back({own_error::kEmergencyStop, "", ""});
   if (robot_.inError()) failures.push_back({own_error::kRobotError, robot_.errorText(), ""});
   return failures;
 }
 
-void CommandCore::Impl::start(MotionOrder order, Instant now) {
-  if (order.tag) {
-    preflight_.forget();
-  } else {
-    preflight_.queue(order.plan, now);
-  }
-  run_.emplace(std::move(order), RunContext{settings_, script_, tags_, robot_, board_}, now);
+std::optional<Block> CommandCore::Impl::busyBlock() const {
+  if (!stop_goals_.empty()) return Block::Stop;
+  if (cycle_) return Block::PickAndPlace;
+  if (run_) return run_->order().block;
+  if (!waiting_.empty()) return blockOf(waiting_.front().goal);
+  return std::nullopt;
 }
 
 void CommandCore::Impl::cancel(GoalId id, Instant now) {
-  if (run_ && run_->order().goal == id) {
-    preflight_.forget();
-    run_->cancel(now);
+  const auto waiting =
+      std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& w) { return w.id == id; });
+  if (waiting != waiting_.end()) {
+    const Block block = blockOf(waiting->goal);
+    waiting_.erase(waiting);
+    forgetForecasts();
+    endAborted(block, id, "cancelled before its turn");
+  } else if (cycle_ ? cycle_->goal() == id : run_ && run_->order().goal == id) {
+    const Block block = cycle_ ? Block::PickAndPlace : run_->order().block;
+    dropWaiting(fmt::format("the command in front of it, {}, was cancelled", toString(block)));
+    abortRunning("cancelled", now);
   } else if (connect_.busy() && connect_.goal() == id) {
+    kept_.reset();
     connect_.cancel(now);
-    if (run_) run_->cancel(now);
+    abortAll("the connection is being closed", now);
+    if (mayStillMove() && !stop_.busy()) stop_.ask(now);
   }
   settle(now);
 }
 
+void CommandCore::Impl::keepConnected(const ConnectGoal& target, Instant now) {
+  kept_ = target;
+  settle(now);
+}
+
 void CommandCore::Impl::shutDown(Instant now) {
+  constexpr const char* kWhy = "the command layer is shutting down";
   shut_down_ = true;
-  if (run_) run_->abandon("the command layer is shutting down", now);
-  connect_.abandon("the command layer is shutting down", now);
+  kept_.reset();
+  dropWaiting(kWhy);
+  if (cycle_) cycle_->cancel(kWhy, now);
+  if (run_) run_->abandon(kWhy, now);
+  for (CommandRun& run : direct_) run.abandon(kWhy, now);
+  finishRuns(now);
+  finishCycle(now);
+  for (const GoalId id : std::exchange(stop_goals_, {})) endAborted(Block::Stop, id, kWhy);
+  connect_.abandon(kWhy, now);
   settle(now);
 }
 

@@ -1,16 +1,25 @@
-// The inside of CommandCore: hands events to the links and the runs, goals to their blocks, and decides who
-// may execute (the arbiter: one command at a time, others are refused).
+// The inside of CommandCore: hands events to the links and the runs, goals to their blocks, and is the arbiter
+// that decides which command may execute when.
+//
+// One command at a time is on the wire (run_). What waits for its turn is kept here, not in the controller:
+// there, nothing could be taken out of the queue again. Blended motions end with their acceptance, so the next
+// one is on the wire while they still run. Program control and the stop have paths of their own.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "block_rules.h"
+#include "command_run.h"
 #include "connect_run.h"
-#include "motion_run.h"
+#include "frame_watch.h"
 #include "output_board.h"
+#include "pick_and_place_run.h"
 #include "preflight.h"
 #include "robot_watch.h"
+#include "stop_run.h"
 
 #include "cobot_command/blocks/command_core.h"
 #include "cobot_command/link/script_link.h"
@@ -25,6 +34,7 @@ class CommandCore::Impl : private link::Wire {
 
   void submit(GoalId id, const Goal& goal, Instant now);
   void cancel(GoalId id, Instant now);
+  void keepConnected(const ConnectGoal& target, Instant now);
   void shutDown(Instant now);
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
@@ -35,7 +45,17 @@ class CommandCore::Impl : private link::Wire {
   [[nodiscard]] std::vector<Action> takeActions();
 
  private:
-  // --- Wire, for the links.
+  /// A goal that was checked, and is not on the wire yet.
+  struct Waiting {
+    GoalId id = 0;
+    Goal goal;
+    int told_place = 0;         ///< in the queue, as last reported; 0: not yet
+    std::optional<Origin> end;  ///< where it will leave the robot, as far as that can be foreseen
+  };
+  static constexpr std::size_t kMaxWaiting = 64;
+  using Failures = std::vector<Failure>;
+
+  // --- Wire, for the links (core_status.cpp).
   link::ConnectionId open(link::Channel channel, const std::string& host, int port,
                           Duration timeout) override;
   void close(link::ConnectionId id) override;
@@ -43,22 +63,64 @@ class CommandCore::Impl : private link::Wire {
   void trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,
              std::string meaning) override;
 
-  // --- Goals (core_goals.cpp).
+  // --- Goals: checked, refused or taken (core_goals.cpp).
   void execute(GoalId id, const ConnectGoal& goal, Instant now);
-  void execute(GoalId id, const MoveAbsoluteGoal& goal, Instant now);
-  /// Why no command may be executed now, whatever it is; in table order.
-  [[nodiscard]] std::vector<Failure> checkReadiness() const;
-  void start(MotionOrder order, Instant now);
+  void execute(GoalId id, const ProgramControlGoal& goal, Instant now);
+  void execute(GoalId id, const StopGoal& goal, Instant now);
+  void execute(GoalId id, const CheckSequenceGoal& goal, Instant now);
+  void execute(GoalId id, const PickAndPlaceGoal& goal, Instant now);
+  template <class CommandGoal>
+  void execute(GoalId id, const CommandGoal& goal, Instant now);
+  /// Why nothing can be sent; empty: it can.
+  [[nodiscard]] Failures checkLink() const;
+  /// Why no command may be taken now, whatever it is; in table order.
+  [[nodiscard]] Failures checkReadiness(BufferMode mode) const;
+  [[nodiscard]] std::optional<Block> busyBlock() const;
+  /// The goal's own check_only: planned from where the robot will be, and answered.
+  void checkOnly(GoalId id, const Goal& goal, Failures failures, Instant now);
+  [[nodiscard]] Outcome checkCycle(const PickAndPlaceGoal& goal, const std::optional<Origin>& origin) const;
+
+  // --- The queue (core_queue.cpp).
+  /// Where a command starts that comes behind all that is on the wire and waits; nothing when nobody knows.
+  [[nodiscard]] std::optional<Origin> originBehindAll(Instant now) const;
+  [[nodiscard]] Result<std::optional<Plan>, Failure> planFor(const Goal& goal,
+                                                             const std::optional<Origin>& origin) const;
+  void forgetForecasts();
+  void enqueue(GoalId id, const Goal& goal, BufferMode mode, Instant now);
+  void dropWaiting(const std::string& why);
+  /// Everything that is Busy is to end as CommandAborted, with a stop when it moves.
+  void abortAll(const std::string& why, Instant now);
+  void abortRunning(const std::string& why, Instant now);
+  void endAborted(Block block, GoalId id, const std::string& why);
+  void dispatch(Instant now);
+  void begin(const Waiting& next, Instant now);
+  void beginCycle(GoalId id, const PickAndPlaceGoal& goal, Instant now);
+  void continueCycle(Instant now);
+  [[nodiscard]] Result<CommandOrder, Failure> prepare(const Goal& goal, Instant now);
+  void start(CommandOrder order, Instant now);
+  void finishRuns(Instant now);
+  void finishCycle(Instant now);
+  void finishStop(Instant now);
+  void tellPlaces();
+  /// Blended motions may still be under way though their goals are done.
+  [[nodiscard]] bool mayStillMove() const { return loose_since_.has_value(); }
 
   // --- Events (core_events.cpp).
   void settle(Instant now);
+  void finish(Instant now);
   void handle(const link::LinkChanged& event, Instant now);
   void handle(const link::LinkLost& event, Instant now);
   void handle(const link::ScriptAnswered& event, Instant now);
   void handle(const link::TagReported& event, Instant now);
   void handle(const link::TagQueryFailed& event, Instant now);
   void handle(const link::RobotStatus& status, Instant now);
+  void commandAccepted(const CommandOrder& order, Instant now);
+  void robotChanged(Instant now);
+
+  // --- What everyone may know (core_status.cpp).
   void publishStatus();
+  void publishFrames();
+  void tellPath(GoalId goal, const Plan& plan);
   void log(Severity severity, std::string text);
 
   link::LinkSettings settings_;
@@ -68,13 +130,22 @@ class CommandCore::Impl : private link::Wire {
   link::StatusLink status_;
   link::TagLedger tags_;
   RobotWatch robot_;
+  FrameWatch frames_;
   Preflight preflight_;
   OutputBoard board_;
   ConnectRun connect_;
-  std::optional<MotionRun> run_;
+  StopRun stop_;
+  std::vector<GoalId> stop_goals_;
+  std::optional<CommandRun> run_;
+  std::vector<CommandRun> direct_;  ///< program control: beside whatever else is on the wire
+  std::optional<PickAndPlaceRun> cycle_;
+  std::deque<Waiting> waiting_;
+  std::optional<Instant> loose_since_;
+  std::optional<ConnectGoal> kept_;  ///< the link to keep while no connect goal is Busy
   bool shut_down_ = false;
   std::uint64_t late_events_ = 0;
   CommandStatus published_;
+  ActiveFrames published_frames_;
 };
 
 }  // namespace cobot_command::blocks

@@ -1,5 +1,7 @@
 #include "output_board.h"
 
+#include <algorithm>
+
 namespace cobot_command::blocks {
 namespace {
 
@@ -22,11 +24,19 @@ BlockOutputs ended(Block block, const Outcome& outcome) {
 
 }  // namespace
 
-OutputBoard::OutputBoard(std::vector<Action>& actions)
-    : actions_(actions), outputs_{idle(Block::Connect), idle(Block::MoveAbsolute)} {}
+OutputBoard::OutputBoard(std::vector<Action>& actions) : actions_(actions) {
+  for (std::size_t i = 0; i < kBlockCount; ++i) outputs_.push_back(idle(static_cast<Block>(i)));
+}
 
 BlockOutputs& OutputBoard::of(Block block) {
   return outputs_[static_cast<std::size_t>(block)];
+}
+
+void OutputBoard::open(Block block, GoalId goal) {
+  const std::pair entry(block, goal);
+  if (std::find(open_.begin(), open_.end(), entry) == open_.end()) open_.push_back(entry);
+  of(block) = idle(block);
+  of(block).busy = true;
 }
 
 void OutputBoard::reject(Block block, GoalId goal, Outcome outcome) {
@@ -34,20 +44,38 @@ void OutputBoard::reject(Block block, GoalId goal, Outcome outcome) {
   actions_.push_back(GoalEnded{goal, std::move(outcome)});
 }
 
+void OutputBoard::wait(Block block, GoalId goal) {
+  if (of(block).busy) {
+    open_.emplace_back(block, goal);  // the outputs stay those of the goal in front
+  } else {
+    open(block, goal);
+  }
+}
+
 void OutputBoard::accept(Block block, GoalId goal, int command_id_ack) {
-  of(block) = idle(block);
-  of(block).busy = true;
+  open(block, goal);
   of(block).command_id_ack = command_id_ack;
   actions_.push_back(GoalAccepted{goal});
 }
 
 void OutputBoard::progress(Block block, GoalId goal, Progress progress) {
-  of(block).active = progress.phase == Phase::Active || progress.phase == Phase::Connected;
+  // A goal that waits says nothing of what the block does meanwhile.
+  if (progress.place_in_queue == 0) {
+    of(block).active = progress.phase == Phase::Active || progress.phase == Phase::Held ||
+                       progress.phase == Phase::Dwelling || progress.phase == Phase::Connected;
+  }
   actions_.push_back(GoalProgressed{goal, std::move(progress)});
 }
 
 void OutputBoard::end(Block block, GoalId goal, Outcome outcome) {
-  of(block) = ended(block, outcome);
+  open_.erase(std::remove(open_.begin(), open_.end(), std::pair(block, goal)), open_.end());
+  const bool others =
+      std::any_of(open_.begin(), open_.end(), [&](const auto& entry) { return entry.first == block; });
+  if (others) {
+    of(block).active = false;
+  } else {
+    of(block) = ended(block, outcome);
+  }
   actions_.push_back(GoalEnded{goal, std::move(outcome)});
 }
 

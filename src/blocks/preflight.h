@@ -1,32 +1,50 @@
-// Plans a motion before a byte of it is sent: refused by name, or how long it will take.
+// Plans a command before a byte of it is sent: refused by name, or how long it will take.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "failure.h"
+#include "frame_watch.h"
 #include "robot_watch.h"
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/motion/command.h"
+#include "cobot_command/motion/trajectory.h"
+#include "cobot_command/protocol/script_command.h"
 
 namespace cobot_command::blocks {
 
+/// Where a command starts: what the robot and its frames will be then.
+struct Origin {
+  arm::JointVector joints;  ///< [rad]
+  motion::Setting setting;
+  Duration delay{};  ///< what is in front takes this long still
+};
+
 struct Plan {
   Duration duration{};
-  Duration start_delay{};  ///< what is queued before it takes this long still
-  arm::JointVector end;    ///< [rad]
+  Duration start_delay{};  ///< of the origin
+  Origin end;              ///< where the next command starts; its delay is not counted
+  motion::Setting start_setting;
+  std::vector<motion::TrajectoryPtr> motions;  ///< of a command that moves: one, of a raw script: several
 };
 
 class Preflight {
  public:
   explicit Preflight(std::optional<arm::ArmModel> arm) : arm_(std::move(arm)) {}
 
-  /// From where the robot stands, or from where the commands in front of it will leave it. No plan without a
-  /// model, and none as long as it is not known where the motion would start.
-  [[nodiscard]] Result<std::optional<Plan>, Failure> plan(const motion::Command& command,
-                                                          const RobotWatch& robot, Instant now) const;
+  [[nodiscard]] const std::optional<arm::ArmModel>& arm() const { return arm_; }
+
+  /// Where the robot stands, or where the blended motions in front will leave it; nothing when nobody knows.
+  [[nodiscard]] std::optional<Origin> origin(const RobotWatch& robot, const FrameWatch& frames,
+                                             Instant now) const;
+
+  /// No plan without a model or an origin, and none of a command whose effect is not known.
+  [[nodiscard]] Result<std::optional<Plan>, Failure> plan(
+      const std::vector<protocol::ScriptCommand>& commands, const std::optional<Origin>& origin) const;
 
   /// A blended command was sent: the next one starts at its end.
   void queue(const std::optional<Plan>& plan, Instant now);

@@ -36,15 +36,11 @@ std::optional<arm::JointVector> RobotWatch::joints() const {
   return status_ ? status_->joints : std::nullopt;
 }
 
-arm::Pose RobotWatch::base() const {
-  return status_ && status_->base ? *status_->base : arm::Pose::Identity();
-}
-
-arm::Pose RobotWatch::tcp() const {
-  if (!status_) return arm::Pose::Identity();
-  if (status_->tcp) return *status_->tcp;
+std::optional<arm::Pose> RobotWatch::tcp() const {
+  if (!status_) return std::nullopt;
+  if (status_->tcp) return status_->tcp;
   if (status_->flange && status_->tool) return status_->flange->inverse() * *status_->tool;
-  return arm::Pose::Identity();
+  return std::nullopt;
 }
 
 double RobotWatch::speedOverride() const {
@@ -59,7 +55,8 @@ std::optional<std::array<double, 6>> RobotWatch::jointsDeg() const {
 
 std::optional<std::array<double, 6>> RobotWatch::toolInBaseMmDeg() const {
   if (!status_ || !status_->tool) return std::nullopt;
-  return arm::toControllerPose(base().inverse() * *status_->tool);
+  const arm::Pose base = status_->base.value_or(arm::Pose::Identity());
+  return arm::toControllerPose(base.inverse() * *status_->tool);
 }
 
 }  // namespace cobot_command::blocks

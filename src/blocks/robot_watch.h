@@ -27,10 +27,8 @@ class RobotWatch {
   [[nodiscard]] std::string errorText() const;
 
   [[nodiscard]] std::optional<arm::JointVector> joints() const;
-  /// The active base in the robot base; the robot base itself when the stream does not tell.
-  [[nodiscard]] arm::Pose base() const;
-  /// The active TCP in the flange, also from the poses of flange and tool; the flange when neither is told.
-  [[nodiscard]] arm::Pose tcp() const;
+  /// The active TCP in the flange, also from the poses of flange and tool; nothing when neither is told.
+  [[nodiscard]] std::optional<arm::Pose> tcp() const;
   [[nodiscard]] double speedOverride() const;
 
   [[nodiscard]] std::optional<std::array<double, 6>> jointsDeg() const;

@@ -104,11 +104,12 @@ std::optional<Instant> ScriptLink::nextDeadline() const {
   return next;
 }
 
-std::string ScriptLink::sendScript(const std::string& script, Instant now) {
+std::string ScriptLink::sendScript(const std::string& script, Instant now,
+                                   std::optional<Duration> reply_timeout) {
   Request request;
   request.kind = Request::Kind::Script;
   request.script_id = ledger_.newScriptId();
-  request.deadline = now + settings_.reply_timeout;
+  request.deadline = now + reply_timeout.value_or(settings_.reply_timeout);
   std::string id = request.script_id;
   transmit(protocol::ScriptRequest{id, script}, std::move(request), now);
   return id;

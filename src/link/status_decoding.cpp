@@ -38,6 +38,11 @@ void readPose(const StatusItem& item, std::optional<arm::Pose>& target) {
   if (const auto numbers = sixNumbers(item)) target = arm::toPose(*numbers);
 }
 
+void readMass(const StatusItem& item, std::optional<double>& target) {
+  const auto value = protocol::item::asFloat(item);
+  if (value && std::isfinite(*value)) target = *value;
+}
+
 void readBool(const StatusItem& item, std::optional<bool>& target) {
   if (const auto value = protocol::item::asBool(item)) target = value;
 }
@@ -66,6 +71,7 @@ constexpr ItemRow kItems[] = {
     {"Coord_Robot_Tool", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.tool); }},
     {"Base_Value", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.base); }},
     {"TCP_Value", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.tcp); }},
+    {"TCP_Mass", [](const StatusItem& i, RobotStatus& s) { readMass(i, s.tcp_mass); }},
     {"Base_Name", [](const StatusItem& i, RobotStatus& s) { readString(i, s.base_name); }},
     {"TCP_Name", [](const StatusItem& i, RobotStatus& s) { readString(i, s.tcp_name); }},
     {"Robot_Error", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.error); }},

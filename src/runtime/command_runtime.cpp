@@ -147,6 +147,10 @@ bool CommandRuntime::submit(blocks::GoalId id, blocks::Goal goal) {
   return impl_->post([id, goal = std::move(goal)](auto& core, Instant now) { core.submit(id, goal, now); });
 }
 
+void CommandRuntime::keepConnected(blocks::ConnectGoal target) {
+  impl_->post([target = std::move(target)](auto& core, Instant now) { core.keepConnected(target, now); });
+}
+
 void CommandRuntime::cancel(blocks::GoalId id) {
   impl_->post([id](auto& core, Instant now) { core.cancel(id, now); });
 }

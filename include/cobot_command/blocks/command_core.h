@@ -104,6 +104,9 @@ class CommandCore {
   void submit(GoalId id, const Goal& goal, Instant now);
   /// The falling edge of Execute while Busy. A goal that has ended already is left alone.
   void cancel(GoalId id, Instant now);
+  /// Keeps a link by itself whenever no connect goal is Busy: tries for ever, and again after each loss. A
+  /// cancelled connect goal ends that too. Precondition: the target is what a connect goal may be.
+  void keepConnected(const ConnectGoal& target, Instant now);
   /// Ends everything: open goals as CommandAborted, connections closed. Nothing is sent to the robot
   /// afterwards.
   void shutDown(Instant now);

@@ -10,7 +10,7 @@ namespace cobot_command::blocks {
 enum class ConnectState {
   Idle,
   Trying,        ///< not connected, or not in the Listen node; the timeout runs
-  Supervising,   ///< was Ready; stays Busy for as long as the link lives
+  Supervising,   ///< was ready for commands; stays Busy for as long as the link lives
   Disconnecting  ///< cancelled; a motion is being stopped first
 };
 

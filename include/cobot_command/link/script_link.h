@@ -85,8 +85,10 @@ class ScriptLink {
   [[nodiscard]] std::optional<ScriptLinkOutput> next(Instant now);
 
   // --- Requests. Precondition: established().
-  /// Returns the script id; a ScriptAnswered with it follows, unless the link goes down first.
-  std::string sendScript(const std::string& script, Instant now);
+  /// Returns the script id; a ScriptAnswered with it follows, unless the link goes down first. For lines that
+  /// wait `reply_timeout` may be another than that of the settings.
+  std::string sendScript(const std::string& script, Instant now,
+                         std::optional<Duration> reply_timeout = std::nullopt);
   void queryTag(int tag, Instant now);
   /// A script with ScriptExit() was accepted: the node is being left.
   void exitAccepted(Instant now) { fire(ScriptLinkEvent::ExitAccepted, now); }

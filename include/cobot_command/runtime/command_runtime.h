@@ -34,6 +34,8 @@ class CommandRuntime {
   [[nodiscard]] bool submit(blocks::GoalId id, blocks::Goal goal);
   /// The falling edge of Execute. After stop() all goals have ended, so there is nothing to cancel.
   void cancel(blocks::GoalId id);
+  /// See CommandCore.
+  void keepConnected(blocks::ConnectGoal target);
 
   /// Ends all goals, closes all connections, ends the thread. The observer is not called any more once this
   /// returns, whichever thread called it first. It never waits for the network. Not from the observer.

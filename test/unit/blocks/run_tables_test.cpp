@@ -3,8 +3,10 @@
 #include "table_checks.h"
 #include <gtest/gtest.h>
 
+#include "cobot_command/blocks/command_run_states.h"
 #include "cobot_command/blocks/connect_run_states.h"
-#include "cobot_command/blocks/motion_run_states.h"
+#include "cobot_command/blocks/pick_and_place_states.h"
+#include "cobot_command/blocks/stop_run_states.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -12,38 +14,65 @@ namespace {
 using testing::allUpTo;
 using testing::expectSoundTable;
 
-TEST(MotionRunTable, isSound) {
-  expectSoundTable<MotionRunTable>(MotionRunState::Ended, MotionRunEvent::Standing, MotionRunState::Sent,
-                                   {MotionRunState::Ended});
+TEST(CommandRunTable, isSound) {
+  expectSoundTable<CommandRunTable>(CommandRunState::Ended, CommandRunEvent::Stopped, CommandRunState::Sent,
+                                   {CommandRunState::Ended});
+}
+
+TEST(StopTable, isSound) {
+  expectSoundTable<StopTable>(StopState::Settling, StopEvent::Standing, StopState::Idle);
+}
+
+TEST(StopTable, sendsTheFrameInEveryState) {
+  for (const auto state : allUpTo(StopState::Settling)) {
+    const auto row = link::findTransition<StopTable>(state, StopEvent::Ask);
+    ASSERT_TRUE(row) << static_cast<int>(state);
+    EXPECT_EQ(row->action, StopAction::Send);
+  }
+}
+
+TEST(PickAndPlaceTable, isSound) {
+  expectSoundTable<PickAndPlaceTable>(PickAndPlaceState::Ended, PickAndPlaceEvent::Cancelled,
+                                      PickAndPlaceState::Moving, {PickAndPlaceState::Ended});
+}
+
+TEST(PickAndPlaceTable, canFailAndBeCancelledInEveryState) {
+  for (const auto state : allUpTo(PickAndPlaceState::Dwelling)) {
+    for (const auto event : {PickAndPlaceEvent::Failed, PickAndPlaceEvent::Cancelled}) {
+      const auto row = link::findTransition<PickAndPlaceTable>(state, event);
+      ASSERT_TRUE(row) << static_cast<int>(state);
+      EXPECT_EQ(row->to, PickAndPlaceState::Ended);
+    }
+  }
 }
 
 TEST(ConnectTable, isSound) {
   expectSoundTable<ConnectTable>(ConnectState::Disconnecting, ConnectEvent::MotionsEnded, ConnectState::Idle);
 }
 
-TEST(MotionRunTable, endsOnAFailureInEveryState) {
-  for (const auto state : allUpTo(MotionRunState::Settling)) {
-    const auto row = link::findTransition<MotionRunTable>(state, MotionRunEvent::Failed);
+TEST(CommandRunTable, endsOnAFailureInEveryState) {
+  for (const auto state : allUpTo(CommandRunState::Stopping)) {
+    const auto row = link::findTransition<CommandRunTable>(state, CommandRunEvent::Failed);
     ASSERT_TRUE(row) << static_cast<int>(state);
-    EXPECT_EQ(row->to, MotionRunState::Ended);
-    EXPECT_EQ(row->action, MotionRunAction::EndError);
+    EXPECT_EQ(row->to, CommandRunState::Ended);
+    EXPECT_EQ(row->action, CommandRunAction::EndError);
   }
 }
 
-TEST(MotionRunTable, isDoneOnlyByATagOrByTheReplyThatIsAllThereIs) {
-  for (const auto& row : MotionRunTable::kRows) {
-    if (row.action != MotionRunAction::EndDone) continue;
-    EXPECT_TRUE(row.event == MotionRunEvent::TagComplete || row.event == MotionRunEvent::AcceptedLast);
+TEST(CommandRunTable, isDoneOnlyByATagOrByTheReplyThatIsAllThereIs) {
+  for (const auto& row : CommandRunTable::kRows) {
+    if (row.action != CommandRunAction::EndDone) continue;
+    EXPECT_TRUE(row.event == CommandRunEvent::TagComplete || row.event == CommandRunEvent::AcceptedLast);
   }
 }
 
-TEST(MotionRunTable, stopsOnACancelUntilItIsStoppingAlready) {
-  for (const auto state : {MotionRunState::Sent, MotionRunState::Executing, MotionRunState::Confirming}) {
-    EXPECT_EQ(link::findTransition<MotionRunTable>(state, MotionRunEvent::Cancel)->action,
-              MotionRunAction::SendStop);
+TEST(CommandRunTable, stopsOnACancelUntilItIsStoppingAlready) {
+  for (const auto state : {CommandRunState::Sent, CommandRunState::Executing, CommandRunState::Confirming}) {
+    EXPECT_EQ(link::findTransition<CommandRunTable>(state, CommandRunEvent::Cancel)->action,
+              CommandRunAction::AskForStop);
   }
-  for (const auto state : {MotionRunState::Stopping, MotionRunState::Settling, MotionRunState::Ended}) {
-    EXPECT_FALSE(link::findTransition<MotionRunTable>(state, MotionRunEvent::Cancel));
+  for (const auto state : {CommandRunState::Stopping, CommandRunState::Ended}) {
+    EXPECT_FALSE(link::findTransition<CommandRunTable>(state, CommandRunEvent::Cancel));
   }
 }
 

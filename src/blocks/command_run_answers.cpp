@@ -1,6 +1,6 @@
 // What the controller's answers mean for a running command.
 
-#include "motion_run.h"
+#include "command_run.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
@@ -8,16 +8,16 @@
 namespace cobot_command::blocks {
 namespace {
 
-using Event = MotionRunEvent;
-using State = MotionRunState;
+using Event = CommandRunEvent;
+using State = CommandRunState;
 
 /// "line 1: PTP(...); line 3: QueueTag(...)" for the lines that the controller named.
-std::string faultyLines(const std::vector<protocol::ScriptCommand>& script, const std::vector<int>& lines) {
+std::string faultyLines(const std::vector<std::string>& script, const std::vector<int>& lines) {
   std::string text;
   for (const int line : lines) {
     text += fmt::format("{}line {}", text.empty() ? "" : "; ", line);
     if (line >= 1 && line <= static_cast<int>(script.size())) {
-      text += ": " + protocol::toText(script[static_cast<std::size_t>(line - 1)]);
+      text += ": " + script[static_cast<std::size_t>(line - 1)];
     }
   }
   return text.empty() ? "no line was named" : text;
@@ -31,20 +31,13 @@ Failure failureOf(const protocol::CommunicationError& error) {
 
 }  // namespace
 
-void MotionRun::answered(const link::ScriptAnswered& answer, Instant now) {
-  if (answer.id == script_id_) {
-    scriptAnswered(answer, now);
-  } else if (answer.id == stop_id_) {
-    stopAnswered(answer, now);
-  }
-}
-
-void MotionRun::scriptAnswered(const link::ScriptAnswered& answer, Instant now) {
+void CommandRun::answered(const link::ScriptAnswered& answer, Instant now) {
+  if (answer.id != script_id_) return;
   if (std::holds_alternative<link::NoReply>(answer.answer)) {
     if (state_ != State::Sent) return;  // cancelled meanwhile: now the stop is what counts
     fail({motion_error::kReceiveReply,
           fmt::format("no reply to script {} within {} s", answer.id,
-                      toSeconds(context_.settings.reply_timeout)),
+                      toSeconds(order_.reply_timeout.value_or(context_.settings.reply_timeout))),
           ""},
          Robot::Stop, now);
     return;
@@ -54,35 +47,21 @@ void MotionRun::scriptAnswered(const link::ScriptAnswered& answer, Instant now) 
     return;
   }
   const auto& reply = std::get<protocol::ScriptReply>(answer.answer);
-  if (reply.accepted && order_.exits_node) context_.link.exitAccepted(now);
   if (reply.accepted) {
+    accepted_at_ = now;
+    if (order_.exits_node) context_.link.exitAccepted(now);
     fire(order_.tag && !tag_seen_at_ ? Event::Accepted : Event::AcceptedLast, now);
   } else if (state_ == State::Sent) {
-    fail({motion_error::kRejected, faultyLines(order_.script, reply.lines), ""}, Robot::LeaveIt, now);
+    fail({motion_error::kRejected, faultyLines(order_.lines, reply.lines), ""}, Robot::LeaveIt, now);
   }
 }
 
-void MotionRun::stopAnswered(const link::ScriptAnswered& answer, Instant now) {
-  const auto* reply = std::get_if<protocol::ScriptReply>(&answer.answer);
-  if (reply != nullptr && reply->accepted) {
-    fire(Event::StopAccepted, now);
-    return;
-  }
-  std::string found = "the controller refused StopAndClearBuffer()";
-  if (const auto* error = std::get_if<protocol::CommunicationError>(&answer.answer)) {
-    found = protocol::describe(*error);
-  } else if (reply == nullptr) {
-    found = "no reply to StopAndClearBuffer()";
-  }
-  fail({own_error::kStopNotConfirmed, std::move(found), ""}, Robot::LeaveIt, now);
-}
-
-void MotionRun::tagFailed(Instant now) {
+void CommandRun::tagFailed(Instant now) {
   fail({motion_error::kMotionFailed, fmt::format("tag {} was reported false", *order_.tag), ""}, Robot::Stop,
        now);
 }
 
-void MotionRun::tagIncomplete(protocol::TagState state, Instant now) {
+void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
   if (state_ != State::Confirming) return;
   if (state == protocol::TagState::Unknown) {
     fail({own_error::kTagLost, fmt::format("the controller does not know tag {}", *order_.tag), ""},
@@ -102,7 +81,7 @@ void MotionRun::tagIncomplete(protocol::TagState state, Instant now) {
   }
 }
 
-void MotionRun::tagQueryFailed(const std::string& reason, Instant now) {
+void CommandRun::tagQueryFailed(const std::string& reason, Instant now) {
   if (state_ != State::Confirming) return;
   fail({motion_error::kReceiveTag, fmt::format("tag {} was asked for: {}", *order_.tag, reason), ""},
        Robot::Stop, now);

@@ -1,4 +1,4 @@
-// The life of one motion command on the wire, as a table: from its frame to its one end.
+// The life of one command on the wire, as a table: from its frame to its one end.
 //
 // An unlisted pair changes nothing (link/transition_table.h): it came too late for its state.
 #pragma once
@@ -7,16 +7,15 @@
 
 namespace cobot_command::blocks {
 
-enum class MotionRunState {
+enum class CommandRunState {
   Sent,        ///< the script was sent, no reply yet
   Executing,   ///< accepted; its tag is awaited
   Confirming,  ///< overdue; TMSTA 01 was asked
-  Stopping,    ///< cancelled; the reply to StopAndClearBuffer() is awaited
-  Settling,    ///< the stop was accepted; the robot comes to rest
+  Stopping,    ///< cancelled; the robot is being stopped (stop_run_states.h)
   Ended
 };
 
-enum class MotionRunEvent {
+enum class CommandRunEvent {
   Accepted,      ///< OK, and the tag is still to come
   AcceptedLast,  ///< OK, and nothing more to wait for: blended, or the tag came before the reply
   TagComplete,
@@ -24,27 +23,25 @@ enum class MotionRunEvent {
   Overdue,
   StillGoing,  ///< asked: not complete, but the robot moves, or is paused, or nobody can tell
   Cancel,
-  StopAccepted,
-  Standing
+  Stopped  ///< the robot stands
 };
 
-enum class MotionRunAction {
+enum class CommandRunAction {
   None,
   RememberTag,
   AwaitTag,
   AskTag,
   Extend,
-  SendStop,
-  AwaitStandstill,
+  AskForStop,
   EndDone,
   EndError,
   EndAborted  ///< CommandAborted
 };
 
-struct MotionRunTable {
-  using S = MotionRunState;
-  using E = MotionRunEvent;
-  using A = MotionRunAction;
+struct CommandRunTable {
+  using S = CommandRunState;
+  using E = CommandRunEvent;
+  using A = CommandRunAction;
   using Row = link::Transition<S, E, A>;
 
   // clang-format off
@@ -54,23 +51,20 @@ struct MotionRunTable {
     {S::Sent,       E::AcceptedLast, S::Ended,      A::EndDone},
     {S::Sent,       E::TagComplete,  S::Sent,       A::RememberTag},
     {S::Sent,       E::Failed,       S::Ended,      A::EndError},
-    {S::Sent,       E::Cancel,       S::Stopping,   A::SendStop},
+    {S::Sent,       E::Cancel,       S::Stopping,   A::AskForStop},
 
     {S::Executing,  E::TagComplete,  S::Ended,      A::EndDone},
     {S::Executing,  E::Failed,       S::Ended,      A::EndError},
     {S::Executing,  E::Overdue,      S::Confirming, A::AskTag},
-    {S::Executing,  E::Cancel,       S::Stopping,   A::SendStop},
+    {S::Executing,  E::Cancel,       S::Stopping,   A::AskForStop},
 
     {S::Confirming, E::TagComplete,  S::Ended,      A::EndDone},
     {S::Confirming, E::Failed,       S::Ended,      A::EndError},
     {S::Confirming, E::StillGoing,   S::Executing,  A::Extend},
-    {S::Confirming, E::Cancel,       S::Stopping,   A::SendStop},
+    {S::Confirming, E::Cancel,       S::Stopping,   A::AskForStop},
 
-    {S::Stopping,   E::StopAccepted, S::Settling,   A::AwaitStandstill},
+    {S::Stopping,   E::Stopped,      S::Ended,      A::EndAborted},
     {S::Stopping,   E::Failed,       S::Ended,      A::EndError},
-
-    {S::Settling,   E::Standing,     S::Ended,      A::EndAborted},
-    {S::Settling,   E::Failed,       S::Ended,      A::EndError},
   };
   // clang-format on
 };

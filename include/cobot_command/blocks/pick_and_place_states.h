@@ -1,0 +1,61 @@
+// The life of a pick-and-place goal, as a table.
+//
+// An unlisted pair changes nothing (link/transition_table.h): it came too late for its state.
+#pragma once
+
+#include "cobot_command/link/transition_table.h"
+
+namespace cobot_command::blocks {
+
+enum class PickAndPlaceState {
+  Moving,   ///< the move of a step is to be sent, or under way
+  Setting,  ///< so is the output of the step
+  Dwelling,
+  Ended
+};
+
+enum class PickAndPlaceEvent {
+  MoveDone,        ///< with an output to set
+  MoveDoneDwell,   ///< without one, with a dwell
+  MoveDoneNext,    ///< with neither, and another step follows
+  OutputSetDwell,  ///< a dwell follows
+  OutputSetNext,   ///< another step follows
+  DwellOver,       ///< another step follows
+  LastDone,        ///< the last step of the last cycle is over
+  Failed,          ///< the cause comes with it
+  Cancelled        ///< and nothing is under way any more
+};
+
+enum class PickAndPlaceAction { None, StartDwell, NextStep, EndDone, EndError, EndAborted };
+
+struct PickAndPlaceTable {
+  using S = PickAndPlaceState;
+  using E = PickAndPlaceEvent;
+  using A = PickAndPlaceAction;
+  using Row = link::Transition<S, E, A>;
+
+  // clang-format off
+  static constexpr Row kRows[] = {
+    // from        event              to            action
+    {S::Moving,   E::MoveDone,       S::Setting,   A::None},
+    {S::Moving,   E::MoveDoneDwell,  S::Dwelling,  A::StartDwell},
+    {S::Moving,   E::MoveDoneNext,   S::Moving,    A::NextStep},
+    {S::Moving,   E::LastDone,       S::Ended,     A::EndDone},
+    {S::Moving,   E::Failed,         S::Ended,     A::EndError},
+    {S::Moving,   E::Cancelled,      S::Ended,     A::EndAborted},
+
+    {S::Setting,  E::OutputSetDwell, S::Dwelling,  A::StartDwell},
+    {S::Setting,  E::OutputSetNext,  S::Moving,    A::NextStep},
+    {S::Setting,  E::LastDone,       S::Ended,     A::EndDone},
+    {S::Setting,  E::Failed,         S::Ended,     A::EndError},
+    {S::Setting,  E::Cancelled,      S::Ended,     A::EndAborted},
+
+    {S::Dwelling, E::DwellOver,      S::Moving,    A::NextStep},
+    {S::Dwelling, E::LastDone,       S::Ended,     A::EndDone},
+    {S::Dwelling, E::Failed,         S::Ended,     A::EndError},
+    {S::Dwelling, E::Cancelled,      S::Ended,     A::EndAborted},
+  };
+  // clang-format on
+};
+
+}  // namespace cobot_command::blocks

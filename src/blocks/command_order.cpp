@@ -1,0 +1,77 @@
+#include "command_order.h"
+
+#include "block_rules.h"
+#include <fmt/format.h>
+
+namespace cobot_command::blocks {
+namespace {
+
+CommandOrder orderOf(Block block, protocol::ScriptCommand command, bool moves) {
+  CommandOrder order;
+  order.block = block;
+  order.moves = moves;
+  order.lines.push_back(protocol::toText(command));
+  order.commands.emplace().push_back(std::move(command));
+  return order;
+}
+
+}  // namespace
+
+CommandOrder orderOf(const MoveAbsoluteGoal& goal, const arm::Pose& base) {
+  return orderOf(Block::MoveAbsolute, commandOf(goal, base), true);
+}
+
+CommandOrder orderOf(const MoveRelativeGoal& goal, const arm::Pose& base) {
+  return orderOf(Block::MoveRelative, commandOf(goal, base), true);
+}
+
+CommandOrder orderOf(const MoveCircleGoal& goal, const arm::Pose& base) {
+  return orderOf(Block::MoveCircle, commandOf(goal, base), true);
+}
+
+CommandOrder orderOf(const ChangeBaseGoal& goal, const arm::Pose& base) {
+  return orderOf(Block::ChangeBase, commandOf(goal, base), false);
+}
+
+CommandOrder orderOf(const ChangeTcpGoal& goal, const arm::Pose& base) {
+  return orderOf(Block::ChangeTcp, commandOf(goal, base), false);
+}
+
+CommandOrder orderOf(const ExitListenNodeGoal& /*goal*/, const arm::Pose& /*base*/) {
+  CommandOrder order;
+  order.block = Block::ExitListenNode;
+  order.commands.emplace();
+  return order;
+}
+
+CommandOrder orderOf(const RunScriptGoal& goal, const arm::Pose& /*base*/) {
+  CommandOrder order;
+  order.block = Block::RunScript;
+  order.moves = true;
+  order.lines = linesOf(goal);
+  if (const auto parsed = protocol::parseScript(fmt::format("{}", fmt::join(order.lines, "\r\n")))) {
+    order.commands.emplace();
+    for (const auto& line : parsed->lines) order.commands->push_back(line.command);
+  }
+  return order;
+}
+
+CommandOrder orderOf(const ProgramControlGoal& goal) {
+  return orderOf(Block::ProgramControl, commandOf(goal), false);
+}
+
+CommandOrder orderOf(const OutputAction& output) {
+  return orderOf(Block::PickAndPlace, protocol::WriteOutput{output.module, output.output, output.value},
+                 false);
+}
+
+void close(CommandOrder& order) {
+  if (order.tag) {
+    order.lines.push_back(protocol::toText(protocol::ScriptCommand(protocol::QueueTag{*order.tag, false})));
+  }
+  if (order.exits_node) {
+    order.lines.push_back(protocol::toText(protocol::ScriptCommand(protocol::ScriptExit{})));
+  }
+}
+
+}  // namespace cobot_command::blocks

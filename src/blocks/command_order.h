@@ -1,0 +1,47 @@
+// From a goal to what goes over the wire for it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "preflight.h"
+
+#include "cobot_command/blocks/error_catalogue.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/protocol/script_command.h"
+
+namespace cobot_command::blocks {
+
+struct CommandOrder {
+  Block block = Block::MoveAbsolute;
+  GoalId goal = 0;
+  int command_id_ack = 0;
+  std::optional<int> tag;  ///< open in the ledger; none: done as soon as it is accepted
+  std::vector<std::string> lines;
+  /// What the lines mean, tag and exit aside; absent when they are a raw script that says more than this
+  /// layer knows.
+  std::optional<std::vector<protocol::ScriptCommand>> commands;
+  bool moves = false;  ///< a cancel has to stop the robot
+  bool exits_node = false;
+  std::optional<Duration> reply_timeout;  ///< other than that of the link
+  std::optional<Plan> plan;
+};
+
+/// The block's own lines, without tag and exit. `base`: the active base in the robot base, for targets in a tf
+/// frame. Precondition: check() found nothing.
+[[nodiscard]] CommandOrder orderOf(const MoveAbsoluteGoal& goal, const arm::Pose& base);
+[[nodiscard]] CommandOrder orderOf(const MoveRelativeGoal& goal, const arm::Pose& base);
+[[nodiscard]] CommandOrder orderOf(const MoveCircleGoal& goal, const arm::Pose& base);
+[[nodiscard]] CommandOrder orderOf(const ChangeBaseGoal& goal, const arm::Pose& base);
+[[nodiscard]] CommandOrder orderOf(const ChangeTcpGoal& goal, const arm::Pose& base);
+[[nodiscard]] CommandOrder orderOf(const ExitListenNodeGoal& goal, const arm::Pose& base);
+[[nodiscard]] CommandOrder orderOf(const RunScriptGoal& goal, const arm::Pose& base);
+[[nodiscard]] CommandOrder orderOf(const ProgramControlGoal& goal);
+[[nodiscard]] CommandOrder orderOf(const OutputAction& output);
+
+/// Adds the lines at the end: a queue tag, when one is open for it, and the exit from the node.
+void close(CommandOrder& order);
+
+}  // namespace cobot_command::blocks

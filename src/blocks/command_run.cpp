@@ -1,0 +1,236 @@
+#include "command_run.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/error_ids.h"
+
+namespace cobot_command::blocks {
+
+using Event = CommandRunEvent;
+using State = CommandRunState;
+
+namespace {
+
+/// Between two reports of the progress of a motion.
+constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
+/// The end of a motion is told by its tag, not by the clock.
+constexpr double kNearlyDone = 0.99;
+
+Duration timeFor(const CommandOrder& order, const link::LinkSettings& settings) {
+  if (!order.plan) return settings.unplanned_motion_timeout;
+  return order.plan->start_delay +
+         fromSeconds(toSeconds(order.plan->duration) * settings.tag_deadline_factor) +
+         settings.tag_deadline_margin;
+}
+
+}  // namespace
+
+CommandRun::CommandRun(CommandOrder order, const RunContext& context, Instant now)
+    : order_(std::move(order)),
+      context_(context),
+      sent_at_(now),
+      give_up_at_(now + context.settings.unplanned_motion_timeout),
+      reported_at_(now) {
+  script_id_ = context_.link.sendScript(fmt::format("{}", fmt::join(order_.lines, "\r\n")), now,
+                                        order_.reply_timeout);
+  report(Phase::Sent, "sent to the controller", now);
+}
+
+void CommandRun::cancel(const std::string& why, Instant now) {
+  if (!order_.moves) return;
+  cancelled_why_ = why;
+  fire(Event::Cancel, now);
+}
+
+void CommandRun::abandon(const std::string& why, Instant now) {
+  if (ended()) return;
+  if (order_.moves && state_ != State::Stopping) askForStop(now);
+  state_ = State::Ended;
+  Outcome outcome;
+  outcome.ending = Ending::CommandAborted;
+  outcome.error_description = why;
+  end(std::move(outcome), now);
+}
+
+void CommandRun::tagCompleted(Instant now) {
+  fire(Event::TagComplete, now);
+}
+
+void CommandRun::stopEnded(const StopRun::Result& result, Instant now) {
+  if (state_ != State::Stopping) return;
+  if (result.failure) {
+    fail(*result.failure, Robot::LeaveIt, now);
+  } else {
+    fire(Event::Stopped, now);
+  }
+}
+
+void CommandRun::advance(Instant now) {
+  becomeActiveWhenDue(now);
+  if (deadline_ && now >= *deadline_ && !held_since_) fire(Event::Overdue, now);
+}
+
+std::optional<Instant> CommandRun::nextDeadline() const {
+  if (held_since_) return std::nullopt;
+  if (phase_ == Phase::Queued && active_at_ && (!deadline_ || *active_at_ < *deadline_)) return active_at_;
+  return deadline_;
+}
+
+void CommandRun::robotChanged(Instant now) {
+  if (ended()) return;
+  if (context_.robot.emergencyStop()) {
+    fail({motion_error::kLinkDropped, "emergency stop",
+          "Release the emergency stop and start the project again"},
+         Robot::Stop, now);
+    return;
+  }
+  if (context_.robot.inError()) {
+    fail({own_error::kRobotError, context_.robot.errorText(), ""}, Robot::Stop, now);
+    return;
+  }
+  followHold(now);
+  if (phase_ == Phase::Active && now - reported_at_ >= kReportPeriod) becomeActive(now);
+}
+
+void CommandRun::linkLost(const std::string& reason, Instant now) {
+  fail({motion_error::kLinkDropped, reason, ""}, Robot::LeaveIt, now);
+}
+
+/// A paused robot gets the time back that the pause took.
+void CommandRun::followHold(Instant now) {
+  const bool held = context_.robot.held() && state_ != State::Stopping;
+  if (held && !held_since_) {
+    held_since_ = now;
+    if (phase_ == Phase::Active) report(Phase::Held, "the robot is held: paused, or by a safeguard", now);
+  } else if (!held && held_since_) {
+    const Duration pause = now - *held_since_;
+    held_since_.reset();
+    if (deadline_) *deadline_ += pause;
+    if (active_at_) *active_at_ += pause;
+    if (moving_from_) *moving_from_ += pause;
+    give_up_at_ += pause;
+    if (phase_ == Phase::Held) becomeActive(now);
+  }
+}
+
+void CommandRun::fire(Event event, Instant now) {
+  const auto row = link::findTransition<CommandRunTable>(state_, event);
+  if (!row) return;
+  state_ = row->to;
+  act(row->action, now);
+}
+
+void CommandRun::fail(Failure failure, Robot robot, Instant now) {
+  failure_ = std::move(failure);
+  robot_on_failure_ = robot;
+  fire(Event::Failed, now);
+}
+
+void CommandRun::act(CommandRunAction action, Instant now) {
+  using Do = CommandRunAction;
+  switch (action) {
+    case Do::None:
+      return;
+    case Do::RememberTag:
+      tag_seen_at_ = now;
+      return;
+    case Do::AwaitTag:
+      awaitTag(now);
+      return;
+    case Do::AskTag:
+      deadline_.reset();
+      context_.link.queryTag(*order_.tag, now);
+      return;
+    case Do::Extend:
+      deadline_ = now + context_.settings.tag_deadline_margin;
+      return;
+    case Do::AskForStop:
+      report(Phase::Stopping, cancelled_why_ + ", stopping the robot", now);
+      askForStop(now);
+      return;
+    case Do::EndDone:
+      end(Outcome{}, now);
+      return;
+    case Do::EndError:
+      if (robot_on_failure_ == Robot::Stop) askForStop(now);
+      end(toOutcome(order_.block, Ending::Aborted, failure_), now);
+      return;
+    case Do::EndAborted: {
+      Outcome outcome;
+      outcome.ending = Ending::CommandAborted;
+      outcome.error_description = cancelled_why_ + "; the robot was stopped";
+      end(std::move(outcome), now);
+      return;
+    }
+  }
+}
+
+void CommandRun::awaitTag(Instant now) {
+  deadline_ = now + timeFor(order_, context_.settings);
+  if (order_.plan && order_.plan->start_delay > Duration::zero()) {
+    active_at_ = now + order_.plan->start_delay;
+    report(Phase::Queued, "accepted, waits for the motion in front of it", now);
+  } else {
+    becomeActive(now);
+  }
+}
+
+void CommandRun::becomeActiveWhenDue(Instant now) {
+  const bool waits = phase_ == Phase::Queued && (state_ == State::Executing || state_ == State::Confirming);
+  if (waits && active_at_ && now >= *active_at_ && !held_since_) becomeActive(now);
+}
+
+void CommandRun::becomeActive(Instant now) {
+  if (!moving_from_) moving_from_ = now;
+  report(Phase::Active, "the robot executes it", now);
+}
+
+void CommandRun::askForStop(Instant now) {
+  deadline_.reset();
+  active_at_.reset();
+  held_since_.reset();
+  context_.stop.ask(now);
+}
+
+void CommandRun::report(Phase phase, std::string text, Instant now) {
+  phase_ = phase;
+  reported_at_ = now;
+  Progress progress;
+  progress.phase = phase;
+  progress.command_id_ack = order_.command_id_ack;
+  progress.text = std::move(text);
+  if (order_.plan) {
+    const Duration passed = moving_from_ ? now - *moving_from_ : Duration::zero();
+    const Duration whole = order_.plan->duration;
+    progress.planned = whole;
+    progress.remaining = std::max(Duration::zero(), whole - passed);
+    if (moving_from_ && whole > Duration::zero()) {
+      progress.fraction = std::clamp(toSeconds(passed) / toSeconds(whole), 0.0, kNearlyDone);
+    }
+  }
+  progress_.push_back(std::move(progress));
+}
+
+std::vector<Progress> CommandRun::takeProgress() {
+  return std::exchange(progress_, {});
+}
+
+void CommandRun::end(Outcome outcome, Instant now) {
+  deadline_.reset();
+  if (order_.tag) context_.tags.abandon(*order_.tag);
+  outcome.command_id_ack = order_.command_id_ack;
+  if (order_.plan) outcome.planned = order_.plan->duration;
+  if (tag_seen_at_) {
+    outcome.actual = *tag_seen_at_ - sent_at_;
+  } else if (accepted_at_) {
+    outcome.actual = now - *accepted_at_;
+  }
+  outcome.final_joints_deg = context_.robot.jointsDeg();
+  outcome.final_pose_mm_deg = context_.robot.toolInBaseMmDeg();
+  outcome_ = std::move(outcome);
+}
+
+}  // namespace cobot_command::blocks

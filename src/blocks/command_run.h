@@ -1,0 +1,100 @@
+// One command, from its frame to its one end (states: command_run_states.h).
+//
+// It is told everything that may concern it, and takes what does. The same for every block: what differs is
+// in its order.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command_order.h"
+#include "failure.h"
+#include "robot_watch.h"
+#include "stop_run.h"
+
+#include "cobot_command/blocks/command_run_states.h"
+#include "cobot_command/link/script_link.h"
+#include "cobot_command/link/tag_ledger.h"
+
+namespace cobot_command::blocks {
+
+/// What a running command uses of the core.
+struct RunContext {
+  const link::LinkSettings& settings;
+  link::ScriptLink& link;
+  link::TagLedger& tags;
+  const RobotWatch& robot;
+  StopRun& stop;
+};
+
+class CommandRun {
+ public:
+  /// Sends the script. Precondition: the link is Ready.
+  CommandRun(CommandOrder order, const RunContext& context, Instant now);
+
+  /// Stops the robot; ends as CommandAborted with `why` once it stands. A command that does not move is left
+  /// to its end, which is as near as its reply.
+  void cancel(const std::string& why, Instant now);
+  /// Ends it now, as CommandAborted; the robot is told to stop, and nobody waits for the answer.
+  void abandon(const std::string& why, Instant now);
+
+  void answered(const link::ScriptAnswered& answer, Instant now);
+  /// The tag, open until now, was reported complete.
+  void tagCompleted(Instant now);
+  void tagFailed(Instant now);
+  /// The answer to the question that it asked, other than "complete".
+  void tagIncomplete(protocol::TagState state, Instant now);
+  void tagQueryFailed(const std::string& reason, Instant now);
+  void stopEnded(const StopRun::Result& result, Instant now);
+  void linkLost(const std::string& reason, Instant now);
+  /// A status frame came, or the status stream stopped.
+  void robotChanged(Instant now);
+  void advance(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  [[nodiscard]] const CommandOrder& order() const { return order_; }
+  [[nodiscard]] bool accepted() const { return accepted_at_.has_value(); }
+  [[nodiscard]] bool stopping() const { return state_ == CommandRunState::Stopping; }
+  [[nodiscard]] bool ended() const { return state_ == CommandRunState::Ended; }
+  /// Precondition: ended().
+  [[nodiscard]] const Outcome& outcome() const { return outcome_; }
+  /// What is new since the last call.
+  [[nodiscard]] std::vector<Progress> takeProgress();
+
+ private:
+  enum class Robot { LeaveIt, Stop };
+
+  void fire(CommandRunEvent event, Instant now);
+  void act(CommandRunAction action, Instant now);
+  void fail(Failure failure, Robot robot, Instant now);
+  void awaitTag(Instant now);
+  void askForStop(Instant now);
+  void followHold(Instant now);
+  void becomeActiveWhenDue(Instant now);
+  void becomeActive(Instant now);
+  void report(Phase phase, std::string text, Instant now);
+  void end(Outcome outcome, Instant now);
+
+  CommandOrder order_;
+  RunContext context_;
+  CommandRunState state_ = CommandRunState::Sent;
+  std::string script_id_;
+  Instant sent_at_;
+  std::optional<Instant> accepted_at_;
+  std::optional<Instant> tag_seen_at_;
+  std::optional<Instant> active_at_;    ///< when the commands in front of it should be done
+  std::optional<Instant> moving_from_;  ///< when it began to be executed, later by every pause since
+  std::optional<Instant> deadline_;     ///< of Executing
+  std::optional<Instant> held_since_;   ///< the robot is paused: its deadlines stand still
+  Instant give_up_at_;                  ///< when nobody can tell whether it moves
+  Failure failure_;
+  Robot robot_on_failure_ = Robot::LeaveIt;
+  std::string cancelled_why_;
+  Phase phase_ = Phase::Sent;
+  Instant reported_at_;
+  std::vector<Progress> progress_;
+  Outcome outcome_;
+};
+
+}  // namespace cobot_command::blocks

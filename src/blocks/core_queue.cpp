@@ -1,0 +1,298 @@
+// The queue: who waits, who is next, and what falls with whom.
+
+#include <algorithm>
+#include <utility>
+
+#include "core_impl.h"
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/error_ids.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+Block blockOf(const Goal& goal) {
+  return static_cast<Block>(goal.index());
+}
+
+template <class Kind>
+constexpr bool kIsQueued = !std::is_same_v<Kind, ConnectGoal> && !std::is_same_v<Kind, ProgramControlGoal> &&
+                           !std::is_same_v<Kind, StopGoal> && !std::is_same_v<Kind, CheckSequenceGoal> &&
+                           !std::is_same_v<Kind, PickAndPlaceGoal>;
+
+/// Calls `use` with a goal that is one command; anything else is answered with `otherwise`.
+template <class Answer, class Use>
+Answer forCommand(const Goal& goal, Answer otherwise, Use use) {
+  return std::visit(
+      [&](const auto& g) -> Answer {
+        if constexpr (kIsQueued<std::decay_t<decltype(g)>>) {
+          return use(g);
+        } else {
+          return std::move(otherwise);
+        }
+      },
+      goal);
+}
+
+}  // namespace
+
+// --- Planning ahead.
+
+std::optional<Origin> CommandCore::Impl::originBehindAll(Instant now) const {
+  if (!waiting_.empty()) return waiting_.back().end;
+  if (cycle_) return std::nullopt;
+  if (run_) {
+    const bool known = run_->order().plan && !run_->stopping();
+    return known ? std::make_optional(run_->order().plan->end) : std::nullopt;
+  }
+  return preflight_.origin(robot_, frames_, now);
+}
+
+Result<std::optional<Plan>, Failure> CommandCore::Impl::planFor(const Goal& goal,
+                                                                const std::optional<Origin>& origin) const {
+  using Planned = Result<std::optional<Plan>, Failure>;
+  return forCommand<Planned>(goal, std::optional<Plan>(), [&](const auto& command) -> Planned {
+    const auto base = origin ? std::make_optional(origin->setting.base) : frames_.frames().base;
+    if (traitsOf(command).needs_base && !base) return refuse(Failure{own_error::kBaseUnknown, "", ""});
+    const CommandOrder order = orderOf(command, base.value_or(arm::Pose::Identity()));
+    if (!order.commands) return std::optional<Plan>();
+    return preflight_.plan(*order.commands, origin);
+  });
+}
+
+/// What was foreseen for those that wait stands on what was in front of them.
+void CommandCore::Impl::forgetForecasts() {
+  for (Waiting& waiting : waiting_) waiting.end.reset();
+}
+
+// --- In and out.
+
+void CommandCore::Impl::enqueue(GoalId id, const Goal& goal, BufferMode mode, Instant now) {
+  const Block block = blockOf(goal);
+  if (mode == BufferMode::Aborting) {
+    abortAll(fmt::format("taken over by {}", toString(block)), now);
+    if (mayStillMove() && !stop_.busy()) stop_.ask(now);
+  }
+  Waiting waiting{id, goal, 0, std::nullopt};
+  if (busyBlock()) {
+    const auto planned = planFor(goal, originBehindAll(now));
+    if (!planned) {
+      board_.reject(block, id, toRejection(block, {planned.error()}));
+      return;
+    }
+    if (*planned) waiting.end = (*planned)->end;
+  }
+  board_.wait(block, id);
+  waiting_.push_back(std::move(waiting));
+}
+
+void CommandCore::Impl::dropWaiting(const std::string& why) {
+  for (const Waiting& waiting : std::exchange(waiting_, {})) {
+    endAborted(blockOf(waiting.goal), waiting.id, why);
+  }
+}
+
+void CommandCore::Impl::abortAll(const std::string& why, Instant now) {
+  dropWaiting(why);
+  abortRunning(why, now);
+}
+
+void CommandCore::Impl::abortRunning(const std::string& why, Instant now) {
+  preflight_.forget();
+  if (cycle_) cycle_->cancel(why, now);
+  if (run_) run_->cancel(why, now);
+}
+
+void CommandCore::Impl::endAborted(Block block, GoalId id, const std::string& why) {
+  Outcome outcome;
+  outcome.ending = Ending::CommandAborted;
+  outcome.error_description = why;
+  board_.end(block, id, std::move(outcome));
+}
+
+// --- Whose turn it is.
+
+void CommandCore::Impl::dispatch(Instant now) {
+  while (!shut_down_ && !run_ && !stop_.busy()) {
+    if (cycle_) {
+      if (!cycle_->next()) return;
+      continueCycle(now);
+    } else if (!waiting_.empty()) {
+      const Waiting next = std::move(waiting_.front());
+      waiting_.pop_front();
+      begin(next, now);
+    } else {
+      return;
+    }
+    finishRuns(now);
+    finishCycle(now);
+  }
+}
+
+void CommandCore::Impl::begin(const Waiting& next, Instant now) {
+  const Block block = blockOf(next.goal);
+  Failures failures = checkReadiness(BufferMode::Aborting);
+  if (failures.empty()) {
+    if (const auto* cycle = std::get_if<PickAndPlaceGoal>(&next.goal)) {
+      beginCycle(next.id, *cycle, now);
+      return;
+    }
+    auto order = prepare(next.goal, now);
+    if (order) {
+      order->goal = next.id;
+      board_.accept(block, next.id, order->command_id_ack);
+      start(std::move(*order), now);
+      return;
+    }
+    failures.push_back(order.error());
+  }
+  dropWaiting(fmt::format("the command in front of it, {}, was refused", toString(block)));
+  board_.end(block, next.id, toRejection(block, failures));
+}
+
+Result<CommandOrder, Failure> CommandCore::Impl::prepare(const Goal& goal, Instant now) {
+  using Prepared = Result<CommandOrder, Failure>;
+  return forCommand<Prepared>(goal, CommandOrder(), [&](const auto& command) -> Prepared {
+    const CommandTraits traits = traitsOf(command);
+    const ActiveFrames frames = frames_.frames();
+    if (traits.needs_base && !frames.base) return refuse(Failure{own_error::kBaseUnknown, "", ""});
+    CommandOrder order = orderOf(command, frames.base.value_or(arm::Pose::Identity()));
+    if (order.commands) {
+      auto plan = preflight_.plan(*order.commands, preflight_.origin(robot_, frames_, now));
+      if (!plan) return refuse(plan.error());
+      order.plan = std::move(*plan);
+    }
+    if (traits.awaits_motion) {
+      order.tag = tags_.open(traits.command_id);
+      if (!order.tag) return refuse(Failure{own_error::kNoFreeTag, "", ""});
+    }
+    order.command_id_ack = traits.command_id != 0 ? traits.command_id : order.tag.value_or(0);
+    order.exits_node = traits.exits_node;
+    order.reply_timeout = traits.reply_timeout;
+    close(order);
+    return order;
+  });
+}
+
+void CommandCore::Impl::start(CommandOrder order, Instant now) {
+  if (order.moves) {
+    if (order.tag) {
+      preflight_.forget();
+    } else {
+      preflight_.queue(order.plan, now);
+    }
+  }
+  if (order.plan) tellPath(order.goal, *order.plan);
+  run_.emplace(std::move(order), RunContext{settings_, script_, tags_, robot_, stop_}, now);
+}
+
+// --- Pick and place.
+
+void CommandCore::Impl::beginCycle(GoalId id, const PickAndPlaceGoal& goal, Instant now) {
+  Outcome found = checkCycle(goal, preflight_.origin(robot_, frames_, now));
+  const bool not_checkable =
+      found.error_id == own_error::kStartUnknown || found.error_id == own_error::kNoModel;
+  if (found.ending == Ending::Rejected && !not_checkable) {
+    dropWaiting("the command in front of it, pick_and_place, was refused");
+    board_.end(Block::PickAndPlace, id, std::move(found));
+    return;
+  }
+  board_.accept(Block::PickAndPlace, id, 0);
+  cycle_.emplace(id, goal, std::move(found.steps), now);
+}
+
+void CommandCore::Impl::continueCycle(Instant now) {
+  const PickAndPlaceRun::Command command = *cycle_->next();
+  Result<CommandOrder, Failure> order = CommandOrder();
+  if (const auto* move = std::get_if<MoveAbsoluteGoal>(&command)) {
+    order = prepare(*move, now);
+  } else {
+    order = orderOf(std::get<OutputAction>(command));
+  }
+  if (const Failures failures = checkReadiness(BufferMode::Aborting); !failures.empty()) {
+    order = refuse(failures.front());
+  }
+  if (!order) {
+    cycle_->commandRefused(Block::MoveAbsolute, order.error(), now);
+    return;
+  }
+  order->goal = cycle_->goal();
+  cycle_->commandStarted();
+  start(std::move(*order), now);
+}
+
+// --- Ends.
+
+void CommandCore::Impl::finishRuns(Instant now) {
+  for (const CommandRun& run : direct_) {
+    if (run.ended()) board_.end(run.order().block, run.order().goal, run.outcome());
+  }
+  direct_.erase(std::remove_if(direct_.begin(), direct_.end(), [](const auto& run) { return run.ended(); }),
+                direct_.end());
+  if (!run_) return;
+  for (Progress& progress : run_->takeProgress()) {
+    if (cycle_) {
+      cycle_->commandProgressed(progress);
+    } else {
+      board_.progress(run_->order().block, run_->order().goal, std::move(progress));
+    }
+  }
+  if (!run_->ended()) return;
+  const CommandRun run = *std::exchange(run_, std::nullopt);
+  if (run.outcome().ending == Ending::Aborted) {
+    preflight_.forget();
+    // Before the end of the command itself: its error is what the block shows then.
+    dropWaiting(fmt::format("the command in front of it, {}, failed",
+                            toString(cycle_ ? Block::PickAndPlace : run.order().block)));
+  }
+  if (cycle_) {
+    cycle_->commandEnded(run.outcome(), now);
+  } else {
+    board_.end(run.order().block, run.order().goal, run.outcome());
+  }
+}
+
+void CommandCore::Impl::finishCycle(Instant now) {
+  if (!cycle_) return;
+  for (Progress& progress : cycle_->takeProgress()) {
+    board_.progress(Block::PickAndPlace, cycle_->goal(), std::move(progress));
+  }
+  if (!cycle_->ended()) return;
+  const PickAndPlaceRun cycle = *std::exchange(cycle_, std::nullopt);
+  if (cycle.outcome().ending == Ending::Aborted) {
+    if (mayStillMove() && !stop_.busy()) stop_.ask(now);
+    dropWaiting("the command in front of it, pick_and_place, failed");
+  }
+  board_.end(Block::PickAndPlace, cycle.goal(), cycle.outcome());
+}
+
+void CommandCore::Impl::finishStop(Instant now) {
+  const auto result = stop_.takeResult();
+  if (!result) return;
+  loose_since_.reset();
+  preflight_.forget();
+  frames_.stopped();
+  if (run_) run_->stopEnded(*result, now);
+  for (const GoalId id : std::exchange(stop_goals_, {})) {
+    Outcome outcome;
+    if (result->failure) outcome = toOutcome(Block::Stop, Ending::Aborted, *result->failure);
+    board_.end(Block::Stop, id, std::move(outcome));
+  }
+  if (result->failure) dropWaiting("the robot may still move: " + result->failure->found);
+}
+
+void CommandCore::Impl::tellPlaces() {
+  int place = 0;
+  for (Waiting& waiting : waiting_) {
+    ++place;
+    if (waiting.told_place == place) continue;
+    waiting.told_place = place;
+    Progress progress;
+    progress.phase = Phase::Queued;
+    progress.place_in_queue = place;
+    progress.text = fmt::format("waits for its turn, {} in front of it", place == 1 ? "one is" : "others are");
+    board_.progress(blockOf(waiting.goal), waiting.id, std::move(progress));
+  }
+}
+
+}  // namespace cobot_command::blocks

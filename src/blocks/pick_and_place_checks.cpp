@@ -1,0 +1,75 @@
+// What is wrong with a pick-and-place goal before anything is planned.
+
+#include "block_rules.h"
+#include "pick_and_place_run.h"
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/error_ids.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+constexpr std::size_t kMaxSteps = 50;
+constexpr int kMaxCycles = 1000000;
+constexpr double kMaxDwell = 3600;
+constexpr int kMaxOutput = 15;
+
+bool isOutput(const OutputAction& output) {
+  const bool known = output.module == "EndModule" || output.module == "ControlBox";
+  return known && output.output >= 0 && output.output <= kMaxOutput;
+}
+
+void checkStep(const PickAndPlaceStep& step, std::size_t number, std::vector<Failure>& failures) {
+  if (const auto own = check(step.move); !own.empty()) {
+    const Outcome refusal = toRejection(Block::MoveAbsolute, own);
+    failures.push_back(
+        {own_error::kStepRefused,
+         fmt::format("step {}: 16#{:X} {}", number, refusal.error_id, refusal.error_description),
+         refusal.remedy});
+  }
+  if (!(step.dwell >= 0 && step.dwell <= kMaxDwell)) {
+    failures.push_back(
+        {own_error::kDwellRange, fmt::format("the dwell of step {} is {} s", number, step.dwell), ""});
+  }
+  if (step.output && !isOutput(*step.output)) {
+    failures.push_back({own_error::kOutputInvalid,
+                        fmt::format("step {}: output {} of module '{}'", number, step.output->output,
+                                    step.output->module.substr(0, 64)),
+                        ""});
+  }
+  if (step.move.blending_enable && (step.dwell > 0 || step.output)) {
+    failures.push_back({own_error::kBlendBeforeDwell, fmt::format("step {}", number), ""});
+  }
+}
+
+}  // namespace
+
+std::vector<Failure> checkPickAndPlace(const PickAndPlaceGoal& goal) {
+  std::vector<Failure> failures;
+  if (!goal.steps_fault.empty()) {
+    failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, ""});
+  } else if (goal.steps.empty() || goal.steps.size() > kMaxSteps) {
+    failures.push_back({own_error::kStepCount, fmt::format("{} steps", goal.steps.size()), ""});
+  }
+  if (goal.cycles < 0 || goal.cycles > kMaxCycles) {
+    failures.push_back({own_error::kCycleRange, fmt::format("cycles is {}", goal.cycles), ""});
+  }
+  if (goal.buffer_mode < static_cast<int>(BufferMode::Refuse) ||
+      goal.buffer_mode > static_cast<int>(BufferMode::Aborting)) {
+    failures.push_back(
+        {own_error::kBufferModeUnknown, fmt::format("buffer_mode is {}", goal.buffer_mode), ""});
+  }
+  for (std::size_t i = 0; i < goal.steps.size() && failures.empty(); ++i) {
+    checkStep(goal.steps[i], i + 1, failures);
+  }
+  return failures;
+}
+
+CheckSequenceGoal asSequence(const PickAndPlaceGoal& goal) {
+  CheckSequenceGoal sequence;
+  for (const PickAndPlaceStep& step : goal.steps) sequence.steps.emplace_back(step.move);
+  if (goal.cycles != 1 && !goal.steps.empty()) sequence.steps.emplace_back(goal.steps.front().move);
+  return sequence;
+}
+
+}  // namespace cobot_command::blocks

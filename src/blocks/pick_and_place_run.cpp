@@ -1,0 +1,197 @@
+#include "pick_and_place_run.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/error_ids.h"
+
+namespace cobot_command::blocks {
+
+using State = PickAndPlaceState;
+
+PickAndPlaceRun::PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<StepReport> steps, Instant now)
+    : id_(id), goal_(std::move(goal)), started_at_(now) {
+  // The check looks at the first step twice; see asSequence().
+  steps.resize(goal_.steps.size());
+  outcome_.steps = std::move(steps);
+}
+
+std::optional<PickAndPlaceRun::Command> PickAndPlaceRun::next() const {
+  if (under_way_ || cancelled_why_) return std::nullopt;
+  if (state_ == State::Moving) return step().move;
+  if (state_ == State::Setting) return *step().output;
+  return std::nullopt;
+}
+
+bool PickAndPlaceRun::isLast() const {
+  return step_ + 1 == goal_.steps.size() && goal_.cycles != 0 && cycle_ >= goal_.cycles;
+}
+
+void PickAndPlaceRun::commandProgressed(const Progress& progress) {
+  Progress mine = progress;
+  mine.fraction = (static_cast<double>(step_) + progress.fraction) / static_cast<double>(goal_.steps.size());
+  report(std::move(mine));
+}
+
+void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
+  under_way_ = false;
+  if (outcome.ending == Ending::Aborted || outcome.ending == Ending::Rejected) {
+    if (outcome.error_id == motion_error::kLinkDropped) {
+      fail({motion_error::kLinkDropped, outcome.error_description, outcome.remedy}, now);
+      outcome_.failed_step = static_cast<int>(step_);
+      return;
+    }
+    failStep(own_error::kStepFailed, {outcome.error_id, outcome.error_description, ""}, outcome.remedy, now);
+    return;
+  }
+  if (outcome.ending == Ending::CommandAborted || cancelled_why_) {
+    if (!cancelled_why_) cancelled_why_ = outcome.error_description;
+    fire(Event::Cancelled, now);
+    return;
+  }
+  const bool dwells = step().dwell > 0;
+  if (state_ == State::Moving && step().output) {
+    fire(Event::MoveDone, now);
+  } else if (dwells) {
+    fire(state_ == State::Moving ? Event::MoveDoneDwell : Event::OutputSetDwell, now);
+  } else if (isLast()) {
+    fire(Event::LastDone, now);
+  } else {
+    fire(state_ == State::Moving ? Event::MoveDoneNext : Event::OutputSetNext, now);
+  }
+}
+
+void PickAndPlaceRun::commandRefused(Block block, const Failure& failure, Instant now) {
+  const Outcome refusal = toOutcome(block, Ending::Rejected, failure);
+  failStep(own_error::kStepRefused, {refusal.error_id, refusal.error_description, ""}, refusal.remedy, now);
+}
+
+void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now) {
+  outcome_.failed_step = static_cast<int>(step_);
+  StepReport& report = outcome_.steps[step_];
+  report.error_id = step_failure.error_id;
+  report.error_description = step_failure.found;
+  const char* part = state_ == State::Setting ? "the output of " : "";
+  fail({error_id,
+        fmt::format("{}step {} of {}, cycle {}: 16#{:X} {}", part, step_ + 1, goal_.steps.size(), cycle_,
+                    step_failure.error_id, step_failure.found),
+        remedy},
+       now);
+}
+
+void PickAndPlaceRun::cancel(const std::string& why, Instant now) {
+  if (ended()) return;
+  cancelled_why_ = why;
+  if (!under_way_) fire(Event::Cancelled, now);
+}
+
+void PickAndPlaceRun::linkLost(const std::string& reason, Instant now) {
+  if (!under_way_) fail({motion_error::kLinkDropped, reason, ""}, now);
+}
+
+void PickAndPlaceRun::robotChanged(const RobotWatch& robot, Instant now) {
+  if (under_way_ || ended()) return;
+  if (robot.emergencyStop()) {
+    fail({motion_error::kLinkDropped, "emergency stop",
+          "Release the emergency stop and start the project again"},
+         now);
+    return;
+  }
+  if (robot.inError()) {
+    fail({own_error::kRobotError, robot.errorText(), ""}, now);
+    return;
+  }
+  if (!dwell_until_) return;
+  if (robot.held() && !held_since_) {
+    held_since_ = now;
+  } else if (!robot.held() && held_since_) {
+    *dwell_until_ += now - *held_since_;
+    held_since_.reset();
+  }
+}
+
+void PickAndPlaceRun::advance(Instant now) {
+  if (!dwell_until_ || held_since_ || now < *dwell_until_) return;
+  dwell_until_.reset();
+  fire(isLast() ? Event::LastDone : Event::DwellOver, now);
+}
+
+std::optional<Instant> PickAndPlaceRun::nextDeadline() const {
+  return held_since_ ? std::nullopt : dwell_until_;
+}
+
+void PickAndPlaceRun::fail(Failure failure, Instant now) {
+  failure_ = std::move(failure);
+  fire(Event::Failed, now);
+}
+
+void PickAndPlaceRun::fire(Event event, Instant now) {
+  const auto row = link::findTransition<PickAndPlaceTable>(state_, event);
+  if (!row) return;
+  state_ = row->to;
+  switch (row->action) {
+    case PickAndPlaceAction::None:
+      return;
+    case PickAndPlaceAction::StartDwell:
+      startDwell(now);
+      return;
+    case PickAndPlaceAction::NextStep:
+      nextStep(now);
+      return;
+    case PickAndPlaceAction::EndDone:
+      ++outcome_.cycles_done;
+      end(Ending::Done, now);
+      return;
+    case PickAndPlaceAction::EndError:
+      end(Ending::Aborted, now);
+      return;
+    case PickAndPlaceAction::EndAborted:
+      end(Ending::CommandAborted, now);
+      return;
+  }
+}
+
+void PickAndPlaceRun::startDwell(Instant now) {
+  dwell_until_ = now + fromSeconds(step().dwell);
+  Progress progress;
+  progress.phase = Phase::Dwelling;
+  progress.fraction = static_cast<double>(step_ + 1) / static_cast<double>(goal_.steps.size());
+  progress.text = fmt::format("waits {} s", step().dwell);
+  report(std::move(progress));
+}
+
+void PickAndPlaceRun::nextStep(Instant /*now*/) {
+  if (++step_ < goal_.steps.size()) return;
+  step_ = 0;
+  ++cycle_;
+  ++outcome_.cycles_done;
+}
+
+void PickAndPlaceRun::report(Progress progress) {
+  progress.step = static_cast<int>(step_);
+  progress.cycle = cycle_;
+  progress_.push_back(std::move(progress));
+}
+
+std::vector<Progress> PickAndPlaceRun::takeProgress() {
+  return std::exchange(progress_, {});
+}
+
+void PickAndPlaceRun::end(Ending ending, Instant now) {
+  dwell_until_.reset();
+  Outcome outcome;
+  if (ending == Ending::Aborted) {
+    outcome = toOutcome(Block::PickAndPlace, ending, failure_);
+  } else {
+    outcome.ending = ending;
+    if (cancelled_why_) outcome.error_description = *cancelled_why_;
+  }
+  outcome.steps = std::move(outcome_.steps);
+  outcome.failed_step = outcome_.failed_step;
+  outcome.cycles_done = outcome_.cycles_done;
+  outcome.actual = now - started_at_;
+  outcome_ = std::move(outcome);
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,86 @@
+// A pick-and-place goal under way (annex B, chapter 6.3.8; states: pick_and_place_states.h).
+//
+// It says which command is to be sent next and is told how that went; sending is the arbiter's. So every step
+// lives on the wire exactly like a command of its own.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "failure.h"
+#include "robot_watch.h"
+
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/pick_and_place_states.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::blocks {
+
+/// All violations of the goal's own parameters, and the first of its steps that is wrong by itself.
+[[nodiscard]] std::vector<Failure> checkPickAndPlace(const PickAndPlaceGoal& goal);
+
+/// What to plan to check the cycle as a whole: its steps, and the first again when there is more than one
+/// cycle.
+[[nodiscard]] CheckSequenceGoal asSequence(const PickAndPlaceGoal& goal);
+
+class PickAndPlaceRun {
+ public:
+  using Command = std::variant<MoveAbsoluteGoal, OutputAction>;
+
+  /// `steps`: what the check of the sequence found; may be empty. Precondition: checkPickAndPlace() found
+  /// nothing.
+  PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<StepReport> steps, Instant now);
+
+  /// What has to be sent now; nothing while a command is under way, or in a dwell.
+  [[nodiscard]] std::optional<Command> next() const;
+  void commandStarted() { under_way_ = true; }
+  void commandProgressed(const Progress& progress);
+  void commandEnded(const Outcome& outcome, Instant now);
+  /// The command could not be sent.
+  void commandRefused(Block block, const Failure& failure, Instant now);
+
+  /// When a command is under way that one has to be cancelled too; its end is this one's.
+  void cancel(const std::string& why, Instant now);
+  void linkLost(const std::string& reason, Instant now);
+  /// A pause holds the dwell; an emergency stop or an error ends it.
+  void robotChanged(const RobotWatch& robot, Instant now);
+  void advance(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  [[nodiscard]] GoalId goal() const { return id_; }
+  [[nodiscard]] bool ended() const { return state_ == PickAndPlaceState::Ended; }
+  /// Precondition: ended().
+  [[nodiscard]] const Outcome& outcome() const { return outcome_; }
+  [[nodiscard]] std::vector<Progress> takeProgress();
+
+ private:
+  using Event = PickAndPlaceEvent;
+
+  void fire(Event event, Instant now);
+  void startDwell(Instant now);
+  void nextStep(Instant now);
+  void fail(Failure failure, Instant now);
+  void failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now);
+  void report(Progress progress);
+  void end(Ending ending, Instant now);
+  [[nodiscard]] const PickAndPlaceStep& step() const { return goal_.steps[step_]; }
+  [[nodiscard]] bool isLast() const;
+
+  GoalId id_;
+  PickAndPlaceGoal goal_;
+  PickAndPlaceState state_ = PickAndPlaceState::Moving;
+  std::size_t step_ = 0;
+  int cycle_ = 1;
+  bool under_way_ = false;
+  std::optional<std::string> cancelled_why_;
+  std::optional<Instant> dwell_until_;
+  std::optional<Instant> held_since_;
+  Instant started_at_;
+  Failure failure_;
+  std::vector<Progress> progress_;
+  Outcome outcome_;
+};
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,88 @@
+#include "stop_run.h"
+
+#include <utility>
+
+#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/protocol/script_command.h"
+
+namespace cobot_command::blocks {
+
+using Event = StopEvent;
+
+void StopRun::ask(Instant now) {
+  if (link_.established()) fire(Event::Ask, now);
+}
+
+void StopRun::answered(const link::ScriptAnswered& answer, Instant now) {
+  if (answer.id != script_id_) return;
+  const auto* reply = std::get_if<protocol::ScriptReply>(&answer.answer);
+  if (reply != nullptr && reply->accepted) {
+    fire(Event::Accepted, now);
+    return;
+  }
+  std::string found = "the controller refused StopAndClearBuffer()";
+  if (const auto* error = std::get_if<protocol::CommunicationError>(&answer.answer)) {
+    found = protocol::describe(*error);
+  } else if (reply == nullptr) {
+    found = "no reply to StopAndClearBuffer()";
+  }
+  fail({own_error::kStopNotConfirmed, std::move(found), ""}, now);
+}
+
+void StopRun::linkLost(const std::string& reason, Instant now) {
+  fail({motion_error::kLinkDropped, reason, ""}, now);
+}
+
+void StopRun::robotChanged(Instant now) {
+  if (state_ == StopState::Settling && robot_.moving() == false) fire(Event::Standing, now);
+}
+
+void StopRun::advance(Instant now) {
+  if (!deadline_ || now < *deadline_) return;
+  if (robot_.moving().value_or(false)) {
+    fail({own_error::kStopNotConfirmed, "the robot still moves after the accepted stop", ""}, now);
+  } else {
+    fire(Event::Standing, now);
+  }
+}
+
+std::optional<StopRun::Result> StopRun::takeResult() {
+  return std::exchange(result_, std::nullopt);
+}
+
+void StopRun::fail(Failure failure, Instant now) {
+  failure_ = std::move(failure);
+  fire(Event::Failed, now);
+}
+
+void StopRun::fire(Event event, Instant now) {
+  const auto row = link::findTransition<StopTable>(state_, event);
+  if (!row) return;
+  state_ = row->to;
+  switch (row->action) {
+    case StopAction::None:
+      return;
+    case StopAction::Send:
+      deadline_.reset();
+      // Whatever was queued before is dropped, and its tags mean nothing any more.
+      tags_.renewEpoch();
+      script_id_ = link_.sendScript(
+          protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})), now);
+      return;
+    case StopAction::AwaitStandstill:
+      deadline_ = now + settings_.stop_timeout;
+      // Without a stream that tells of joint speeds, the accepted stop is all that can be known.
+      if (!robot_.moving()) fire(Event::Standing, now);
+      return;
+    case StopAction::EndStopped:
+      deadline_.reset();
+      result_.emplace();
+      return;
+    case StopAction::EndFailed:
+      deadline_.reset();
+      result_ = Result{failure_};
+      return;
+  }
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,130 @@
+// The stop block: a path of its own to the robot, and everything else ends.
+
+#include "core_rig.h"
+#include "status_frames.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cobot_command::testing {
+namespace {
+
+using namespace blocks;
+using ::testing::HasSubstr;
+
+TEST(StopBlock, sendsTheStopAtOnceAndIsDoneWhenTheRobotStands) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.connect();
+  rig.status(StatusFrames());
+  const GoalId move = rig.submit(CoreRig::move());
+  const auto script = rig.takeScript();
+  const GoalId stop = rig.submit(StopGoal{});
+  const auto frame = rig.takeScript();
+  EXPECT_EQ(frame.script, "StopAndClearBuffer()");
+  EXPECT_TRUE(rig.nothingSent()) << "one frame is enough";
+  rig.reply(script.id);
+  rig.status(StatusFrames().moving());
+  rig.reply(frame.id);
+  EXPECT_EQ(rig.outcome(stop), nullptr);
+  EXPECT_TRUE(rig.outputs(Block::Stop).busy);
+  rig.status(StatusFrames());
+  ASSERT_NE(rig.outcome(stop), nullptr);
+  EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
+  ASSERT_NE(rig.outcome(move), nullptr);
+  EXPECT_EQ(rig.outcome(move)->ending, Ending::CommandAborted);
+  EXPECT_THAT(rig.outcome(move)->error_description, HasSubstr("stop block"));
+}
+
+TEST(StopBlock, worksWithoutACommandUnderWay) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  ASSERT_NE(rig.outcome(stop), nullptr);
+  EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
+}
+
+TEST(StopBlock, emptiesTheQueue) {
+  CoreRig rig;
+  rig.connect();
+  rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id);
+  MoveAbsoluteGoal buffered = CoreRig::move();
+  buffered.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  std::vector<GoalId> waiting;
+  for (int i = 0; i < 50; ++i) waiting.push_back(rig.submit(buffered));
+  rig.submit(StopGoal{});
+  const auto frame = rig.takeScript();
+  EXPECT_EQ(frame.script, "StopAndClearBuffer()");
+  for (const GoalId id : waiting) {
+    ASSERT_NE(rig.outcome(id), nullptr);
+    EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
+  }
+  rig.reply(frame.id);
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST(StopBlock, refusesCommandsWhileItStops) {
+  CoreRig rig;
+  rig.connect();
+  rig.submit(StopGoal{});
+  const GoalId move = rig.submit(CoreRig::move());
+  EXPECT_EQ(rig.outcome(move)->error_id, motion_error::kOtherBlockBusy);
+  MoveAbsoluteGoal buffered = CoreRig::move();
+  buffered.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  const GoalId next = rig.submit(buffered);
+  rig.reply(rig.takeScript().id);
+  EXPECT_TRUE(rig.accepted(next));
+  rig.discardSent();
+}
+
+TEST(StopBlock, askedTwiceIsSentTwiceAndEndsTwice) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId first = rig.submit(StopGoal{});
+  const GoalId second = rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  EXPECT_EQ(rig.outcome(first), nullptr) << "the last one counts";
+  rig.reply(rig.takeScript().id);
+  EXPECT_EQ(rig.outcome(first)->ending, Ending::Done);
+  EXPECT_EQ(rig.outcome(second)->ending, Ending::Done);
+}
+
+TEST(StopBlock, isAnErrorWhenTheStopIsNotConfirmed) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.takeScript();
+  rig.pass(1s);
+  ASSERT_NE(rig.outcome(stop), nullptr);
+  EXPECT_EQ(rig.outcome(stop)->ending, Ending::Aborted);
+  EXPECT_EQ(rig.outcome(stop)->error_id, own_error::kStopNotConfirmed);
+}
+
+TEST(StopBlock, isRefusedWithoutALink) {
+  CoreRig rig;
+  const GoalId stop = rig.submit(StopGoal{});
+  EXPECT_EQ(rig.outcome(stop)->ending, Ending::Rejected);
+  EXPECT_EQ(rig.outcome(stop)->error_id, motion_error::kNotConnected);
+}
+
+TEST(StopBlock, isRefusedOutsideTheListenNode) {
+  CoreRig rig;
+  rig.listening = false;
+  rig.submit(CoreRig::robot());
+  rig.open();
+  const GoalId stop = rig.submit(StopGoal{});
+  EXPECT_EQ(rig.outcome(stop)->error_id, own_error::kNotListening);
+}
+
+TEST(StopBlock, endsWithTheLink) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.takeScript();
+  rig.close("cable pulled");
+  EXPECT_EQ(rig.outcome(stop)->ending, Ending::Aborted);
+  EXPECT_EQ(rig.outcome(stop)->error_id, motion_error::kLinkDropped);
+}
+
+}  // namespace
+}  // namespace cobot_command::testing
