@@ -60,9 +60,18 @@ CommandOrder orderOf(const ProgramControlGoal& goal) {
   return orderOf(Block::ProgramControl, commandOf(goal), false);
 }
 
+std::optional<protocol::IoModule> moduleOf(const OutputAction& output) {
+  if (output.module == "EndModule") return protocol::IoModule::EndModule;
+  if (output.module == "ControlBox") return protocol::IoModule::ControlBox;
+  return std::nullopt;
+}
+
 CommandOrder orderOf(const OutputAction& output) {
-  return orderOf(Block::PickAndPlace, protocol::WriteOutput{output.module, output.output, output.value},
-                 false);
+  protocol::WriteOutput write;
+  write.module = *moduleOf(output);
+  write.index = output.output;
+  write.on = output.value;
+  return orderOf(Block::PickAndPlace, write, false);
 }
 
 void close(CommandOrder& order) {

@@ -39,7 +39,9 @@ struct CommandOrder {
 [[nodiscard]] CommandOrder orderOf(const ExitListenNodeGoal& goal, const arm::Pose& base);
 [[nodiscard]] CommandOrder orderOf(const RunScriptGoal& goal, const arm::Pose& base);
 [[nodiscard]] CommandOrder orderOf(const ProgramControlGoal& goal);
+/// Precondition: moduleOf() knows the module.
 [[nodiscard]] CommandOrder orderOf(const OutputAction& output);
+[[nodiscard]] std::optional<protocol::IoModule> moduleOf(const OutputAction& output);
 
 /// Adds the lines at the end: a queue tag, when one is open for it, and the exit from the node.
 void close(CommandOrder& order);

@@ -1,6 +1,7 @@
 // What is wrong with a pick-and-place goal before anything is planned.
 
 #include "block_rules.h"
+#include "command_order.h"
 #include "pick_and_place_run.h"
 #include <fmt/format.h>
 
@@ -12,11 +13,10 @@ namespace {
 constexpr std::size_t kMaxSteps = 50;
 constexpr int kMaxCycles = 1000000;
 constexpr double kMaxDwell = 3600;
-constexpr int kMaxOutput = 15;
 
 bool isOutput(const OutputAction& output) {
-  const bool known = output.module == "EndModule" || output.module == "ControlBox";
-  return known && output.output >= 0 && output.output <= kMaxOutput;
+  const auto module = moduleOf(output);
+  return module && output.output >= 0 && output.output < protocol::ioCount(*module);
 }
 
 void checkStep(const PickAndPlaceStep& step, std::size_t number, std::vector<Failure>& failures) {

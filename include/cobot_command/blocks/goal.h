@@ -179,7 +179,7 @@ struct CheckSequenceGoal {
 /// A digital output of the controller.
 struct OutputAction {
   std::string module;  ///< "EndModule" or "ControlBox"
-  int output = 0;      ///< 0..15
+  int output = 0;      ///< 0..3 of the EndModule, 0..15 of the ControlBox
   bool value = false;
 };
 

@@ -1,0 +1,121 @@
+// A link that is kept without a goal: it comes by itself, comes again, and gives way to a connect goal.
+
+#include "core_rig.h"
+#include <gtest/gtest.h>
+
+namespace cobot_command::testing {
+namespace {
+
+using namespace blocks;
+using State = CommandStatus::LinkState;
+
+struct Rig : CoreRig {
+  Rig() {
+    core.keepConnected(robot(), now);
+    pump();
+  }
+};
+
+TEST(KeptLink, isMadeWithoutAGoal) {
+  Rig rig;
+  rig.open();
+  EXPECT_EQ(rig.latest().link, State::Ready);
+  EXPECT_FALSE(rig.outputs(Block::Connect).busy);
+  const GoalId move = rig.submit(CoreRig::move());
+  EXPECT_TRUE(rig.accepted(move));
+  rig.discardSent();
+}
+
+TEST(KeptLink, triesForEver) {
+  Rig rig;
+  for (int i = 0; i < 1000; ++i) {
+    rig.failOpen(link::OpenFailure::Kind::Refused);
+    rig.pass(1s);
+  }
+  rig.open();
+  EXPECT_EQ(rig.latest().link, State::Ready);
+}
+
+TEST(KeptLink, comesAgainAfterALossAndNothingResumesByItself) {
+  Rig rig;
+  rig.open();
+  const GoalId move = rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id);
+  rig.close("cable pulled");
+  EXPECT_EQ(rig.outcome(move)->error_id, motion_error::kLinkDropped);
+  rig.pass(1s);
+  rig.open();
+  EXPECT_EQ(rig.latest().link, State::Ready);
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST(KeptLink, isTakenOverByAConnectGoalForTheSameController) {
+  Rig rig;
+  rig.open();
+  const int opens = rig.opens;
+  const GoalId goal = rig.submit(CoreRig::robot());
+  EXPECT_TRUE(rig.accepted(goal));
+  EXPECT_EQ(rig.progress(goal).back().phase, Phase::Connected);
+  EXPECT_EQ(rig.opens, opens) << "the connection stays";
+  rig.cancel(goal);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
+  rig.pass(10s);
+  EXPECT_FALSE(rig.pendingOpen(link::Channel::Script)) << "who disconnects means it";
+}
+
+TEST(KeptLink, givesWayToAConnectGoalForAnotherController) {
+  Rig rig;
+  rig.open();
+  ConnectGoal other = CoreRig::robot();
+  other.host = "another";
+  const GoalId goal = rig.submit(other);
+  ASSERT_TRUE(rig.pendingOpen(link::Channel::Script));
+  EXPECT_EQ(rig.pendingOpen(link::Channel::Script)->host, "another");
+  rig.open();
+  EXPECT_EQ(rig.progress(goal).back().phase, Phase::Connected);
+}
+
+TEST(KeptLink, isNotTakenAwayFromACommandThatIsUnderWay) {
+  Rig rig;
+  rig.open();
+  rig.submit(CoreRig::move());
+  rig.discardSent();
+  ConnectGoal other = CoreRig::robot();
+  other.host = "another";
+  const GoalId goal = rig.submit(other);
+  EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kConnectBusy);
+}
+
+TEST(KeptLink, comesBackWhenTheLinkOfAConnectGoalWasLost) {
+  Rig rig;
+  rig.open();
+  const GoalId goal = rig.submit(CoreRig::robot());
+  rig.close("cable pulled");
+  EXPECT_EQ(rig.outcome(goal)->error_id, connect_error::kDisconnected);
+  rig.pass(1s);
+  EXPECT_TRUE(rig.pendingOpen(link::Channel::Script));
+}
+
+TEST(FirstStatusFrame, isWaitedForBeforeCommandsAreTaken) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.submit(CoreRig::robot());
+  rig.open();
+  rig.open(link::Channel::Status);
+  EXPECT_EQ(rig.latest().link, State::Probing);
+  const GoalId early = rig.submit(CoreRig::move());
+  EXPECT_EQ(rig.outcome(early)->error_id, motion_error::kNotConnected);
+  rig.status({});
+  EXPECT_EQ(rig.latest().link, State::Ready);
+}
+
+TEST(FirstStatusFrame, isNotWaitedForForEver) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.submit(CoreRig::robot());
+  rig.open();
+  rig.failOpen(link::OpenFailure::Kind::Refused, link::Channel::Status);
+  rig.pass(500ms);
+  EXPECT_EQ(rig.latest().link, State::Ready);
+}
+
+}  // namespace
+}  // namespace cobot_command::testing
