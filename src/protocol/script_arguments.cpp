@@ -34,18 +34,21 @@ bool isNumber(const Literal& literal) {
 
 }  // namespace
 
-DataFormat Arguments::format(const std::string_view* allowed, std::size_t count) {
+DataFormat Arguments::toFormat(std::string_view letters) {
+  return {static_cast<DataFormat::Target>(letters[0]), static_cast<DataFormat::Speed>(letters[1]),
+          static_cast<DataFormat::Blending>(letters[2])};
+}
+
+std::size_t Arguments::oneOf(std::string_view what, Literal::Kind kind, const std::string_view* allowed,
+                             std::size_t count) {
   std::string expected = "one of";
   for (std::size_t i = 0; i < count; ++i) expected.append(i == 0 ? " " : ", ").append(allowed[i]);
-  const Literal* literal = take("data format", expected);
-  if (literal == nullptr) return {};
-  if (literal->kind != Literal::Kind::Text ||
-      std::find(allowed, allowed + count, literal->text) == allowed + count) {
-    refuseArgument("data format", expected, *literal);
-    return {};
-  }
-  return {static_cast<DataFormat::Target>(literal->text[0]), static_cast<DataFormat::Speed>(literal->text[1]),
-          static_cast<DataFormat::Blending>(literal->text[2])};
+  const Literal* literal = take(what, expected);
+  if (literal == nullptr) return 0;
+  const auto* const found = std::find(allowed, allowed + count, literal->text);
+  if (literal->kind == kind && found != allowed + count) return static_cast<std::size_t>(found - allowed);
+  refuseArgument(what, expected, *literal);
+  return 0;
 }
 
 void Arguments::takeEach(std::string_view what, std::string_view expected, std::size_t count,

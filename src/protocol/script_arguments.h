@@ -24,7 +24,7 @@ class Arguments {
 
   template <std::size_t N>
   DataFormat format(const std::array<std::string_view, N>& allowed) {
-    return format(allowed.data(), N);
+    return toFormat(allowed[oneOf("data format", Literal::Kind::Text, allowed.data(), N)]);
   }
   /// One array of N numbers, or N numbers.
   template <std::size_t N>
@@ -42,12 +42,20 @@ class Arguments {
   bool boolean(std::string_view what);
   /// The name of a base or TCP.
   std::string name(std::string_view what);
+  /// One of these texts (in quotes) or names (without): its place among them.
+  template <std::size_t N>
+  std::size_t oneOf(std::string_view what, Literal::Kind kind,
+                    const std::array<std::string_view, N>& allowed) {
+    return oneOf(what, kind, allowed.data(), N);
+  }
 
   /// Why the arguments are not those of the function; empty when they are. Arguments left over are a fault.
   [[nodiscard]] std::string fault();
 
  private:
-  DataFormat format(const std::string_view* allowed, std::size_t count);
+  static DataFormat toFormat(std::string_view letters);
+  std::size_t oneOf(std::string_view what, Literal::Kind kind, const std::string_view* allowed,
+                    std::size_t count);
   /// One array of so many literals, or so many literals.
   void takeEach(std::string_view what, std::string_view expected, std::size_t count,
                 const std::function<void(std::size_t, const Literal&)>& use);

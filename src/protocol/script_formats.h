@@ -1,5 +1,5 @@
-// The data formats that each motion function takes (I848-E-03 chapter 8): for the reader and the writer
-// alike.
+// The data formats that each motion function takes (I848-E-03 chapter 8), and the names of the IO modules:
+// for the reader and the writer alike.
 #pragma once
 
 #include <algorithm>
@@ -16,6 +16,8 @@ inline constexpr std::array<std::string_view, 8> kMoveLine{"CPP", "CPR", "CAP", 
                                                            "TPP", "TPR", "TAP", "TAR"};
 /// The only one that takes pose configuration bits.
 inline constexpr std::string_view kWithPoseBits = "CPP";
+/// In the order of IoModule.
+inline constexpr std::array<std::string_view, 2> kIoModules{"ControlBox", "EndModule"};
 
 template <std::size_t N>
 [[nodiscard]] bool has(const std::array<std::string_view, N>& formats, std::string_view format) {

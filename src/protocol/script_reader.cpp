@@ -96,6 +96,16 @@ ScriptCommand readWithMode(Arguments& arguments) {
   return command;
 }
 
+ScriptCommand readWriteOutput(Arguments& arguments) {
+  constexpr std::array<std::string_view, 2> kAttributes{"DO", "InstantDO"};
+  WriteOutput write;
+  write.module = static_cast<IoModule>(arguments.oneOf("module", Literal::Kind::Text, formats::kIoModules));
+  write.instant = arguments.oneOf("attribute", Literal::Kind::Name, kAttributes) == 1;
+  write.index = arguments.integer("output", 0, ioCount(write.module) - 1);
+  write.on = arguments.integer("value", 0, 1) == 1;
+  return write;
+}
+
 template <class Command>
 ScriptCommand readPlain(Arguments&) {
   return Command{};
@@ -103,7 +113,7 @@ ScriptCommand readPlain(Arguments&) {
 
 using Reader = ScriptCommand (*)(Arguments&);
 
-constexpr std::array<std::pair<std::string_view, Reader>, 14> kReaders{{
+constexpr std::array<std::pair<std::string_view, Reader>, 15> kReaders{{
     {"PTP", readPtp},
     {"Line", [](Arguments& a) -> ScriptCommand { return readMotion<Line>(a, formats::kLine); }},
     {"Circle", readCircle},
@@ -118,6 +128,7 @@ constexpr std::array<std::pair<std::string_view, Reader>, 14> kReaders{{
     {"Pause", readPlain<Pause>},
     {"Resume", readPlain<Resume>},
     {"ScriptExit", readWithMode<ScriptExit, 1>},
+    {kAssignOutput, readWriteOutput},
 }};
 
 std::string unknownFunction(std::string_view function) {

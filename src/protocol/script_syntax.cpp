@@ -77,6 +77,7 @@ const auto set_function = [](auto& context) {
   x3::_val(context).function = std::move(x3::_attr(context));
   x3::_val(context).arguments.reserve(16);
 };
+const auto set_assignment = [](auto& context) { x3::_val(context).function = kAssignOutput; };
 const auto add_argument = [](auto& context) {
   x3::_val(context).arguments.push_back(std::move(x3::_attr(context)));
 };
@@ -86,6 +87,7 @@ const x3::rule<struct QuotedRule, std::string> quoted = "a text in quotes";
 const x3::rule<struct NumberRule, Literal> number = "a number";
 const x3::rule<struct LiteralRule, Literal> literal = "an argument";
 const x3::rule<struct CallRule, Call> call = "a command Name(arguments)";
+const x3::rule<struct AssignmentRule, Call> assignment = "a command IO[...].DO[...]=...";
 
 const auto word_def = x3::lexeme[x3::char_("A-Za-z_") >> *x3::char_("A-Za-z0-9_")];
 const auto quoted_def = x3::lexeme['"' > *((x3::lit("\"\"") >> x3::attr('"')) | (x3::char_ - '"')) > '"'];
@@ -96,8 +98,11 @@ const auto literal_def = number[([](auto& context) { x3::_val(context) = std::mo
                          (('{' > number)[add_element] > *(',' > number)[add_element] > '}');
 const auto call_def = word[set_function] > '(' > -(literal[add_argument] >> *(',' > literal)[add_argument]) >
                       ')';
+const auto assignment_def = (x3::lit("IO") >> x3::lit('[')[set_assignment]) > literal[add_argument] > ']' >
+                            '.' > literal[add_argument] > '[' > literal[add_argument] > ']' > '=' >
+                            literal[add_argument];
 
-BOOST_SPIRIT_DEFINE(word, quoted, number, literal, call)
+BOOST_SPIRIT_DEFINE(word, quoted, number, literal, call, assignment)
 
 }  // namespace
 
@@ -109,7 +114,8 @@ Result<std::optional<Call>, std::string> parseLine(std::string_view line) {
   const char* first = line.data();
   const char* const last = first + line.size();
   try {
-    if (x3::phrase_parse(first, last, end | (call[keep] > end), x3::char_(std::string(kBlanks))))
+    if (x3::phrase_parse(first, last, end | ((assignment[keep] | call[keep]) > end),
+                         x3::char_(std::string(kBlanks))))
       return parsed;
     return refuse(
         fmt::format("expected a command Name(arguments), found \"{}\"", printable(line.substr(0, 32))));

@@ -1,4 +1,4 @@
-// One line of script as syntax: Name(literal, ...), not yet a command.
+// One line of script as syntax: Name(literal, ...) or IO[literal].Name[literal]=literal, not yet a command.
 #pragma once
 
 #include <optional>
@@ -31,6 +31,10 @@ struct Call {
   std::string function;
   std::vector<Literal> arguments;
 };
+
+/// IO["module"].DO[index]=value is a call of this, with the module, the attribute as a Name, the index and
+/// the value as its arguments. No function can have such a name.
+inline constexpr const char* kAssignOutput = "IO[]=";
 
 /// Nothing for a line that is empty or only a // comment. The error tells the column and what was expected.
 [[nodiscard]] Result<std::optional<Call>, std::string> parseLine(std::string_view line);

@@ -176,6 +176,11 @@ std::string text(const Resume&) {
 std::string text(const ScriptExit& exit) {
   return std::move(CallText("ScriptExit") << exit.mode).str();
 }
+std::string text(const WriteOutput& write) {
+  assert(write.index >= 0 && write.index < ioCount(write.module));
+  return fmt::format("IO[\"{}\"].{}[{}]={}", formats::kIoModules[static_cast<std::size_t>(write.module)],
+                     write.instant ? "InstantDO" : "DO", write.index, write.on ? 1 : 0);
+}
 
 }  // namespace
 

@@ -106,7 +106,24 @@ struct Entry {
   Value (*value)(const Values&);
 };
 
-// What the simulation has no quantity for: forces, torques, inputs and outputs.
+template <std::size_t Index>
+Value boxOutput(const Values& v) {
+  return Byte{v.state.outputs.control_box[Index]};
+}
+template <std::size_t Index>
+Value boxInput(const Values& v) {
+  return Byte{v.state.inputs.control_box[Index]};
+}
+template <std::size_t Index>
+Value endOutput(const Values& v) {
+  return Byte{v.state.outputs.end_module[Index]};
+}
+template <std::size_t Index>
+Value endInput(const Values& v) {
+  return Byte{v.state.inputs.end_module[Index]};
+}
+
+// What the simulation has no quantity for: forces, torques, analog inputs and outputs.
 Value zeroByte(const Values&) {
   return Byte{0};
 }
@@ -143,32 +160,32 @@ constexpr Entry kEntries[] = {
      [](const Values& v) -> Value { return std::int32_t{v.state.project_speed_percent}; }},
     {"MA_Mode", true, [](const Values&) -> Value { return std::int32_t{kAutomatic}; }},
     {"Robot_Light", true, [](const Values& v) -> Value { return std::int32_t{robotLight(v.state)}; }},
-    {"Ctrl_DO0", true, zeroByte},
-    {"Ctrl_DO1", true, zeroByte},
-    {"Ctrl_DO2", true, zeroByte},
-    {"Ctrl_DO3", true, zeroByte},
-    {"Ctrl_DO4", true, zeroByte},
-    {"Ctrl_DO5", true, zeroByte},
-    {"Ctrl_DO6", true, zeroByte},
-    {"Ctrl_DO7", true, zeroByte},
-    {"Ctrl_DI0", true, zeroByte},
-    {"Ctrl_DI1", true, zeroByte},
-    {"Ctrl_DI2", true, zeroByte},
-    {"Ctrl_DI3", true, zeroByte},
-    {"Ctrl_DI4", true, zeroByte},
-    {"Ctrl_DI5", true, zeroByte},
-    {"Ctrl_DI6", true, zeroByte},
-    {"Ctrl_DI7", true, zeroByte},
+    {"Ctrl_DO0", true, boxOutput<0>},
+    {"Ctrl_DO1", true, boxOutput<1>},
+    {"Ctrl_DO2", true, boxOutput<2>},
+    {"Ctrl_DO3", true, boxOutput<3>},
+    {"Ctrl_DO4", true, boxOutput<4>},
+    {"Ctrl_DO5", true, boxOutput<5>},
+    {"Ctrl_DO6", true, boxOutput<6>},
+    {"Ctrl_DO7", true, boxOutput<7>},
+    {"Ctrl_DI0", true, boxInput<0>},
+    {"Ctrl_DI1", true, boxInput<1>},
+    {"Ctrl_DI2", true, boxInput<2>},
+    {"Ctrl_DI3", true, boxInput<3>},
+    {"Ctrl_DI4", true, boxInput<4>},
+    {"Ctrl_DI5", true, boxInput<5>},
+    {"Ctrl_DI6", true, boxInput<6>},
+    {"Ctrl_DI7", true, boxInput<7>},
     {"Ctrl_AO0", true, zeroFloat},
     {"Ctrl_AI0", true, zeroFloat},
     {"Ctrl_AI1", true, zeroFloat},
-    {"End_DO0", true, zeroByte},
-    {"End_DO1", true, zeroByte},
-    {"End_DO2", true, zeroByte},
-    {"End_DO3", true, zeroByte},
-    {"End_DI0", true, zeroByte},
-    {"End_DI1", true, zeroByte},
-    {"End_DI2", true, zeroByte},
+    {"End_DO0", true, endOutput<0>},
+    {"End_DO1", true, endOutput<1>},
+    {"End_DO2", true, endOutput<2>},
+    {"End_DO3", true, endOutput<3>},
+    {"End_DI0", true, endInput<0>},
+    {"End_DI1", true, endInput<1>},
+    {"End_DI2", true, endInput<2>},
     {"End_AI0", true, zeroFloat},
     // Beyond it: what says which tool and base the poses are for, and the error in words.
     {"TCP_Name", true, [](const Values& v) -> Value { return v.state.tcp_name; }},
@@ -181,7 +198,24 @@ constexpr Entry kEntries[] = {
     {"Coord_Base_Tool", true,
      [](const Values& v) -> Value { return poseFloats(v.state.base.inverse() * v.robot_tool); }},
     {"Error_Content", true, [](const Values& v) -> Value { return v.state.error_text; }},
-    // Only on request: what never changes.
+    // Only on request: the terminals beyond the table, and what never changes.
+    {"Ctrl_DO8", false, boxOutput<8>},
+    {"Ctrl_DO9", false, boxOutput<9>},
+    {"Ctrl_DO10", false, boxOutput<10>},
+    {"Ctrl_DO11", false, boxOutput<11>},
+    {"Ctrl_DO12", false, boxOutput<12>},
+    {"Ctrl_DO13", false, boxOutput<13>},
+    {"Ctrl_DO14", false, boxOutput<14>},
+    {"Ctrl_DO15", false, boxOutput<15>},
+    {"Ctrl_DI8", false, boxInput<8>},
+    {"Ctrl_DI9", false, boxInput<9>},
+    {"Ctrl_DI10", false, boxInput<10>},
+    {"Ctrl_DI11", false, boxInput<11>},
+    {"Ctrl_DI12", false, boxInput<12>},
+    {"Ctrl_DI13", false, boxInput<13>},
+    {"Ctrl_DI14", false, boxInput<14>},
+    {"Ctrl_DI15", false, boxInput<15>},
+    {"End_DI3", false, endInput<3>},
     {"Robot_Model", false, [](const Values& v) -> Value { return upperCase(v.source.arm.name()); }},
     {"TMflow_Version", false, [](const Values& v) -> Value { return v.source.settings.tmflow_version; }},
     {"Project_Name", false, [](const Values& v) -> Value { return v.source.settings.project_name; }},

@@ -24,12 +24,12 @@ const Command* firstPriority(const protocol::ParsedScript& script) {
 
 }  // namespace
 
-ListenNode::ListenNode(const Settings& settings, MotionQueue& queue, Outbox& outbox)
+ListenNode::ListenNode(const Settings& settings, MotionQueue& queue, IoBoard& io, Outbox& outbox)
     : settings_(settings),
       queue_(queue),
       outbox_(outbox),
       clients_({settings.accept_empty_length}, outbox),
-      interpreter_(settings, queue, tags_, clients_) {}
+      interpreter_(settings, queue, io, tags_, clients_) {}
 
 void ListenNode::connected(ClientId client) {
   if (projectRuns()) {

@@ -19,7 +19,7 @@ namespace cobot_command::simulator {
 
 class ListenNode {
  public:
-  ListenNode(const Settings& settings, MotionQueue& queue, Outbox& outbox);
+  ListenNode(const Settings& settings, MotionQueue& queue, IoBoard& io, Outbox& outbox);
 
   // --- The wire.
   void connected(ClientId client);

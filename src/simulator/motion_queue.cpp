@@ -82,6 +82,10 @@ void MotionQueue::apply(const QueuedTag& tag, Instant) {
   settle(tag, !error_);
 }
 
+void MotionQueue::apply(const protocol::WriteOutput& write, Instant) {
+  events_.emplace_back(write);
+}
+
 void MotionQueue::fail(const motion::Refusal& refusal) {
   error_ = robotErrorFor(refusal);
   for (const QueueItem& item : std::exchange(items_, {})) {

@@ -1,4 +1,4 @@
-// The queue of the robot: motions one after the other, and the changes and tags between them.
+// The queue of the robot: motions one after the other, and the changes, outputs and tags between them.
 //
 // Everything happens in order and at its exact time: a motion starts, and is planned, at the instant at which
 // the one before it ends; a change of base, TCP or load acts on the motions behind it; a tag is settled when
@@ -34,7 +34,8 @@ struct TcpChange {
 struct LoadChange {
   double mass = 0;  ///< [kg]
 };
-using QueueItem = std::variant<MotionRequest, BaseChange, TcpChange, LoadChange, QueuedTag>;
+using QueueItem =
+    std::variant<MotionRequest, BaseChange, TcpChange, LoadChange, QueuedTag, protocol::WriteOutput>;
 
 /// What the queue tells: a tag came to its end.
 struct TagSettled {
@@ -51,7 +52,8 @@ struct MotionStarted {
 struct MotionFailed {
   RobotError error;
 };
-using QueueEvent = std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed>;
+/// WriteOutput: the motions before it are done, it is to be written now.
+using QueueEvent = std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed, protocol::WriteOutput>;
 
 class MotionQueue {
  public:
@@ -103,6 +105,7 @@ class MotionQueue {
   void apply(const TcpChange& change, Instant now);
   void apply(const LoadChange& change, Instant now);
   void apply(const QueuedTag& tag, Instant now);
+  void apply(const protocol::WriteOutput& write, Instant now);
   void fail(const motion::Refusal& refusal);
   void dropQueue();
   void settle(const QueuedTag& tag, bool complete) { events_.emplace_back(TagSettled{tag, complete}); }

@@ -153,4 +153,9 @@ void ScriptInterpreter::execute(const protocol::ScriptExit&, Instant) {
   exited_ = true;
 }
 
+void ScriptInterpreter::execute(const protocol::WriteOutput& write, Instant) {
+  if (write.instant) return io_.write(write);
+  queue_.push(write);
+}
+
 }  // namespace cobot_command::simulator

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io_board.h"
 #include "motion_queue.h"
 #include "script_clients.h"
 #include "tag_table.h"
@@ -27,8 +28,9 @@ struct PendingScript {
 
 class ScriptInterpreter {
  public:
-  ScriptInterpreter(const Settings& settings, MotionQueue& queue, TagTable& tags, ScriptClients& clients)
-      : settings_(settings), queue_(queue), tags_(tags), clients_(clients) {}
+  ScriptInterpreter(const Settings& settings, MotionQueue& queue, IoBoard& io, TagTable& tags,
+                    ScriptClients& clients)
+      : settings_(settings), queue_(queue), io_(io), tags_(tags), clients_(clients) {}
 
   void add(PendingScript script) { pending_.push_back(std::move(script)); }
 
@@ -79,9 +81,11 @@ class ScriptInterpreter {
   void execute(const protocol::Pause& pause, Instant now);
   void execute(const protocol::Resume& resume, Instant now);
   void execute(const protocol::ScriptExit& exit, Instant now);
+  void execute(const protocol::WriteOutput& write, Instant now);
 
   const Settings& settings_;
   MotionQueue& queue_;
+  IoBoard& io_;
   TagTable& tags_;
   ScriptClients& clients_;
   std::deque<PendingScript> pending_;

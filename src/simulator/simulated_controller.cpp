@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io_board.h"
 #include "listen_node.h"
 #include "motion_queue.h"
 #include "outbox.h"
@@ -22,7 +23,8 @@ class SimulatedController::Impl {
         queue_(arm_, settings_.start_posture,
                {std::max(settings_.stop_time, Duration::zero()), speedPercent() / 100.0,
                 settings_.reports_stale_tags}),
-        node_(settings_, queue_, outbox_),
+        io_(outbox_),
+        node_(settings_, queue_, io_, outbox_),
         status_(settings_.status_period, now, outbox_) {
     outbox_.setTime(now);
     outbox_.openPort(Port::Status);
@@ -105,6 +107,8 @@ class SimulatedController::Impl {
     state.tcp_name = queue_.tcpName();
     state.tcp_mass = queue_.tcpMass();
     state.load = queue_.load();
+    state.inputs = io_.inputs();
+    state.outputs = io_.outputs();
     state.in_motion = queue_.inMotion(now_);
     state.project_running = node_.projectRuns();
     state.project_paused = queue_.paused() && node_.projectRuns();
@@ -151,6 +155,7 @@ class SimulatedController::Impl {
 
   void on(const TagSettled& settled) { node_.on(settled); }
   void on(const TagDropped& dropped) { node_.on(dropped); }
+  void on(const protocol::WriteOutput& write) { io_.write(write); }
   void on(const MotionStarted& started) {
     outbox_.log(fmt::format("motion of {:.3f} s", toSeconds(started.duration)));
   }
@@ -170,6 +175,7 @@ class SimulatedController::Impl {
   Instant now_;
   Outbox outbox_;
   MotionQueue queue_;
+  IoBoard io_;
   ListenNode node_;
   StatusServer status_;
   bool emergency_stop_ = false;

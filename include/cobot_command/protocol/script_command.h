@@ -106,8 +106,23 @@ struct ScriptExit {
   std::optional<int> mode;  ///< 0, 1, TMflow 1.82 and later
 };
 
-using ScriptCommand = std::variant<Ptp, Line, Circle, MovePtp, MoveLine, ChangeBase, ChangeTcp, ChangeLoad,
-                                   QueueTag, WaitQueueTag, StopAndClearBuffer, Pause, Resume, ScriptExit>;
+/// Where digital inputs and outputs are; the text of its name is that of the enumerator.
+enum class IoModule { ControlBox, EndModule };
+/// How many digital outputs a module has, and as many inputs (fact sheet 2.4).
+[[nodiscard]] constexpr int ioCount(IoModule module) {
+  return module == IoModule::ControlBox ? 16 : 4;
+}
+/// A digital output: IO["EndModule"].DO[0]=1 is queued behind the motions before it, InstantDO acts at once.
+struct WriteOutput {
+  IoModule module = IoModule::ControlBox;
+  int index = 0;  ///< 0 .. ioCount(module) - 1
+  bool on = false;
+  bool instant = false;
+};
+
+using ScriptCommand =
+    std::variant<Ptp, Line, Circle, MovePtp, MoveLine, ChangeBase, ChangeTcp, ChangeLoad, QueueTag,
+                 WaitQueueTag, StopAndClearBuffer, Pause, Resume, ScriptExit, WriteOutput>;
 
 /// What can stand as the name of a base or TCP: UTF-8, not empty, without control characters (a line end
 /// would begin another command), at most kMaxNameLength bytes. Quotes are allowed: they are doubled in the
@@ -116,7 +131,8 @@ using ScriptCommand = std::variant<Ptp, Line, Circle, MovePtp, MoveLine, ChangeB
 inline constexpr std::size_t kMaxNameLength = 255;
 
 /// One line of script. Preconditions: all numbers are finite, names are isName(), the format is one that the
-/// command takes, and optional parts stand only where the comments above allow them.
+/// command takes, the module has the output, and optional parts stand only where the comments above allow
+/// them.
 [[nodiscard]] std::string toText(const ScriptCommand& command);
 /// Lines joined by CR LF, without one at the end.
 [[nodiscard]] std::string toText(const std::vector<ScriptCommand>& script);
@@ -125,9 +141,9 @@ inline constexpr std::size_t kMaxNameLength = 255;
 /// range.
 ///
 /// Ranges that are checked: integers fit into 32 bits, QueueTag 1..15 with wait 0 or 1, the modes of
-/// StopAndClearBuffer and ScriptExit. Speeds, times, poses and pose bits are not: the controller accepts any
-/// and fails when it moves (fact sheet 1.3). Nor is the tag of WaitQueueTag, which has a result for unknown
-/// tags.
+/// StopAndClearBuffer and ScriptExit, module and index of an output and its value 0 or 1. Speeds, times,
+/// poses and pose bits are not: the controller accepts any and fails when it moves (fact sheet 1.3). Nor is
+/// the tag of WaitQueueTag, which has a result for unknown tags.
 struct ScriptFault {
   int line = 1;         ///< from 1, empty lines count
   std::string message;  ///< found, expected

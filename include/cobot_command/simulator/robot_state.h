@@ -1,12 +1,27 @@
 // The true state of the simulated robot, in SI.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/protocol/script_command.h"
 
 namespace cobot_command::simulator {
+
+/// Digital inputs, or outputs; true: on.
+struct DigitalIo {
+  std::array<bool, protocol::ioCount(protocol::IoModule::ControlBox)> control_box{};
+  std::array<bool, protocol::ioCount(protocol::IoModule::EndModule)> end_module{};
+
+  /// Precondition: 0 <= index < ioCount(module).
+  [[nodiscard]] bool& at(protocol::IoModule module, int index) {
+    const auto place = static_cast<std::size_t>(index);
+    return module == protocol::IoModule::ControlBox ? control_box.at(place) : end_module.at(place);
+  }
+};
 
 struct RobotState {
   Instant time{};
@@ -19,6 +34,8 @@ struct RobotState {
   std::string tcp_name = "NOTOOL";                         ///< empty when it was given by value
   double tcp_mass = 0;                                     ///< [kg], of the tool (ChangeTCP)
   double load = 0;                                         ///< [kg], of what it holds (ChangeLoad)
+  DigitalIo inputs;
+  DigitalIo outputs;
   bool in_motion = false;  ///< false also while a pause holds the arm within a motion
   bool project_running = false;
   bool project_paused = false;

@@ -70,7 +70,10 @@ INSTANTIATE_TEST_SUITE_P(
         TextPair{"StopAndClearBuffer()", "StopAndClearBuffer()"},
         TextPair{"StopAndClearBuffer(2)", "StopAndClearBuffer(2)"}, TextPair{"Pause()", "Pause()"},
         TextPair{"Resume()", "Resume()"}, TextPair{"ScriptExit()", "ScriptExit()"},
-        TextPair{"ScriptExit(1)", "ScriptExit(1)"}),
+        TextPair{"ScriptExit(1)", "ScriptExit(1)"},
+        TextPair{"IO[\"ControlBox\"].DO[2]=1", "IO[\"ControlBox\"].DO[2]=1"},
+        TextPair{" IO [ \"EndModule\" ] . InstantDO [ 0x3 ] = 0 // open", "IO[\"EndModule\"].InstantDO[3]=0"},
+        TextPair{"IO[\"ControlBox\"].DO[15]=0", "IO[\"ControlBox\"].DO[15]=0"}),
     [](const auto& test) { return testName(test.index, test.param.read); });
 
 TEST_P(KnownText, isReadAndWritten) {
@@ -116,6 +119,15 @@ TEST(ParseCommand, putsEveryArgumentInItsPlace) {
   EXPECT_THAT(tcp.inertia->mass_center, ElementsAre(14, 15, 16, 17, 18, 19));
 }
 
+TEST(ParseCommand, readsWhichOutputIsWrittenAndHow) {
+  const auto write = parsed<WriteOutput>("IO[\"EndModule\"].DO[3]=1");
+  EXPECT_EQ(write.module, IoModule::EndModule);
+  EXPECT_EQ(write.index, 3);
+  EXPECT_TRUE(write.on);
+  EXPECT_FALSE(write.instant);
+  EXPECT_TRUE(parsed<WriteOutput>("IO[\"ControlBox\"].InstantDO[0]=0").instant);
+}
+
 TEST(ParseCommand, takesBlanksCommentsAndAllSpellings) {
   const auto wait = parsed<WaitQueueTag>(" \tWaitQueueTag ( 0x0A , 0b101 ) // until it is there");
   EXPECT_EQ(wait.tag, 10);
@@ -151,7 +163,20 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         FaultyLine{"", "empty line"}, FaultyLine{"  // nothing", "empty line"},
         FaultyLine{"var_counter++", "column 12"}, FaultyLine{"int var_i = 100", "column 5"},
-        FaultyLine{"IO[\"ControlBox\"].DO[2]=1", "column 3"}, FaultyLine{"1,2", "expected a command"},
+        FaultyLine{"1,2", "expected a command"}, FaultyLine{"IO()", "unknown function IO"},
+        FaultyLine{"IO[\"ExtModule0\"].DO[2]=1",
+                   "argument 1 (module) is \"ExtModule0\", expected one of ControlBox, EndModule"},
+        FaultyLine{"IO[ControlBox].DO[2]=1",
+                   "the variable ControlBox, expected one of ControlBox, EndModule"},
+        FaultyLine{"IO[\"ControlBox\"].DI[2]=1", "argument 2 (attribute) is the variable DI"},
+        FaultyLine{"IO[\"ControlBox\"].DO[16]=1",
+                   "argument 3 (output) is 16, expected an integer from 0 to 15"},
+        FaultyLine{"IO[\"EndModule\"].DO[4]=1", "argument 3 (output) is 4, expected an integer from 0 to 3"},
+        FaultyLine{"IO[\"EndModule\"].DO[-1]=1", "argument 3 (output) is -1"},
+        FaultyLine{"IO[\"EndModule\"].DO[0]=2", "argument 4 (value) is 2, expected an integer from 0 to 1"},
+        FaultyLine{"IO[\"EndModule\"].DO[0]=true", "argument 4 (value) is true"},
+        FaultyLine{"IO[\"EndModule\"].DO={1,0,0,0}", "column 19: expected '['"},
+        FaultyLine{"IO[\"EndModule\"].DO[0]", "the end of the line"},
         FaultyLine{"Pause", "the end of the line"}, FaultyLine{"Pause(", "column 7"},
         FaultyLine{"Pause() Resume()", "column 9: expected the end of the line"},
         FaultyLine{"Pause();", "column 8"}, FaultyLine{"ChangeLoad(1,)", "column 14: expected an argument"},

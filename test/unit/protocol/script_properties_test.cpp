@@ -55,9 +55,15 @@ ScriptCommand anyMotion() {
   }
 }
 
+ScriptCommand anyOutput() {
+  const auto module = *rc::gen::element(IoModule::ControlBox, IoModule::EndModule);
+  return WriteOutput{module, *rc::gen::inRange(0, ioCount(module)), *rc::gen::arbitrary<bool>(),
+                     *rc::gen::arbitrary<bool>()};
+}
+
 ScriptCommand anyCommand() {
   const double weight = *rc::gen::inRange(0, 20000) / 1e3;
-  switch (*rc::gen::inRange(0, 11)) {
+  switch (*rc::gen::inRange(0, 12)) {
     case 0:
       return MovePtp{anyFormat("CTJ", "P", "P"), anySix(), anyOptions()};
     case 1:
@@ -78,6 +84,8 @@ ScriptCommand anyCommand() {
       return StopAndClearBuffer{maybe(*rc::gen::inRange(0, 3))};
     case 9:
       return ScriptExit{maybe(*rc::gen::inRange(0, 2))};
+    case 10:
+      return anyOutput();
     default:
       return anyMotion();
   }

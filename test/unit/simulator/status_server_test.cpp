@@ -2,55 +2,16 @@
 #include <cstring>
 
 #include "simulated_robot.h"
+#include "streamed_items.h"
 #include <gtest/gtest.h>
-
-#include "cobot_command/protocol/frame_decoder.h"
-#include "cobot_command/protocol/status_items.h"
 
 namespace cobot_command::simulator::test {
 namespace {
 
 using protocol::StatusFrame;
-using protocol::StatusItem;
-
-std::vector<StatusFrame> framesIn(const std::string& bytes) {
-  protocol::FrameDecoder decoder;
-  decoder.feed(bytes);
-  std::vector<StatusFrame> frames;
-  while (const auto event = decoder.next()) {
-    frames.push_back(protocol::parseStatusFrame(std::get<protocol::Frame>(*event)).value());
-  }
-  return frames;
-}
-
-std::vector<StatusItem> itemsOf(const StatusFrame& frame) {
-  return protocol::parseBinaryItems(frame.content).value();
-}
-
-StatusItem itemNamed(const StatusFrame& frame, const std::string& name) {
-  for (const StatusItem& item : itemsOf(frame)) {
-    if (item.name == name) return item;
-  }
-  ADD_FAILURE() << "no item " << name;
-  return {};
-}
 
 std::vector<float> floats(const StatusFrame& frame, const std::string& name) {
   return protocol::item::asFloats(itemNamed(frame, name)).value_or(std::vector<float>{});
-}
-
-bool flag(const StatusFrame& frame, const std::string& name) {
-  return protocol::item::asBool(itemNamed(frame, name)).value();
-}
-
-std::string readRequest(std::initializer_list<std::string> names) {
-  std::string content;
-  for (const std::string& name : names) {
-    content += static_cast<char>(name.size());
-    content += '\0';
-    content += name;
-  }
-  return content;
 }
 
 class StatusServerTest : public testing::Test {
