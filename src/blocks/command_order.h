@@ -29,8 +29,8 @@ struct CommandOrder {
   std::optional<Plan> plan;
 };
 
-/// The block's own lines, without tag and exit. `base`: the active base in the robot base, for targets in a tf
-/// frame. Precondition: check() found nothing.
+/// The block's own lines, without tag and exit. `base`: the active base in the robot base, for targets in a
+/// tf frame. Precondition: check() found nothing.
 [[nodiscard]] CommandOrder orderOf(const MoveAbsoluteGoal& goal, const arm::Pose& base);
 [[nodiscard]] CommandOrder orderOf(const MoveRelativeGoal& goal, const arm::Pose& base);
 [[nodiscard]] CommandOrder orderOf(const MoveCircleGoal& goal, const arm::Pose& base);

@@ -34,8 +34,8 @@ CommandRun::CommandRun(CommandOrder order, const RunContext& context, Instant no
       sent_at_(now),
       give_up_at_(now + context.settings.unplanned_motion_timeout),
       reported_at_(now) {
-  script_id_ = context_.link.sendScript(fmt::format("{}", fmt::join(order_.lines, "\r\n")), now,
-                                        order_.reply_timeout);
+  script_id_ =
+      context_.link.sendScript(fmt::format("{}", fmt::join(order_.lines, "\r\n")), now, order_.reply_timeout);
   report(Phase::Sent, "sent to the controller", now);
 }
 

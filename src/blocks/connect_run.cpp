@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnosis.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
@@ -76,8 +77,8 @@ std::vector<Failure> checkConnect(const ConnectGoal& goal) {
 }
 
 ConnectRun::ConnectRun(const link::LinkSettings& settings, link::ScriptLink& script, link::StatusLink& status,
-                       OutputBoard& board)
-    : settings_(settings), script_(script), status_(status), board_(board) {}
+                       const RobotWatch& robot, OutputBoard& board)
+    : settings_(settings), script_(script), status_(status), robot_(robot), board_(board) {}
 
 bool ConnectRun::isSameController(const ConnectGoal& goal) const {
   return goal.host == goal_.host && goal.port == goal_.port &&
@@ -130,7 +131,7 @@ void ConnectRun::linkChanged(Instant now) {
 }
 
 void ConnectRun::statusReceived(Instant now) {
-  if (state_ == State::Trying) linkChanged(now);
+  if (busy() && !disconnecting()) linkChanged(now);
 }
 
 /// Without the first status frame nobody knows where the robot stands, and a command that comes at once could
@@ -191,7 +192,8 @@ void ConnectRun::act(ConnectAction action, Instant now) {
       deadline_.reset();
       return;
     case Do::EndTimedOut:
-      end(toOutcome(Block::Connect, Ending::Aborted, timedOut(script_.trouble(), script_.diagnosis())), now);
+      end(toOutcome(Block::Connect, Ending::Aborted, timedOut(script_.trouble(), diagnose(script_, robot_))),
+          now);
       return;
     case Do::EndLost:
       end(toOutcome(Block::Connect, Ending::Aborted, {connect_error::kDisconnected, loss_, ""}), now);
@@ -224,7 +226,7 @@ void ConnectRun::end(Outcome outcome, Instant now) {
 void ConnectRun::report() {
   if (!id_) return;
   Progress progress;
-  progress.text = script_.diagnosis();
+  progress.text = diagnose(script_, robot_);
   switch (script_.state()) {
     case link::ScriptLinkState::Ready:
       progress.phase = ready() ? Phase::Connected : Phase::Probing;

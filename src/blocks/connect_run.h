@@ -10,6 +10,7 @@
 
 #include "failure.h"
 #include "output_board.h"
+#include "robot_watch.h"
 
 #include "cobot_command/blocks/connect_run_states.h"
 #include "cobot_command/blocks/goal.h"
@@ -24,7 +25,7 @@ namespace cobot_command::blocks {
 class ConnectRun {
  public:
   ConnectRun(const link::LinkSettings& settings, link::ScriptLink& script, link::StatusLink& status,
-             OutputBoard& board);
+             const RobotWatch& robot, OutputBoard& board);
 
   /// For a goal. A link that is kept by itself is taken over when it is to the same controller, else closed
   /// first. Precondition: mayExecute(), and checkConnect() found nothing.
@@ -72,13 +73,14 @@ class ConnectRun {
   const link::LinkSettings& settings_;
   link::ScriptLink& script_;
   link::StatusLink& status_;
+  const RobotWatch& robot_;
   OutputBoard& board_;
   ConnectState state_ = ConnectState::Idle;
   std::optional<GoalId> id_;  ///< nothing: kept by itself
   ConnectGoal goal_;
-  std::optional<Instant> deadline_;       ///< of a goal that tries
+  std::optional<Instant> deadline_;        ///< of a goal that tries
   std::optional<Instant> first_frame_by_;  ///< until then the first status frame is waited for
-  bool connected_ = false;  ///< was Ready since the last loss
+  bool connected_ = false;                 ///< was Ready since the last loss
   std::string loss_;
   std::optional<std::pair<Phase, std::string>> reported_;  ///< the last progress
   std::optional<Instant> last_connected_;

@@ -11,7 +11,7 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       status_(settings_, *this),
       preflight_(std::move(arm)),
       board_(actions_),
-      connect_(settings_, script_, status_, board_),
+      connect_(settings_, script_, status_, robot_, board_),
       stop_(settings_, script_, tags_, robot_) {}
 
 void CommandCore::Impl::opened(link::ConnectionId id, Instant now) {

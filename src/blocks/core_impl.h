@@ -1,9 +1,9 @@
-// The inside of CommandCore: hands events to the links and the runs, goals to their blocks, and is the arbiter
-// that decides which command may execute when.
+// The inside of CommandCore: hands events to the links and the runs, goals to their blocks, and is the
+// arbiter that decides which command may execute when.
 //
 // One command at a time is on the wire (run_). What waits for its turn is kept here, not in the controller:
-// there, nothing could be taken out of the queue again. Blended motions end with their acceptance, so the next
-// one is on the wire while they still run. Program control and the stop have paths of their own.
+// there, nothing could be taken out of the queue again. Blended motions end with their acceptance, so the
+// next one is on the wire while they still run. Program control and the stop have paths of their own.
 #pragma once
 
 #include <deque>

@@ -290,7 +290,8 @@ void CommandCore::Impl::tellPlaces() {
     Progress progress;
     progress.phase = Phase::Queued;
     progress.place_in_queue = place;
-    progress.text = fmt::format("waits for its turn, {} in front of it", place == 1 ? "one is" : "others are");
+    progress.text =
+        fmt::format("waits for its turn, {} in front of it", place == 1 ? "one is" : "others are");
     board_.progress(blockOf(waiting.goal), waiting.id, std::move(progress));
   }
 }

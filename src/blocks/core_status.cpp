@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core_impl.h"
+#include "diagnosis.h"
 
 #include "cobot_command/planning/sampling.h"
 
@@ -38,7 +39,7 @@ void CommandCore::Impl::publishStatus() {
   if (status.link == CommandStatus::LinkState::Ready && !connect_.ready()) {
     status.link = CommandStatus::LinkState::Probing;
   }
-  status.diagnosis = script_.diagnosis();
+  status.diagnosis = diagnose(script_, robot_);
   status.host = connect_.target().host;
   status.port = connect_.target().port;
   status.listen_node = script_.listenNode();

@@ -1,8 +1,8 @@
 // The active base and TCP: what the controller streams, and what was commanded since.
 //
-// A change counts from its acceptance on, as the commands behind it are taken in it. The stream is behind by a
-// period at least, and by whole motions when the change waits behind them; so it is believed again only when
-// it shows the commanded value, or when the robot stands and it has shown another for long enough.
+// A change counts from its acceptance on, as the commands behind it are taken in it. The stream is behind by
+// a period at least, and by whole motions when the change waits behind them; so it is believed again only
+// when it shows the commanded value, or when the robot stands and it has shown another for long enough.
 #pragma once
 
 #include <optional>

@@ -21,6 +21,7 @@ class RobotWatch {
   [[nodiscard]] std::optional<bool> moving() const;
   /// The project is paused, or a safeguard holds the robot: motions take as long as that lasts.
   [[nodiscard]] bool held() const;
+  [[nodiscard]] bool paused() const { return status_ && status_->project_paused.value_or(false); }
   [[nodiscard]] bool emergencyStop() const { return status_ && status_->emergency_stop.value_or(false); }
   [[nodiscard]] bool inError() const { return status_ && status_->error.value_or(false); }
   /// "error 0x14058: ..." as far as it is known.

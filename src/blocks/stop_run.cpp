@@ -66,8 +66,8 @@ void StopRun::fire(Event event, Instant now) {
       deadline_.reset();
       // Whatever was queued before is dropped, and its tags mean nothing any more.
       tags_.renewEpoch();
-      script_id_ = link_.sendScript(
-          protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})), now);
+      script_id_ =
+          link_.sendScript(protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})), now);
       return;
     case StopAction::AwaitStandstill:
       deadline_ = now + settings_.stop_timeout;

@@ -16,7 +16,7 @@ using testing::expectSoundTable;
 
 TEST(CommandRunTable, isSound) {
   expectSoundTable<CommandRunTable>(CommandRunState::Ended, CommandRunEvent::Stopped, CommandRunState::Sent,
-                                   {CommandRunState::Ended});
+                                    {CommandRunState::Ended});
 }
 
 TEST(StopTable, isSound) {

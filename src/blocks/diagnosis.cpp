@@ -1,0 +1,20 @@
+#include "diagnosis.h"
+
+namespace cobot_command::blocks {
+
+std::string diagnose(const link::ScriptLink& link, const RobotWatch& robot) {
+  std::string text = link.diagnosis();
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
+  if (robot.emergencyStop()) {
+    add("the emergency stop is pressed: release it and start the project again");
+  } else if (robot.inError()) {
+    add("the controller is in error, " + robot.errorText() + ": clear it and start the project again");
+  } else if (robot.paused()) {
+    add("the project is paused: motions wait until it is resumed");
+  } else if (robot.held()) {
+    add("a safeguard holds the robot: motions wait until it is released");
+  }
+  return text;
+}
+
+}  // namespace cobot_command::blocks
