@@ -2,37 +2,11 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include "refusal_failure.h"
 
-#include "cobot_command/blocks/error_ids.h"
-#include "cobot_command/motion/planner.h"
+#include "cobot_command/planning/script_planner.h"
 
 namespace cobot_command::blocks {
-namespace {
-
-int idOf(motion::Refusal::Reason reason) {
-  using Reason = motion::Refusal::Reason;
-  switch (reason) {
-    case Reason::NotFinite:
-      return own_error::kNotFinite;
-    case Reason::Unreachable:
-      return own_error::kUnreachable;
-    case Reason::PoseBits:
-      return own_error::kPoseBits;
-    case Reason::JointLimit:
-      return own_error::kJointLimit;
-    case Reason::JointSpeed:
-      return own_error::kJointSpeed;
-    case Reason::Singular:
-      return own_error::kSingular;
-    case Reason::BadParameter:
-    case Reason::DegenerateCircle:
-      break;
-  }
-  return own_error::kNotPlannable;
-}
-
-}  // namespace
 
 bool Preflight::isQueued(const RobotWatch& robot, Instant now) const {
   if (!queue_end_) return false;
@@ -40,33 +14,54 @@ bool Preflight::isQueued(const RobotWatch& robot, Instant now) const {
   return now < queue_end_->time || !seen_since || robot.moving().value_or(false) || robot.held();
 }
 
-Result<std::optional<Plan>, Failure> Preflight::plan(const motion::Command& command, const RobotWatch& robot,
-                                                     Instant now) const {
-  if (!arm_) return std::optional<Plan>();
+std::optional<Origin> Preflight::origin(const RobotWatch& robot, const FrameWatch& frames,
+                                        Instant now) const {
   const bool queued = isQueued(robot, now);
   const bool moves_to_unknown_place = !queued && robot.moving().value_or(false);
   const auto joints = queued ? std::optional<arm::JointVector>(queue_end_->joints) : robot.joints();
-  if (!joints || moves_to_unknown_place) return std::optional<Plan>();
+  if (!joints || moves_to_unknown_place) return std::nullopt;
 
-  const motion::Setting setting{robot.base(), robot.tcp(), robot.speedOverride()};
-  const auto trajectory = motion::plan(*arm_, *joints, command, setting);
-  if (!trajectory) return refuse(Failure{idOf(trajectory.error().reason), trajectory.error().message, ""});
+  const ActiveFrames active = frames.frames();
+  // A name of the project whose value the stream has not told yet.
+  const bool unknown_base = !active.base && !active.base_name.empty();
+  const bool unknown_tcp = !active.tcp && !active.tcp_name.empty();
+  if (unknown_base || unknown_tcp) return std::nullopt;
 
+  Origin origin;
+  origin.joints = *joints;
+  origin.setting.base = active.base.value_or(arm::Pose::Identity());
+  origin.setting.tcp = active.tcp.value_or(arm::Pose::Identity());
+  origin.setting.speed_override = robot.speedOverride();
+  if (queued) origin.delay = std::max(Duration::zero(), queue_end_->time - now);
+  return origin;
+}
+
+Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<protocol::ScriptCommand>& commands,
+                                                     const std::optional<Origin>& origin) const {
+  if (!arm_ || !origin) return std::optional<Plan>();
+  planning::ScriptPlanner planner(*arm_, origin->joints, origin->setting);
   Plan plan;
-  plan.duration = (*trajectory)->duration();
-  if (queued) plan.start_delay = std::max(Duration::zero(), queue_end_->time - now);
-  plan.end = (*trajectory)->end().position;
-  return std::optional<Plan>(plan);
+  plan.start_setting = origin->setting;
+  plan.start_delay = origin->delay;
+  for (const protocol::ScriptCommand& command : commands) {
+    const auto step = planner.append(command);
+    if (!step) return refuse(toFailure(step.error()));
+    if (!step->planned) return std::optional<Plan>();
+    if (step->trajectory) plan.motions.push_back(step->trajectory);
+  }
+  plan.duration = planner.duration();
+  plan.end = Origin{planner.joints(), planner.setting(), Duration::zero()};
+  return std::optional<Plan>(std::move(plan));
 }
 
 void Preflight::queue(const std::optional<Plan>& plan, Instant now) {
   queue_end_.reset();
-  if (plan) queue_end_ = QueueEnd{plan->end, now + plan->start_delay + plan->duration};
+  if (plan) queue_end_ = QueueEnd{plan->end.joints, now + plan->start_delay + plan->duration};
 }
 
 void Preflight::arrive(const std::optional<Plan>& plan, Instant now) {
   queue_end_.reset();
-  if (plan) queue_end_ = QueueEnd{plan->end, now};
+  if (plan) queue_end_ = QueueEnd{plan->end.joints, now};
 }
 
 }  // namespace cobot_command::blocks

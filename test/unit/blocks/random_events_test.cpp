@@ -34,6 +34,7 @@ class Chaos {
   void step() {
     static const std::vector<void (Chaos::*)()> kEvents = {
         &Chaos::submitConnect, &Chaos::submitMove,    &Chaos::submitMove,    &Chaos::submitMove,
+        &Chaos::submitStop,    &Chaos::submitControl, &Chaos::submitBase,    &Chaos::submitCycle,
         &Chaos::cancelAny,     &Chaos::openAny,       &Chaos::openAny,       &Chaos::failAny,
         &Chaos::closeAny,      &Chaos::answerNode,    &Chaos::answerNode,    &Chaos::answerNode,
         &Chaos::replyToScript, &Chaos::replyToScript, &Chaos::replyToScript, &Chaos::strangeReply,
@@ -70,6 +71,7 @@ class Chaos {
   struct Motion {
     bool needs_tag = false;
     std::string script_id;
+    int target = 0;
     int tag = 0;
     bool reported = false;
     bool accepted = false;
@@ -92,10 +94,37 @@ class Chaos {
     goal.exit_node = pick(12) == 0;
     goal.command_id = pick(3) == 0 ? static_cast<int>(pick(11)) : 0;
     if (pick(20) == 0) goal.speed = 0;
+    goal.buffer_mode = static_cast<int>(pick(4));  // 3 is none
+    // Known again on the wire by its target, whenever its turn comes.
+    goal.target[0] = static_cast<double>(++targets_);
     last_ = rig_.submit(goal);
-    if (!rig_.accepted(last_)) return;
-    motions_[last_].needs_tag = !goal.blending_enable;
-    waiting_for_script_ = last_;
+    const Outcome* outcome = rig_.outcome(last_);
+    if (outcome != nullptr && outcome->ending == Ending::Rejected) return;
+    Motion motion;
+    motion.needs_tag = !goal.blending_enable;
+    motion.target = targets_;
+    motions_[last_] = motion;
+  }
+  void submitStop() {
+    if (pick(4) == 0) last_ = rig_.submit(StopGoal{});
+  }
+  void submitControl() { last_ = rig_.submit(ProgramControlGoal{0, static_cast<int>(pick(2))}); }
+  void submitBase() {
+    ChangeBaseGoal goal;
+    goal.buffer_mode = static_cast<int>(pick(3));
+    last_ = rig_.submit(goal);
+  }
+  void submitCycle() {
+    if (pick(8) != 0) return;
+    PickAndPlaceGoal goal;
+    PickAndPlaceStep step;
+    step.move = CoreRig::move();
+    step.dwell = static_cast<double>(pick(2));
+    if (pick(2) == 0) step.output = OutputAction{"EndModule", 0, true};
+    goal.steps.assign(1 + pick(3), step);
+    goal.cycles = static_cast<int>(pick(3));
+    goal.buffer_mode = static_cast<int>(pick(3));
+    last_ = rig_.submit(goal);
   }
   void cancelAny() {
     if (last_ != 0) rig_.cancel(last_ - pick(std::min<std::size_t>(last_, 4)));
@@ -193,10 +222,11 @@ class Chaos {
       if (script == nullptr) continue;
       EXPECT_TRUE(script_ids_.insert(script->id).second) << "script ids are unique";
       scripts_.push_back(script->id);
-      if (waiting_for_script_ != 0 && script->script.find("PTP(") == 0) {
-        motions_[waiting_for_script_].script_id = script->id;
-        motions_[waiting_for_script_].tag = tagOf(script->script);
-        waiting_for_script_ = 0;
+      for (auto& [goal, motion] : motions_) {
+        if (script->script.find("PTP(\"CPP\"," + std::to_string(motion.target) + ",") != 0) continue;
+        EXPECT_EQ(motion.script_id, "") << "goal " << goal << " was sent twice";
+        motion.script_id = script->id;
+        motion.tag = tagOf(script->script);
       }
     }
   }
@@ -219,7 +249,7 @@ class Chaos {
   std::mt19937 random_;
   CoreRig rig_;
   GoalId last_ = 0;
-  GoalId waiting_for_script_ = 0;
+  int targets_ = 10000;  ///< above the targets of the cycles
   std::vector<std::string> scripts_;
   std::set<std::string> script_ids_;
   std::map<GoalId, Motion> motions_;
