@@ -52,11 +52,11 @@ Result<std::optional<Plan>, Failure> CommandCore::Impl::planFor(const Goal& goal
                                                                 const std::optional<Origin>& origin) const {
   using Planned = Result<std::optional<Plan>, Failure>;
   return forCommand<Planned>(goal, std::optional<Plan>(), [&](const auto& command) -> Planned {
-    const auto base = origin ? std::make_optional(origin->setting.base) : frames_.frames().base;
+    const auto base = origin ? origin->start.base : frames_.frames().base;
     if (traitsOf(command).needs_base && !base) return refuse(Failure{own_error::kBaseUnknown, "", ""});
     const CommandOrder order = orderOf(command, base.value_or(arm::Pose::Identity()));
-    if (!order.commands) return std::optional<Plan>();
-    return preflight_.plan(*order.commands, origin);
+    if (!origin || !order.commands) return std::optional<Plan>();
+    return preflight_.plan(*order.commands, *origin);
   });
 }
 

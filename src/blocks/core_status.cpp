@@ -11,7 +11,7 @@ namespace cobot_command::blocks {
 namespace {
 
 /// Of one motion, for a marker.
-constexpr int kPathPoints = 60;
+constexpr std::size_t kPathPoints = 60;
 
 CommandStatus::LinkState toLinkState(link::ScriptLinkState state) {
   switch (state) {
@@ -67,7 +67,7 @@ void CommandCore::Impl::publishFrames() {
 void CommandCore::Impl::tellPath(GoalId goal, const Plan& plan) {
   PathPlanned path{goal, {}};
   for (const auto& motion : plan.motions) {
-    const auto poses = planning::toolPath(*preflight_.arm(), *motion, plan.start_setting.tcp, kPathPoints);
+    const auto poses = planning::toolPath(*preflight_.arm(), *motion, plan.tcp, kPathPoints);
     path.tool_path.insert(path.tool_path.end(), poses.begin(), poses.end());
   }
   if (!path.tool_path.empty()) actions_.emplace_back(std::move(path));

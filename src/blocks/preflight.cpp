@@ -14,35 +14,34 @@ bool Preflight::isQueued(const RobotWatch& robot, Instant now) const {
   return now < queue_end_->time || !seen_since || robot.moving().value_or(false) || robot.held();
 }
 
-std::optional<Origin> Preflight::origin(const RobotWatch& robot, const FrameWatch& frames,
-                                        Instant now) const {
+Origin Preflight::origin(const RobotWatch& robot, const FrameWatch& frames, Instant now) const {
   const bool queued = isQueued(robot, now);
   const bool moves_to_unknown_place = !queued && robot.moving().value_or(false);
-  const auto joints = queued ? std::optional<arm::JointVector>(queue_end_->joints) : robot.joints();
-  if (!joints || moves_to_unknown_place) return std::nullopt;
-
-  const ActiveFrames active = frames.frames();
-  // A name of the project whose value the stream has not told yet.
-  const bool unknown_base = !active.base && !active.base_name.empty();
-  const bool unknown_tcp = !active.tcp && !active.tcp_name.empty();
-  if (unknown_base || unknown_tcp) return std::nullopt;
-
   Origin origin;
-  origin.joints = *joints;
-  origin.setting.base = active.base.value_or(arm::Pose::Identity());
-  origin.setting.tcp = active.tcp.value_or(arm::Pose::Identity());
-  origin.setting.speed_override = robot.speedOverride();
-  if (queued) origin.delay = std::max(Duration::zero(), queue_end_->time - now);
+  if (queued) {
+    origin.start.joints = queue_end_->joints;
+    origin.delay = std::max(Duration::zero(), queue_end_->time - now);
+  } else if (!moves_to_unknown_place) {
+    origin.start.joints = robot.joints();
+  }
+  // Unknown are only frames of a name whose value the stream has not told yet. Where it tells nothing at all,
+  // robot base and flange are what a project starts with.
+  const ActiveFrames active = frames.frames();
+  origin.start.base = active.base;
+  if (!active.base && active.base_name.empty()) origin.start.base = arm::Pose::Identity();
+  origin.start.tcp = active.tcp;
+  if (!active.tcp && active.tcp_name.empty()) origin.start.tcp = arm::Pose::Identity();
+  origin.start.speed_override = robot.speedOverride();
   return origin;
 }
 
 Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<protocol::ScriptCommand>& commands,
-                                                     const std::optional<Origin>& origin) const {
-  if (!arm_ || !origin) return std::optional<Plan>();
-  planning::ScriptPlanner planner(*arm_, origin->joints, origin->setting);
+                                                     const Origin& origin) const {
+  if (!arm_) return std::optional<Plan>();
+  planning::ScriptPlanner planner(*arm_, origin.start);
   Plan plan;
-  plan.start_setting = origin->setting;
-  plan.start_delay = origin->delay;
+  plan.tcp = origin.start.tcp.value_or(arm::Pose::Identity());
+  plan.start_delay = origin.delay;
   for (const protocol::ScriptCommand& command : commands) {
     const auto step = planner.append(command);
     if (!step) return refuse(toFailure(step.error()));
@@ -50,7 +49,7 @@ Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<protocol:
     if (step->trajectory) plan.motions.push_back(step->trajectory);
   }
   plan.duration = planner.duration();
-  plan.end = Origin{planner.joints(), planner.setting(), Duration::zero()};
+  plan.end.start = planner.end();
   return std::optional<Plan>(std::move(plan));
 }
 

@@ -11,16 +11,15 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
-#include "cobot_command/motion/command.h"
 #include "cobot_command/motion/trajectory.h"
+#include "cobot_command/planning/script_planner.h"
 #include "cobot_command/protocol/script_command.h"
 
 namespace cobot_command::blocks {
 
-/// Where a command starts: what the robot and its frames will be then.
+/// Where a command starts: what the robot and its frames will be then, as far as that is known.
 struct Origin {
-  arm::JointVector joints;  ///< [rad]
-  motion::Setting setting;
+  planning::ScriptPlanner::Start start;
   Duration delay{};  ///< what is in front takes this long still
 };
 
@@ -28,7 +27,7 @@ struct Plan {
   Duration duration{};
   Duration start_delay{};  ///< of the origin
   Origin end;              ///< where the next command starts; its delay is not counted
-  motion::Setting start_setting;
+  arm::Pose tcp = arm::Pose::Identity();  ///< of the motions, in the flange [m]
   std::vector<motion::TrajectoryPtr> motions;  ///< of a command that moves: one, of a raw script: several
 };
 
@@ -38,13 +37,12 @@ class Preflight {
 
   [[nodiscard]] const std::optional<arm::ArmModel>& arm() const { return arm_; }
 
-  /// Where the robot stands, or where the blended motions in front will leave it; nothing when nobody knows.
-  [[nodiscard]] std::optional<Origin> origin(const RobotWatch& robot, const FrameWatch& frames,
-                                             Instant now) const;
+  /// Where the robot stands, or where the blended motions in front will leave it.
+  [[nodiscard]] Origin origin(const RobotWatch& robot, const FrameWatch& frames, Instant now) const;
 
-  /// No plan without a model or an origin, and none of a command whose effect is not known.
+  /// No plan without a model, or when the start or the effect of a command is not known.
   [[nodiscard]] Result<std::optional<Plan>, Failure> plan(
-      const std::vector<protocol::ScriptCommand>& commands, const std::optional<Origin>& origin) const;
+      const std::vector<protocol::ScriptCommand>& commands, const Origin& origin) const;
 
   /// A blended command was sent: the next one starts at its end.
   void queue(const std::optional<Plan>& plan, Instant now);
