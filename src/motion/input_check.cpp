@@ -121,6 +121,18 @@ Finding checkCommand(const Line& line) {
       {checkPose(line.target, "the target"), checkSpeed(line.speed), checkRamp(line.time_to_top_speed)});
 }
 
+Finding checkCommand(const MovePtp& move) {
+  const auto* joints = std::get_if<arm::JointVector>(&move.offset);
+  return first({joints ? checkFinite(joints->allFinite(), "the joint offset")
+                       : checkPose(std::get<PoseOffset>(move.offset).by, "the offset"),
+                checkRatio(move.speed_ratio, "the speed"), checkRamp(move.time_to_top_speed)});
+}
+
+Finding checkCommand(const MoveLine& move) {
+  return first(
+      {checkPose(move.offset.by, "the offset"), checkSpeed(move.speed), checkRamp(move.time_to_top_speed)});
+}
+
 Finding checkCommand(const Circle& circle) {
   return first({checkPose(circle.via, "the arc point"), checkPose(circle.end, "the end"),
                 circle.arc_angle ? checkAngle(*circle.arc_angle) : std::nullopt, checkSpeed(circle.speed),

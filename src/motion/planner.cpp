@@ -5,6 +5,7 @@
 #include "input_check.h"
 #include "path_motion.h"
 #include "ptp_motion.h"
+#include "relative_motion.h"
 
 namespace cobot_command::motion {
 namespace {
@@ -17,6 +18,12 @@ struct Planner {
   auto operator()(const Ptp& ptp) const { return planPtp(arm, start, ptp, setting); }
   auto operator()(const Line& line) const { return planLine(arm, start, line, setting); }
   auto operator()(const Circle& circle) const { return planCircle(arm, start, circle, setting); }
+  auto operator()(const MovePtp& move) const {
+    return planPtp(arm, start, absolute(move, arm, start, setting), setting);
+  }
+  auto operator()(const MoveLine& move) const {
+    return planLine(arm, start, absolute(move, arm, start, setting), setting);
+  }
 };
 
 }  // namespace

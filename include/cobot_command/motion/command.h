@@ -1,4 +1,5 @@
-// What can be asked of an arm: point-to-point, line and circle, as plain values in SI.
+// What can be asked of an arm: point-to-point, line and circle, to a place or by an offset, as plain values
+// in SI.
 #pragma once
 
 #include <optional>
@@ -52,7 +53,32 @@ struct Circle {
   Duration time_to_top_speed{};
 };
 
-using Command = std::variant<Ptp, Line, Circle>;
+/// A displacement of the TCP from where the motion starts.
+struct PoseOffset {
+  enum class Axes {
+    Base,  ///< shifted along the axes of the active base, turned about axes parallel to them: R = R(by)
+           ///< R(start)
+    Tool   ///< in the tool: start * by
+  };
+  arm::Pose by = arm::Pose::Identity();
+  Axes axes = Axes::Base;
+};
+
+/// A PTP by an offset: of each joint [rad], or of the TCP with the pose bits of the start.
+struct MovePtp {
+  std::variant<arm::JointVector, PoseOffset> offset;
+  double speed_ratio = 1.0;  ///< (0, 1] of the rated joint speeds
+  Duration time_to_top_speed{};
+};
+
+/// A line by an offset of the TCP.
+struct MoveLine {
+  PoseOffset offset;
+  PathSpeed speed;
+  Duration time_to_top_speed{};
+};
+
+using Command = std::variant<Ptp, Line, Circle, MovePtp, MoveLine>;
 
 /// What the controller knows when it plans a motion.
 struct Setting {

@@ -19,6 +19,7 @@ namespace cobot_command::motion {
 /// Line, Circle: a trapezoid along the path; every sample (at most 1 ms apart) must be reachable with the
 /// pose bits of the start, inside the joint limits and the rated joint speeds, and away from the
 /// singularities.
+/// MovePtp, MoveLine: the same, to where the offset leads from `start`.
 [[nodiscard]] Result<TrajectoryPtr, Refusal> plan(const arm::ArmModel& arm, const arm::JointVector& start,
                                                   const Command& command, const Setting& setting);
 
