@@ -53,7 +53,7 @@ void MotionQueue::endActive() {
 }
 
 void MotionQueue::apply(const MotionRequest& request, Instant now) {
-  const auto command = toCommand(request, arm_, posture_, setting_);
+  const auto command = planning::toMotion(request);
   if (!command) return fail(command.error());
   auto planned = motion::plan(arm_, posture_, *command, setting_);
   if (!planned) return fail(planned.error());

@@ -11,7 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include "motion_request.h"
 #include "path_clock.h"
 #include "robot_error.h"
 #include "tag_table.h"
@@ -19,9 +18,11 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/motion/command.h"
 #include "cobot_command/motion/trajectory.h"
+#include "cobot_command/planning/script_motion.h"
 
 namespace cobot_command::simulator {
 
+using MotionRequest = planning::ScriptMotion;
 struct BaseChange {
   arm::Pose pose;    ///< in the robot base [m]
   std::string name;  ///< empty when given by value

@@ -9,11 +9,12 @@ ALLOWED = {
     "protocol": {"common"},
     "arm": {"common"},
     "motion": {"common", "arm"},
+    "planning": {"common", "protocol", "arm", "motion"},
     "transport": {"common"},
     "link": {"common", "protocol", "arm"},
-    "blocks": {"common", "protocol", "arm", "motion", "link"},
-    "simulator": {"common", "protocol", "arm", "motion"},
-    "runtime": {"common", "protocol", "arm", "motion", "transport", "link", "blocks", "simulator"},
+    "blocks": {"common", "protocol", "arm", "motion", "planning", "link"},
+    "simulator": {"common", "protocol", "arm", "motion", "planning"},
+    "runtime": {"common", "protocol", "arm", "motion", "planning", "transport", "link", "blocks", "simulator"},
 }
 ROS = re.compile(r'#include\s*[<"](ros/|actionlib|tf2|\w+_msgs/|std_srvs/|cobot_command/[A-Z])')
 OWN = re.compile(r'#include\s*"cobot_command/([a-z_]+)/')

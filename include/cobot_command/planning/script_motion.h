@@ -1,0 +1,25 @@
+// What a motion line of a script (mm, degrees, ms, %) means for the arm: a command of motion/ (SI).
+#pragma once
+
+#include <variant>
+
+#include "cobot_command/common/result.h"
+#include "cobot_command/motion/command.h"
+#include "cobot_command/motion/refusal.h"
+#include "cobot_command/protocol/script_command.h"
+
+namespace cobot_command::planning {
+
+/// The script commands that move the arm.
+using ScriptMotion =
+    std::variant<protocol::Ptp, protocol::Line, protocol::Circle, protocol::MovePtp, protocol::MoveLine>;
+
+/// Refused when the pose bits are not 0..1, 2..3, 4..5; all other checks are motion::plan's.
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::Ptp& ptp);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::Line& line);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::Circle& circle);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MovePtp& move);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MoveLine& move);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const ScriptMotion& any);
+
+}  // namespace cobot_command::planning

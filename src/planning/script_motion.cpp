@@ -1,0 +1,90 @@
+#include "cobot_command/planning/script_motion.h"
+
+#include <array>
+#include <chrono>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::planning {
+namespace {
+
+using protocol::DataFormat;
+using Made = Result<motion::Command, motion::Refusal>;
+
+Duration timeToTopSpeed(const protocol::MotionOptions& options) {
+  return std::chrono::milliseconds(options.accel_time);
+}
+
+double ratio(const protocol::MotionOptions& options) {
+  return options.speed / 100.0;
+}
+
+motion::PathSpeed pathSpeed(const DataFormat& format, const protocol::MotionOptions& options) {
+  if (format.speed == DataFormat::Speed::Percent) return motion::SpeedRatio{ratio(options)};
+  return motion::TcpSpeed{mmToM(options.speed)};
+}
+
+motion::PoseOffset poseOffset(const DataFormat& format, const protocol::SixNumbers& offset) {
+  using Axes = motion::PoseOffset::Axes;
+  return {arm::toPose(offset), format.target == DataFormat::Target::Tool ? Axes::Tool : Axes::Base};
+}
+
+motion::Refusal unknownBits(const std::array<int, 3>& bits, const arm::Pose& point) {
+  motion::Refusal refusal;
+  refusal.reason = motion::Refusal::Reason::PoseBits;
+  refusal.at = 1.0;
+  refusal.point = point;
+  refusal.message = fmt::format(
+      "pose configuration {}, {}, {}; allowed are 0..1, 2..3, 4..5: choose one of them each, or give none",
+      bits[0], bits[1], bits[2]);
+  return refusal;
+}
+
+}  // namespace
+
+Made toMotion(const protocol::Ptp& ptp) {
+  if (ptp.format.target == DataFormat::Target::Joint) {
+    return motion::Ptp{arm::toJointVector(ptp.target), ratio(ptp.options), timeToTopSpeed(ptp.options)};
+  }
+  motion::PoseTarget target{arm::toPose(ptp.target), std::nullopt};
+  if (ptp.pose_bits) {
+    const auto& [config1, config2, config3] = *ptp.pose_bits;
+    target.bits = arm::PoseBits::fromNumbers(config1, config2, config3);
+    if (!target.bits) return refuse(unknownBits(*ptp.pose_bits, target.pose));
+  }
+  return motion::Ptp{target, ratio(ptp.options), timeToTopSpeed(ptp.options)};
+}
+
+Made toMotion(const protocol::Line& line) {
+  return motion::Line{arm::toPose(line.target), pathSpeed(line.format, line.options),
+                      timeToTopSpeed(line.options)};
+}
+
+Made toMotion(const protocol::Circle& circle) {
+  std::optional<double> angle;
+  if (circle.arc_angle != 0) angle = degToRad(circle.arc_angle);
+  return motion::Circle{arm::toPose(circle.via), arm::toPose(circle.end), angle,
+                        pathSpeed(circle.format, circle.options), timeToTopSpeed(circle.options)};
+}
+
+Made toMotion(const protocol::MovePtp& move) {
+  motion::MovePtp made{poseOffset(move.format, move.offset), ratio(move.options),
+                       timeToTopSpeed(move.options)};
+  if (move.format.target == DataFormat::Target::Joint) made.offset = arm::toJointVector(move.offset);
+  return made;
+}
+
+Made toMotion(const protocol::MoveLine& move) {
+  return motion::MoveLine{poseOffset(move.format, move.offset), pathSpeed(move.format, move.options),
+                          timeToTopSpeed(move.options)};
+}
+
+Made toMotion(const ScriptMotion& any) {
+  return std::visit([](const auto& one) { return toMotion(one); }, any);
+}
+
+}  // namespace cobot_command::planning
