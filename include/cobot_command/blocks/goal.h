@@ -173,6 +173,7 @@ using SequenceStep =
 /// nothing.
 struct CheckSequenceGoal {
   std::vector<SequenceStep> steps;   ///< 1..200
+  std::string steps_fault;           ///< why the steps could not be read; empty: they could
   std::vector<double> start_joints;  ///< [deg], six; empty: where the robot is, or what is sent will leave it
 };
 
