@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
     ROS_FATAL_STREAM(parameters.error().message);
     return 2;
   }
-  const cobot_command::ros_adapter::CommandNode command_node(node, std::move(*parameters));
+  const cobot_command::ros_adapter::CommandNode command_node(node, self, std::move(*parameters));
   ros::spin();
   return 0;
 }

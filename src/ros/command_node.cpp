@@ -1,15 +1,24 @@
 #include "cobot_command/ros/command_node.h"
 
+#include <chrono>
 #include <utility>
 
 #include <ros/console.h>
 
-#include "cobot_command/ConnectAction.h"
-#include "cobot_command/MoveAbsoluteAction.h"
 #include "cobot_command/common/overloaded.h"
+#include "cobot_command/ros/action_servers.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
+
+// A goal waits this long for a tf frame: those of a robot that moves come late by some tens of milliseconds,
+// those of a node that has just started by a few hundred.
+constexpr auto kFramePatience = std::chrono::milliseconds(200);
+constexpr double kFrameRetryPeriod = 0.01;  // [s]
+
+Instant steadyNow() {
+  return Instant(std::chrono::steady_clock::now().time_since_epoch());
+}
 
 void log(const blocks::LogMessage& message) {
   switch (message.severity) {
@@ -27,31 +36,56 @@ void log(const blocks::LogMessage& message) {
 
 }  // namespace
 
-CommandNode::CommandNode(const ros::NodeHandle& node, CommandParameters parameters)
+CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
+                         CommandParameters parameters)
     : default_host_(parameters.robot_ip),
       default_port_(parameters.script_port),
-      publisher_(node, jointNames(parameters.prefix), parameters.prefix) {
+      publisher_(node, jointNames(parameters.prefix), parameters.prefix),
+      frames_(parameters.prefix + "base"),
+      intake_([this](const std_msgs::Header& header) { return frames_.find(header); }, kFramePatience,
+              intakeCore()) {
   if (!parameters.arm)
     ROS_WARN("no robot model: moves are sent to the controller without planning them first");
-  // The core exists before the first goal can come in, and its thread says nothing until it gets one.
+  retry_ = node.createSteadyTimer(
+      ros::WallDuration(kFrameRetryPeriod),
+      [this](const ros::SteadyTimerEvent&) {
+        intake_.advance(steadyNow());
+        adjustRetrying();
+      },
+      false, false);
+  bridges_ = serveActions(node, jointNames(parameters.prefix), sink());
+  // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), parameters.link,
       [this](const blocks::Action& action, Instant now) { onAction(action, now); });
-  serve<cobot_command::ConnectAction>(node, "connect");
-  serve<cobot_command::MoveAbsoluteAction>(node, "move_absolute");
 }
 
 CommandNode::~CommandNode() {
+  intake_.advance(Instant::max());  // so that the core ends those too
   runtime_->stop();
 }
 
-template <class ActionType>
-void CommandNode::serve(const ros::NodeHandle& node, const char* name) {
-  GoalSink sink;
-  sink.new_id = [this] { return ++last_goal_; };
-  sink.submit = [this](blocks::GoalId id, const blocks::Goal& goal) { submit(id, goal); };
-  sink.cancel = [this](blocks::GoalId id) { runtime_->cancel(id); };
-  bridges_.push_back(std::make_unique<ActionBridge<ActionType>>(node, name, std::move(sink)));
+GoalSink CommandNode::sink() {
+  return {[this] { return ++last_goal_; },
+          [this](blocks::GoalId id, GoalReader read) {
+            intake_.submit(id, std::move(read), steadyNow());
+            adjustRetrying();
+          },
+          [this](blocks::GoalId id) { intake_.cancel(id); }};
+}
+
+GoalIntake::Core CommandNode::intakeCore() {
+  return {[this](blocks::GoalId id, blocks::Goal goal) { submit(id, std::move(goal)); },
+          [this](blocks::GoalId id) { runtime_->cancel(id); }};
+}
+
+/// The timer runs only while a goal waits for its frame.
+void CommandNode::adjustRetrying() {
+  if (intake_.isWaiting()) {
+    retry_.start();
+  } else {
+    retry_.stop();
+  }
 }
 
 void CommandNode::submit(blocks::GoalId id, blocks::Goal goal) {
@@ -77,6 +111,8 @@ void CommandNode::onAction(const blocks::Action& action, Instant now) {
                  },
                  [&](const blocks::RobotStatusReceived& a) { publisher_.publish(a.status); },
                  [&](const blocks::StatusChanged& a) { publisher_.publish(a.status, clocks); },
+                 [&](const blocks::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
+                 [&](const blocks::PathPlanned& a) { publisher_.publish(a); },
                  [&](const blocks::FrameTraced& a) { publisher_.publish(a, clocks); },
                  [&](const blocks::LogMessage& a) { log(a); },
                  [](const auto&) {},  // connections and bytes are the runtime's own business

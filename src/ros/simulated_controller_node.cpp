@@ -8,6 +8,8 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/console.h>
 
+#include "cobot_command/ros/status_messages.h"
+
 namespace cobot_command::ros_adapter {
 namespace {
 

@@ -7,6 +7,8 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
 
+#include "cobot_command/ros/status_messages.h"
+
 namespace cobot_command::ros_adapter {
 namespace {
 
@@ -30,12 +32,15 @@ geometry_msgs::TransformStamped stamped(const arm::Pose& pose, const std::string
 }  // namespace
 
 StatusPublisher::StatusPublisher(ros::NodeHandle node, JointNames joint_names, std::string prefix)
-    : joint_names_(std::move(joint_names)), prefix_(std::move(prefix)) {
+    : joint_names_(std::move(joint_names)), prefix_(std::move(prefix)), base_frame_(prefix_ + "base") {
   joint_states_ = node.advertise<sensor_msgs::JointState>("joint_states", kQueueSize);
   tool_pose_ = node.advertise<geometry_msgs::PoseStamped>("tool_pose", kQueueSize);
   robot_status_ = node.advertise<cobot_command::RobotStatus>("robot_status", kQueueSize, true);
   command_status_ = node.advertise<cobot_command::CommandStatus>("command_status", kQueueSize, true);
+  active_frames_topic_ = node.advertise<cobot_command::ActiveFrames>("active_frames", kQueueSize, true);
+  planned_path_ = node.advertise<visualization_msgs::Marker>("planned_path", kQueueSize, true);
   frames_ = node.advertise<cobot_command::FrameTrace>("frames", kQueueSize);
+  publish(active_frames_);  // so that it can be read before anything is known
 }
 
 void StatusPublisher::publish(const link::RobotStatus& status) {
@@ -47,18 +52,31 @@ void StatusPublisher::publish(const link::RobotStatus& status) {
   if (status.tool) {
     geometry_msgs::PoseStamped message;
     message.header.stamp = stamp;
-    message.header.frame_id = prefix_ + "base";
+    message.header.frame_id = base_frame_;
     message.pose = toPoseMessage(*status.tool);
     tool_pose_.publish(message);
   }
   robot_status_.publish(toMessage(status, stamp));
-  publishFrames(status, stamp);
+  sendActiveFrames(stamp);
 }
 
-void StatusPublisher::publishFrames(const link::RobotStatus& status, const ros::Time& stamp) {
+void StatusPublisher::publish(const blocks::ActiveFrames& frames) {
+  const ros::Time stamp = ros::Time::now();
+  active_frames_ = frames;
+  active_frames_topic_.publish(toMessage(frames, base_frame_, stamp));
+  sendActiveFrames(stamp);
+}
+
+void StatusPublisher::publish(const blocks::PathPlanned& path) {
+  planned_path_.publish(toMarker(path.tool_path, base_frame_, ros::Time::now()));
+}
+
+void StatusPublisher::sendActiveFrames(const ros::Time& stamp) {
   std::vector<geometry_msgs::TransformStamped> frames;
-  if (status.base) frames.push_back(stamped(*status.base, prefix_ + "base", prefix_ + "active_base", stamp));
-  if (status.tcp) frames.push_back(stamped(*status.tcp, prefix_ + "tool0", prefix_ + "active_tool", stamp));
+  if (active_frames_.base)
+    frames.push_back(stamped(*active_frames_.base, base_frame_, prefix_ + "active_base", stamp));
+  if (active_frames_.tcp)
+    frames.push_back(stamped(*active_frames_.tcp, prefix_ + "tool0", prefix_ + "active_tool", stamp));
   if (!frames.empty()) tf_.sendTransform(frames);
 }
 

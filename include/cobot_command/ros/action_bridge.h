@@ -1,5 +1,8 @@
 // One function block as an action server: goals go to the core, what becomes of them comes back here.
 //
+// A goal is PENDING until it is its turn, and may end before. A cancel of all goals (empty GoalID) comes in
+// as one cancel for each.
+//
 // Threads: ROS calls in on its spinner, the core's thread calls accepted(), progressed() and ended(); both at
 // once is fine. The bridge never holds its own lock while it calls the action server, whose lock is held in
 // ROS callbacks.
@@ -17,13 +20,16 @@
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/outcome.h"
 #include "cobot_command/ros/conversions.h"
+#include "cobot_command/ros/goal_intake.h"
+#include "cobot_command/ros/goal_messages.h"
+#include "cobot_command/ros/outcome_messages.h"
 
 namespace cobot_command::ros_adapter {
 
 /// Where goals go.
 struct GoalSink {
   std::function<blocks::GoalId()> new_id;
-  std::function<void(blocks::GoalId, const blocks::Goal&)> submit;
+  std::function<void(blocks::GoalId, GoalReader)> submit;
   std::function<void(blocks::GoalId)> cancel;
 };
 
@@ -39,9 +45,10 @@ class GoalListener {
 template <class Action>
 class ActionBridge : public GoalListener {
  public:
-  /// Serves the action `name`, relative to `node`, until it is destroyed.
-  ActionBridge(const ros::NodeHandle& node, const std::string& name, GoalSink sink)
-      : sink_(std::move(sink)),
+  /// Serves the action `name`, relative to `node`, until it is destroyed. `joint_names`: of planned motions.
+  ActionBridge(const ros::NodeHandle& node, const std::string& name, JointNames joint_names, GoalSink sink)
+      : joint_names_(std::move(joint_names)),
+        sink_(std::move(sink)),
         server_(
             node, name, [this](Handle handle) { onGoal(handle); },
             [this](Handle handle) { onCancel(handle); }, false) {
@@ -65,7 +72,9 @@ class ActionBridge : public GoalListener {
     Handle handle;
     if (!take(id, handle)) return;
     Result result;
-    fill(result, outcome);
+    fill(result, outcome, joint_names_);
+    const bool ran = outcome.ending == blocks::Ending::Done || outcome.ending == blocks::Ending::Aborted;
+    if (ran && isPending(handle)) handle.setAccepted();  // actionlib knows no way past ACTIVE
     switch (outcome.ending) {
       case blocks::Ending::Done:
         handle.setSucceeded(result, outcome.error_description);
@@ -93,13 +102,20 @@ class ActionBridge : public GoalListener {
     Handle handle;
   };
 
+  static bool isPending(const Handle& handle) {
+    const auto status = handle.getGoalStatus().status;
+    return status == actionlib_msgs::GoalStatus::PENDING || status == actionlib_msgs::GoalStatus::RECALLING;
+  }
+
   void onGoal(Handle handle) {
     const blocks::GoalId id = sink_.new_id();
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       open_.push_back({id, handle});
     }
-    sink_.submit(id, toGoal(*handle.getGoal()));
+    sink_.submit(id, [goal = handle.getGoal()](const FrameLookup& frames) -> blocks::Goal {
+      return toGoal(*goal, frames);
+    });
   }
 
   void onCancel(Handle handle) {
@@ -126,6 +142,7 @@ class ActionBridge : public GoalListener {
     return true;
   }
 
+  JointNames joint_names_;
   GoalSink sink_;
   std::mutex mutex_;
   std::vector<Open> open_;

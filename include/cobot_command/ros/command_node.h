@@ -1,25 +1,29 @@
 // The command node of one robot: action servers and publishers around one command core.
 //
-// Everything it offers is relative to the node's namespace, so several robots are several namespaces.
+// Everything it offers is relative to the node's namespace, so several robots are several namespaces. To be
+// spun by one thread.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <ros/node_handle.h>
+#include <ros/steady_timer.h>
 
 #include "cobot_command/ros/action_bridge.h"
+#include "cobot_command/ros/goal_intake.h"
 #include "cobot_command/ros/parameters.h"
 #include "cobot_command/ros/status_publisher.h"
+#include "cobot_command/ros/tf_frames.h"
 #include "cobot_command/runtime/command_runtime.h"
 
 namespace cobot_command::ros_adapter {
 
 class CommandNode {
  public:
-  CommandNode(const ros::NodeHandle& node, CommandParameters parameters);
+  /// `self`: the node's private namespace.
+  CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self, CommandParameters parameters);
   /// Ends every open goal, closes the connections and joins the core's thread.
   ~CommandNode();
   CommandNode(const CommandNode&) = delete;
@@ -27,17 +31,20 @@ class CommandNode {
 
  private:
   void onAction(const blocks::Action& action, Instant now);  // on the core's thread
-  template <class ActionType>
-  void serve(const ros::NodeHandle& node, const char* name);
-
+  [[nodiscard]] GoalSink sink();
+  [[nodiscard]] GoalIntake::Core intakeCore();
   void submit(blocks::GoalId id, blocks::Goal goal);
+  void adjustRetrying();
 
   std::string default_host_;
   int default_port_;
-  std::atomic<blocks::GoalId> last_goal_{0};
+  blocks::GoalId last_goal_ = 0;
   StatusPublisher publisher_;
+  TfFrames frames_;
+  GoalIntake intake_;
   std::vector<std::unique_ptr<GoalListener>> bridges_;
   std::unique_ptr<runtime::CommandRuntime> runtime_;
+  ros::SteadyTimer retry_;
 };
 
 }  // namespace cobot_command::ros_adapter

@@ -1,36 +1,26 @@
-// Values of the core <-> messages. Units change only where a message's comment says so.
+// Values of the core <-> parts of messages: times, poses, joints. Units change only where a message's comment
+// says so. Whole messages: goal_messages.h, outcome_messages.h, status_messages.h.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
+#include <ros/duration.h>
 #include <ros/time.h>
 #include <sensor_msgs/JointState.h>
+#include <trajectory_msgs/JointTrajectory.h>
 
-#include "cobot_command/BlockStatus.h"
-#include "cobot_command/CommandStatus.h"
-#include "cobot_command/ConnectFeedback.h"
-#include "cobot_command/ConnectGoal.h"
-#include "cobot_command/ConnectResult.h"
-#include "cobot_command/FrameTrace.h"
-#include "cobot_command/MoveAbsoluteFeedback.h"
-#include "cobot_command/MoveAbsoluteGoal.h"
-#include "cobot_command/MoveAbsoluteResult.h"
-#include "cobot_command/RobotStatus.h"
-#include "cobot_command/arm/arm_model.h"
-#include "cobot_command/blocks/command_core.h"
+#include "cobot_command/StepReport.h"
+#include "cobot_command/Transformation.h"
+#include "cobot_command/arm/types.h"
+#include "cobot_command/blocks/outcome.h"
+#include "cobot_command/common/time.h"
 
 namespace cobot_command::ros_adapter {
-
-[[nodiscard]] blocks::Goal toGoal(const cobot_command::ConnectGoal& message);
-[[nodiscard]] blocks::Goal toGoal(const cobot_command::MoveAbsoluteGoal& message);
-
-void fill(cobot_command::ConnectResult& message, const blocks::Outcome& outcome);
-void fill(cobot_command::MoveAbsoluteResult& message, const blocks::Outcome& outcome);
-void fill(cobot_command::ConnectFeedback& message, const blocks::Progress& progress);
-void fill(cobot_command::MoveAbsoluteFeedback& message, const blocks::Progress& progress);
 
 /// Turns the core's instants into ROS time. They have different clocks, so both are asked for now.
 struct ClockPair {
@@ -39,10 +29,16 @@ struct ClockPair {
   [[nodiscard]] ros::Time toRos(Instant instant) const;
 };
 
-[[nodiscard]] cobot_command::CommandStatus toMessage(const blocks::CommandStatus& status,
-                                                     const ClockPair& clocks);
-[[nodiscard]] cobot_command::FrameTrace toMessage(const blocks::FrameTraced& trace, const ClockPair& clocks);
-[[nodiscard]] cobot_command::RobotStatus toMessage(const link::RobotStatus& status, const ros::Time& stamp);
+[[nodiscard]] ros::Duration toRos(Duration duration);
+/// Zero when absent.
+[[nodiscard]] ros::Duration toRos(const std::optional<Duration>& duration);
+
+[[nodiscard]] std::array<double, 6> toSix(const cobot_command::Transformation& message);
+[[nodiscard]] cobot_command::Transformation toTransformation(const std::array<double, 6>& six);
+
+[[nodiscard]] geometry_msgs::Transform toTransform(const arm::Pose& pose);
+[[nodiscard]] geometry_msgs::Pose toPoseMessage(const arm::Pose& pose);
+[[nodiscard]] arm::Pose toPose(const geometry_msgs::Transform& message);
 
 using JointNames = std::array<std::string, arm::kJointCount>;
 /// The six joints as the vendor's driver names them, with `prefix` in front.
@@ -51,8 +47,9 @@ using JointNames = std::array<std::string, arm::kJointCount>;
 [[nodiscard]] sensor_msgs::JointState jointState(const JointNames& names, const arm::JointVector& positions,
                                                  const arm::JointVector* velocities,
                                                  const arm::JointVector* torques, const ros::Time& stamp);
-
-[[nodiscard]] geometry_msgs::Transform toTransform(const arm::Pose& pose);
-[[nodiscard]] geometry_msgs::Pose toPoseMessage(const arm::Pose& pose);
+/// Its stamp is zero: it is a plan, at no time of its own. Wholly empty without a point.
+[[nodiscard]] trajectory_msgs::JointTrajectory toMessage(const std::vector<blocks::JointPathPoint>& path,
+                                                         const JointNames& names);
+[[nodiscard]] cobot_command::StepReport toMessage(const blocks::StepReport& report, const JointNames& names);
 
 }  // namespace cobot_command::ros_adapter

@@ -1,10 +1,11 @@
-// What the command layer tells everyone: joint_states, tool_pose, robot_status, command_status, frames and
-// tf.
+// What the command layer tells everyone: joint_states, tool_pose, robot_status, command_status,
+// active_frames, planned_path, frames and tf.
 //
 // Called on the core's thread only.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <ros/publisher.h>
 #include <tf2_ros/transform_broadcaster.h>
@@ -20,25 +21,33 @@ class StatusPublisher {
   /// already.
   StatusPublisher(ros::NodeHandle node, JointNames joint_names, std::string prefix);
 
-  /// Positions, tool and robot status, and in tf the active base and the active tool. Each only as far as the
-  /// controller streams it.
+  /// Positions, tool and robot status, as far as the controller streams them; and the active frames in tf
+  /// again.
   void publish(const link::RobotStatus& status);
   /// Latched; when the status stream has ended, robot_status becomes "unknown" as well.
   void publish(const blocks::CommandStatus& status, const ClockPair& clocks);
+  /// Latched, and at once in tf, as far as they are known.
+  void publish(const blocks::ActiveFrames& frames);
+  /// Latched, for RViz.
+  void publish(const blocks::PathPlanned& path);
   /// Costs nothing while nobody listens.
   void publish(const blocks::FrameTraced& trace, const ClockPair& clocks);
 
  private:
-  void publishFrames(const link::RobotStatus& status, const ros::Time& stamp);
+  void sendActiveFrames(const ros::Time& stamp);
 
   JointNames joint_names_;
   std::string prefix_;
+  std::string base_frame_;
   ros::Publisher joint_states_;
   ros::Publisher tool_pose_;
   ros::Publisher robot_status_;
   ros::Publisher command_status_;
+  ros::Publisher active_frames_topic_;
+  ros::Publisher planned_path_;
   ros::Publisher frames_;
   tf2_ros::TransformBroadcaster tf_;
+  blocks::ActiveFrames active_frames_;
   bool streaming_ = false;
 };
 

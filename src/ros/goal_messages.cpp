@@ -1,0 +1,198 @@
+#include "cobot_command/ros/goal_messages.h"
+
+#include <utility>
+#include <vector>
+
+#include "pick_and_place_file.h"
+#include <fmt/format.h>
+
+#include "cobot_command/ros/conversions.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+/// Absent when the message leaves its frame empty.
+std::optional<blocks::FramedPose> toFramedPose(const geometry_msgs::PoseStamped& message,
+                                               const FrameLookup& frames) {
+  if (message.header.frame_id.empty()) return std::nullopt;
+  const auto& position = message.pose.position;
+  const auto& quaternion = message.pose.orientation;
+  FramePlace place = frames(message.header);
+  blocks::FramedPose pose;
+  pose.frame = message.header.frame_id;
+  pose.position = {position.x, position.y, position.z};
+  pose.quaternion = {quaternion.x, quaternion.y, quaternion.z, quaternion.w};
+  pose.frame_in_robot_base = std::move(place.in_robot_base);
+  pose.fault = std::move(place.fault);
+  return pose;
+}
+
+/// What all commands have that wait for their turn and may leave the Listen node.
+template <class Goal, class Message>
+void takeCommand(Goal& goal, const Message& message) {
+  goal.command_id = message.command_id;
+  goal.exit_node = message.exit_node != 0;
+  goal.buffer_mode = message.buffer_mode;
+}
+
+/// What all moves have.
+template <class Goal, class Message>
+void takeMotion(Goal& goal, const Message& message) {
+  takeCommand(goal, message);
+  goal.data_format = message.data_format;
+  goal.speed = message.speed;
+  goal.accel_time = message.accel_time;
+  goal.blending_enable = message.blending_enable != 0;
+  goal.blending_value = message.blending_value;
+  goal.precise_positioning = message.precise_positioning != 0;
+  goal.check_only = message.check_only != 0;
+}
+
+template <class Goal, class Message>
+void takeTarget(Goal& goal, const Message& message) {
+  goal.movement_command = message.movement_command;
+  goal.target = toSix(message.target_position);
+}
+
+blocks::PickAndPlaceStep toStep(const cobot_command::PickAndPlaceStep& message, const FrameLookup& frames) {
+  blocks::PickAndPlaceStep step;
+  step.move = toGoal(message.move, frames);
+  if (!message.output.module.empty())
+    step.output = {message.output.module, message.output.output, message.output.value != 0};
+  step.dwell = message.dwell;
+  return step;
+}
+
+/// Absent when the message names a kind that there is not.
+std::optional<blocks::SequenceStep> toStep(const cobot_command::SequenceStep& message,
+                                           const FrameLookup& frames) {
+  using Message = cobot_command::SequenceStep;
+  switch (message.kind) {
+    case Message::MOVE_ABSOLUTE:
+      return toGoal(message.move_absolute, frames);
+    case Message::MOVE_RELATIVE:
+      return toGoal(message.move_relative, frames);
+    case Message::MOVE_CIRCLE:
+      return toGoal(message.move_circle, frames);
+    case Message::CHANGE_BASE:
+      return toGoal(message.change_base, frames);
+    case Message::CHANGE_TCP:
+      return toGoal(message.change_tcp, frames);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+blocks::ConnectGoal toGoal(const cobot_command::ConnectGoal& message, const FrameLookup& /*frames*/) {
+  blocks::ConnectGoal goal;
+  goal.host = message.host;
+  goal.port = message.port;
+  goal.timeout = message.timeout;
+  if (message.status_port != 0) goal.status_port = message.status_port;
+  return goal;
+}
+
+blocks::MoveAbsoluteGoal toGoal(const cobot_command::MoveAbsoluteGoal& message, const FrameLookup& frames) {
+  blocks::MoveAbsoluteGoal goal;
+  takeMotion(goal, message);
+  takeTarget(goal, message);
+  goal.target_pose = toFramedPose(message.target_pose, frames);
+  goal.robot_pose_enable = message.robot_pose_enable != 0;
+  goal.robot_pose = {message.robot_pose.config1, message.robot_pose.config2, message.robot_pose.config3};
+  return goal;
+}
+
+blocks::MoveRelativeGoal toGoal(const cobot_command::MoveRelativeGoal& message,
+                                const FrameLookup& /*frames*/) {
+  blocks::MoveRelativeGoal goal;
+  takeMotion(goal, message);
+  takeTarget(goal, message);
+  return goal;
+}
+
+blocks::MoveCircleGoal toGoal(const cobot_command::MoveCircleGoal& message, const FrameLookup& frames) {
+  blocks::MoveCircleGoal goal;
+  takeMotion(goal, message);
+  goal.arc_point = toSix(message.arc_point);
+  goal.end_point = toSix(message.end_point);
+  goal.arc_pose = toFramedPose(message.arc_pose, frames);
+  goal.end_pose = toFramedPose(message.end_pose, frames);
+  goal.arc_angle = message.arc_angle;
+  return goal;
+}
+
+blocks::ChangeBaseGoal toGoal(const cobot_command::ChangeBaseGoal& message, const FrameLookup& frames) {
+  blocks::ChangeBaseGoal goal;
+  takeCommand(goal, message);
+  goal.transformation = toSix(message.transformation);
+  goal.base_pose = toFramedPose(message.base_pose, frames);
+  goal.base_name = message.base_name;
+  return goal;
+}
+
+blocks::ChangeTcpGoal toGoal(const cobot_command::ChangeTCPGoal& message, const FrameLookup& /*frames*/) {
+  blocks::ChangeTcpGoal goal;
+  takeCommand(goal, message);
+  goal.tcp_offset = toSix(message.tcp_offset);
+  goal.weight = message.weight;
+  goal.moment_of_inertia = {message.moment_of_inertia.ixx, message.moment_of_inertia.iyy,
+                            message.moment_of_inertia.izz};
+  goal.mass_center = toSix(message.mass_center);
+  goal.tcp_name = message.tcp_name;
+  return goal;
+}
+
+blocks::ProgramControlGoal toGoal(const cobot_command::ProgramControlGoal& message,
+                                  const FrameLookup& /*frames*/) {
+  return {message.command_id, message.command};
+}
+
+blocks::StopGoal toGoal(const cobot_command::StopGoal& /*message*/, const FrameLookup& /*frames*/) {
+  return {};
+}
+
+blocks::ExitListenNodeGoal toGoal(const cobot_command::ExitListenNodeGoal& message,
+                                  const FrameLookup& /*frames*/) {
+  return {message.buffer_mode};
+}
+
+blocks::RunScriptGoal toGoal(const cobot_command::RunScriptGoal& message, const FrameLookup& /*frames*/) {
+  return {message.script, message.await_motion != 0, message.reply_timeout, message.buffer_mode};
+}
+
+blocks::CheckSequenceGoal toGoal(const cobot_command::CheckSequenceGoal& message, const FrameLookup& frames) {
+  blocks::CheckSequenceGoal goal;
+  goal.start_joints = message.start_joints;
+  for (std::size_t i = 0; i < message.steps.size(); ++i) {
+    if (auto step = toStep(message.steps[i], frames)) {
+      goal.steps.push_back(std::move(*step));
+    } else if (goal.steps_fault.empty()) {
+      goal.steps_fault = fmt::format("step {}: kind is {}; allowed: 0 to 4, as in SequenceStep.msg", i,
+                                     message.steps[i].kind);
+    }
+  }
+  return goal;
+}
+
+blocks::PickAndPlaceGoal toGoal(const cobot_command::PickAndPlaceGoal& message, const FrameLookup& frames) {
+  blocks::PickAndPlaceGoal goal;
+  goal.cycles = message.cycles;
+  goal.buffer_mode = message.buffer_mode;
+  goal.check_only = message.check_only != 0;
+  for (const auto& step : message.steps) goal.steps.push_back(toStep(step, frames));
+  if (message.steps_file.empty()) return goal;
+  if (!message.steps.empty()) {
+    goal.steps_fault = "both steps_file and steps are given; give one of them";
+    return goal;
+  }
+  if (auto steps = readPickAndPlaceFile(message.steps_file)) {
+    goal.steps = std::move(*steps);
+  } else {
+    goal.steps_fault = steps.error();
+  }
+  return goal;
+}
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,229 @@
+#include "pick_and_place_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <ros/package.h>
+#include <yaml-cpp/yaml.h>
+
+#include "cobot_command/RobotPose.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+constexpr std::uintmax_t kMaxFileSize = 1 << 20;  // a thousand times the steps of the thesis
+constexpr double kDefaultDwell = 2;               // [s] as in the thesis
+
+/// Leaves parsePickAndPlace() as its error.
+struct Fault : std::runtime_error {
+  Fault(const YAML::Mark& place, const std::string& what) : std::runtime_error(what), mark(place) {}
+  YAML::Mark mark;
+};
+
+using Names = std::vector<std::pair<const char*, int>>;
+
+const Names kMovements = {{"LINE", static_cast<int>(blocks::Movement::Line)},
+                          {"PTP", static_cast<int>(blocks::Movement::Ptp)}};
+const Names kFormats = {{"JPP", static_cast<int>(blocks::AbsoluteFormat::Jpp)},
+                        {"CPP", static_cast<int>(blocks::AbsoluteFormat::Cpp)},
+                        {"CPR", static_cast<int>(blocks::AbsoluteFormat::Cpr)},
+                        {"CAP", static_cast<int>(blocks::AbsoluteFormat::Cap)},
+                        {"CAR", static_cast<int>(blocks::AbsoluteFormat::Car)}};
+const std::array<Names, 3> kPostures = {
+    Names{{"RIGHTY", cobot_command::RobotPose::RIGHTY}, {"LEFTY", cobot_command::RobotPose::LEFTY}},
+    Names{{"ABOVE", cobot_command::RobotPose::ABOVE}, {"BELOW", cobot_command::RobotPose::BELOW}},
+    Names{{"NOFLIP", cobot_command::RobotPose::NOFLIP}, {"FLIP", cobot_command::RobotPose::FLIP}}};
+
+std::string listed(const Names& names) {
+  std::string text;
+  for (const auto& [name, value] : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+/// What a value is called in errors: what stands in the file.
+std::string found(const YAML::Node& node) {
+  if (node.IsScalar()) return fmt::format("'{}'", node.Scalar());
+  return node.IsSequence() ? "a list" : node.IsMap() ? "a map" : "nothing";
+}
+
+template <class Value>
+Value convert(const YAML::Node& node, const std::string& key, const char* allowed) {
+  Value value{};
+  if (!node.IsScalar() || !YAML::convert<Value>::decode(node, value))
+    throw Fault(node.Mark(), fmt::format("{} is {}; it must be {}", key, found(node), allowed));
+  return value;
+}
+
+int named(const YAML::Node& node, const std::string& key, const Names& names) {
+  const auto text = node.IsScalar() ? node.Scalar() : std::string();
+  const auto entry = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == text; });
+  if (entry == names.end())
+    throw Fault(node.Mark(), fmt::format("{} is {}; allowed: {}", key, found(node), listed(names)));
+  return entry->second;
+}
+
+/// A YAML map, of which every key has to be known.
+class Map {
+ public:
+  Map(YAML::Node node, const char* what, const std::vector<std::string>& keys) : node_(std::move(node)) {
+    if (!node_.IsMap())
+      throw Fault(node_.Mark(), fmt::format("{} is {}; it must be a map", what, found(node_)));
+    std::vector<std::string> seen;
+    for (const auto& entry : node_) {
+      const auto key = entry.first.IsScalar() ? entry.first.Scalar() : std::string();
+      if (std::find(keys.begin(), keys.end(), key) == keys.end())
+        throw Fault(entry.first.Mark(), fmt::format("unknown key {} in {}; known: {}", found(entry.first),
+                                                    what, fmt::join(keys, ", ")));
+      if (std::find(seen.begin(), seen.end(), key) != seen.end())
+        throw Fault(entry.first.Mark(), fmt::format("{} stands twice in {}", key, what));
+      seen.push_back(key);
+    }
+  }
+
+  [[nodiscard]] bool has(const char* key) const { return node_[key].IsDefined(); }
+  [[nodiscard]] YAML::Node required(const char* key) const {
+    const YAML::Node value = node_[key];
+    if (!value.IsDefined()) throw Fault(node_.Mark(), fmt::format("{} is missing", key));
+    return value;
+  }
+  [[nodiscard]] double number(const char* key) const {
+    return convert<double>(required(key), key, "a number");
+  }
+  [[nodiscard]] int whole(const char* key) const {
+    return convert<int>(required(key), key, "a whole number");
+  }
+  [[nodiscard]] bool truth(const char* key) const {
+    return convert<bool>(required(key), key, "true or false");
+  }
+  [[nodiscard]] std::string text(const char* key) const {
+    return convert<std::string>(required(key), key, "a text");
+  }
+  [[nodiscard]] int named(const char* key, const Names& names) const {
+    return ros_adapter::named(required(key), key, names);
+  }
+  /// A list of `count` values.
+  [[nodiscard]] YAML::Node list(const char* key, std::size_t count) const {
+    const YAML::Node values = required(key);
+    if (!values.IsSequence() || values.size() != count) {
+      const auto is = values.IsSequence() ? fmt::format("a list of {}", values.size()) : found(values);
+      throw Fault(values.Mark(), fmt::format("{} is {}; it must be a list of {}", key, is, count));
+    }
+    return values;
+  }
+
+ private:
+  YAML::Node node_;
+};
+
+blocks::MoveAbsoluteGoal toMove(const Map& step) {
+  blocks::MoveAbsoluteGoal move;
+  move.movement_command = step.named("movement_command", kMovements);
+  move.data_format = step.named("data_format", kFormats);
+  const YAML::Node target = step.list("target_position", move.target.size());
+  for (std::size_t i = 0; i < move.target.size(); ++i)
+    move.target[i] = convert<double>(target[i], fmt::format("target_position[{}]", i), "a number");
+  move.speed = step.whole("speed");
+  move.accel_time = step.whole("accel_time");
+  if (step.has("command_id")) move.command_id = step.whole("command_id");
+  if (step.has("blending_enable")) move.blending_enable = step.truth("blending_enable");
+  if (step.has("blending_value")) move.blending_value = step.whole("blending_value");
+  if (step.has("precise_positioning")) move.precise_positioning = step.truth("precise_positioning");
+  if (!step.has("robot_pose")) return move;
+  move.robot_pose_enable = true;
+  const YAML::Node posture = step.list("robot_pose", kPostures.size());
+  for (std::size_t i = 0; i < kPostures.size(); ++i)
+    move.robot_pose[i] = named(posture[i], fmt::format("robot_pose[{}]", i), kPostures[i]);
+  return move;
+}
+
+/// true: `usual`; a number: that long [s].
+double toDwell(const Map& step, double usual) {
+  if (!step.has("dwell")) return 0;
+  const YAML::Node node = step.required("dwell");
+  bool wanted = false;
+  if (YAML::convert<bool>::decode(node, wanted)) return wanted ? usual : 0;
+  return convert<double>(node, "dwell", "true, false, or a number of seconds");
+}
+
+blocks::PickAndPlaceStep toStep(const YAML::Node& node, double usual_dwell) {
+  const Map map(
+      node, "a step",
+      {"name", "command_id", "movement_command", "data_format", "target_position", "speed", "accel_time",
+       "blending_enable", "blending_value", "precise_positioning", "robot_pose", "output", "dwell"});
+  if (map.has("name")) static_cast<void>(map.text("name"));
+  blocks::PickAndPlaceStep step;
+  step.move = toMove(map);
+  if (map.has("output")) {
+    const Map output(map.required("output"), "output", {"module", "output", "value"});
+    step.output = {output.text("module"), output.whole("output"), output.truth("value")};
+  }
+  step.dwell = toDwell(map, usual_dwell);
+  return step;
+}
+
+PickAndPlaceSteps toSteps(const YAML::Node& document) {
+  const Map file(document, "the file", {"dwell", "steps"});
+  const double usual_dwell = file.has("dwell") ? file.number("dwell") : kDefaultDwell;
+  const YAML::Node list = file.required("steps");
+  if (!list.IsSequence())
+    throw Fault(list.Mark(), fmt::format("steps is {}; it must be a list", found(list)));
+  PickAndPlaceSteps steps;
+  for (const YAML::Node& node : list) steps.push_back(toStep(node, usual_dwell));
+  return steps;
+}
+
+std::string describe(const std::string& name, const YAML::Mark& mark, const std::string& what) {
+  return mark.is_null() ? fmt::format("{}: {}", name, what)
+                        : fmt::format("{}:{}: {}", name, mark.line + 1, what);
+}
+
+/// The path on this machine; its error says what is wrong with the location.
+Result<std::filesystem::path, std::string> toPath(const std::string& location) {
+  static const std::string kScheme = "package://";
+  if (location.compare(0, kScheme.size(), kScheme) != 0) {
+    if (std::filesystem::path(location).is_absolute()) return std::filesystem::path(location);
+    return refuse(
+        fmt::format("steps_file is '{}'; it must be an absolute path, or package://NAME/path", location));
+  }
+  const std::size_t slash = location.find('/', kScheme.size());
+  const std::string package = location.substr(kScheme.size(), slash - kScheme.size());
+  const std::string folder = ros::package::getPath(package);
+  if (slash == std::string::npos || folder.empty())
+    return refuse(fmt::format("{}: no package '{}' is found", location, package));
+  return std::filesystem::path(folder) / location.substr(slash + 1);
+}
+
+}  // namespace
+
+Result<PickAndPlaceSteps, std::string> parsePickAndPlace(const std::string& text, const std::string& name) {
+  try {
+    return toSteps(YAML::Load(text));
+  } catch (const Fault& fault) {
+    return refuse(describe(name, fault.mark, fault.what()));
+  } catch (const YAML::Exception& fault) {
+    return refuse(describe(name, fault.mark, fault.msg));
+  }
+}
+
+Result<PickAndPlaceSteps, std::string> readPickAndPlaceFile(const std::string& location) {
+  const auto path = toPath(location);
+  if (!path) return refuse(path.error());
+  std::error_code failure;
+  // Nothing that never ends, and nothing that takes long: goals wait for it.
+  if (!std::filesystem::is_regular_file(*path, failure))
+    return refuse(fmt::format("{}: there is no such file", path->string()));
+  if (const auto size = std::filesystem::file_size(*path, failure); failure || size > kMaxFileSize)
+    return refuse(fmt::format("{}: it is larger than {} bytes", path->string(), kMaxFileSize));
+  std::ifstream file(*path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file.good() && !file.eof()) return refuse(fmt::format("{}: it cannot be read", path->string()));
+  return parsePickAndPlace(text, path->string());
+}
+
+}  // namespace cobot_command::ros_adapter

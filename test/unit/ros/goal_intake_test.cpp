@@ -1,0 +1,132 @@
+#include "cobot_command/ros/goal_intake.h"
+
+#include <chrono>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr auto kPatience = milliseconds(200);
+
+/// A core that writes down what it is told, and a tf that knows the frames in `known`.
+class Intake : public testing::Test {
+ protected:
+  void move(blocks::GoalId id, const std::string& frame, milliseconds at = milliseconds(0)) {
+    intake.submit(
+        id,
+        [frame](const FrameLookup& frames) -> blocks::Goal {
+          cobot_command::MoveAbsoluteGoal message;
+          message.target_pose.header.frame_id = frame;
+          return toGoal(message, frames);
+        },
+        Instant(at));
+  }
+  template <class Goal>
+  void give(blocks::GoalId id, Goal goal, milliseconds at = milliseconds(0)) {
+    intake.submit(
+        id, [goal](const FrameLookup&) -> blocks::Goal { return goal; }, Instant(at));
+  }
+
+  void note(blocks::GoalId id, const blocks::Goal& goal) {
+    const auto* move = std::get_if<blocks::MoveAbsoluteGoal>(&goal);
+    const bool lost = move != nullptr && move->target_pose && !move->target_pose->frame_in_robot_base;
+    told.push_back(fmt::format("submit {}{}", id, lost ? " without its frame" : ""));
+  }
+
+  std::set<std::string> known;
+  std::vector<std::string> told;
+  GoalIntake intake{[this](const std_msgs::Header& header) -> FramePlace {
+                      if (known.count(header.frame_id) == 0) return {std::nullopt, "not known"};
+                      return {arm::Pose::Identity(), ""};
+                    },
+                    kPatience,
+                    {[this](blocks::GoalId id, const blocks::Goal& goal) { note(id, goal); },
+                     [this](blocks::GoalId id) { told.push_back(fmt::format("cancel {}", id)); }}};
+};
+
+TEST_F(Intake, handsOnAGoalWithoutAFrameAtOnce) {
+  move(1, "");
+  EXPECT_THAT(told, ElementsAre("submit 1"));
+  EXPECT_FALSE(intake.isWaiting());
+}
+
+TEST_F(Intake, handsOnAGoalWhoseFrameIsKnownAtOnce) {
+  known = {"table"};
+  move(1, "table");
+  EXPECT_THAT(told, ElementsAre("submit 1"));
+}
+
+TEST_F(Intake, waitsForAFrameThatComesLate) {
+  move(1, "table");
+  EXPECT_THAT(told, IsEmpty());
+  EXPECT_TRUE(intake.isWaiting());
+  intake.advance(Instant(milliseconds(199)));
+  EXPECT_THAT(told, IsEmpty());
+  known = {"table"};
+  intake.advance(Instant(milliseconds(199)));
+  EXPECT_THAT(told, ElementsAre("submit 1"));
+  EXPECT_FALSE(intake.isWaiting());
+}
+
+TEST_F(Intake, handsOnAGoalWithoutItsFrameWhenThatDoesNotCome) {
+  move(1, "nowhere");
+  intake.advance(Instant(kPatience));
+  EXPECT_THAT(told, ElementsAre("submit 1 without its frame"));
+}
+
+TEST_F(Intake, keepsTheOrderOfWhatCameBehindAGoalThatWaits) {
+  move(1, "table");
+  move(2, "");
+  known = {"table"};
+  intake.advance(Instant(milliseconds(10)));
+  EXPECT_THAT(told, ElementsAre("submit 1", "submit 2"));
+}
+
+TEST_F(Intake, countsThePatienceOfEachGoalFromItsOwnArrival) {
+  move(1, "nowhere");
+  move(2, "nowhere", milliseconds(150));
+  intake.advance(Instant(milliseconds(200)));
+  EXPECT_THAT(told, ElementsAre("submit 1 without its frame"));
+  intake.advance(Instant(milliseconds(350)));
+  EXPECT_THAT(told, ElementsAre("submit 1 without its frame", "submit 2 without its frame"));
+}
+
+TEST_F(Intake, letsAStopTakeAwayWhatWaitsWithoutWaitingItself) {
+  move(1, "table");
+  give(2, blocks::StopGoal{});
+  EXPECT_THAT(told, ElementsAre("submit 1 without its frame", "submit 2"));
+  EXPECT_FALSE(intake.isWaiting());
+}
+
+TEST_F(Intake, letsAPauseOvertakeWhatWaits) {
+  move(1, "table");
+  give(2, blocks::ProgramControlGoal{});
+  EXPECT_THAT(told, ElementsAre("submit 2"));
+  EXPECT_TRUE(intake.isWaiting());
+}
+
+TEST_F(Intake, tellsTheCoreOfAGoalBeforeItsCancel) {
+  move(1, "table");
+  intake.cancel(1);
+  EXPECT_THAT(told, ElementsAre("submit 1 without its frame", "cancel 1"));
+}
+
+TEST_F(Intake, handsOnACancelOfAnotherGoalWhileOneWaits) {
+  move(1, "");
+  move(2, "table");
+  intake.cancel(1);
+  EXPECT_THAT(told, ElementsAre("submit 1", "cancel 1"));
+  EXPECT_TRUE(intake.isWaiting());
+}
+
+}  // namespace
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,206 @@
+#include "cobot_command/ros/outcome_messages.h"
+
+#include <chrono>
+
+#include <gmock/gmock.h>
+
+#include "cobot_command/ChangeBaseResult.h"
+#include "cobot_command/CheckSequenceResult.h"
+#include "cobot_command/MoveAbsoluteFeedback.h"
+#include "cobot_command/MoveAbsoluteResult.h"
+#include "cobot_command/MoveCircleResult.h"
+#include "cobot_command/PickAndPlaceFeedback.h"
+#include "cobot_command/PickAndPlaceResult.h"
+#include "cobot_command/StopFeedback.h"
+#include "cobot_command/StopResult.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const JointNames kNames = jointNames("left_");
+
+blocks::Outcome anError() {
+  blocks::Outcome outcome;
+  outcome.ending = blocks::Ending::Aborted;
+  outcome.error_id = 0x110;
+  outcome.error_description = "it failed";
+  outcome.remedy = "try again";
+  outcome.command_id_ack = 5;
+  return outcome;
+}
+
+template <class Result>
+void expectTheError(const Result& message) {
+  EXPECT_EQ(message.error_id, 0x110);
+  EXPECT_EQ(message.error_description, "it failed");
+  EXPECT_EQ(message.remedy, "try again");
+}
+
+TEST(OutcomeMessages, everyResultTellsTheErrorAndItsRemedy) {
+  cobot_command::StopResult stop;
+  fill(stop, anError(), kNames);
+  expectTheError(stop);
+  cobot_command::ChangeBaseResult change;
+  fill(change, anError(), kNames);
+  expectTheError(change);
+  EXPECT_EQ(change.command_id_ack, 5);
+}
+
+TEST(OutcomeMessages, aMoveTellsItsTimesAndWhereTheRobotStands) {
+  blocks::Outcome outcome;
+  outcome.command_id_ack = 12;
+  outcome.planned = milliseconds(1500);
+  outcome.actual = milliseconds(1750);
+  outcome.final_joints_deg = {1, 2, 3, 4, 5, 6};
+  outcome.final_pose_mm_deg = {400, 0, 300, 180, 0, 90};
+  cobot_command::MoveAbsoluteResult message;
+  fill(message, outcome, kNames);
+  EXPECT_EQ(message.error_id, 0);
+  EXPECT_EQ(message.command_id_ack, 12);
+  EXPECT_EQ(message.planned_duration, ros::Duration(1.5));
+  EXPECT_EQ(message.actual_duration, ros::Duration(1.75));
+  EXPECT_THAT(message.final_joints, ElementsAre(1, 2, 3, 4, 5, 6));
+  EXPECT_THAT(toSix(message.final_pose), ElementsAre(400, 0, 300, 180, 0, 90));
+  EXPECT_THAT(message.joint_path.joint_names, IsEmpty());
+  EXPECT_THAT(message.joint_path.points, IsEmpty());
+}
+
+TEST(OutcomeMessages, whatIsUnknownStaysEmpty) {
+  cobot_command::MoveCircleResult message;
+  fill(message, blocks::Outcome{}, kNames);
+  EXPECT_TRUE(message.planned_duration.isZero());
+  EXPECT_TRUE(message.actual_duration.isZero());
+  EXPECT_THAT(message.final_joints, IsEmpty());
+  EXPECT_THAT(toSix(message.final_pose), ElementsAre(0, 0, 0, 0, 0, 0));
+}
+
+TEST(OutcomeMessages, aCheckedMotionComesAsATrajectoryOfTheRobotsOwnJoints) {
+  blocks::Outcome outcome;
+  outcome.joint_path = {{milliseconds(0), {0.1, 0, 0, 0, 0, 0}, {}},
+                        {milliseconds(20), {0.2, 0, 0, 0, 0, 0.6}, {5, 0, 0, 0, 0, 0}}};
+  cobot_command::MoveAbsoluteResult message;
+  fill(message, outcome, kNames);
+  EXPECT_THAT(message.joint_path.joint_names,
+              ElementsAre("left_shoulder_1_joint", "left_shoulder_2_joint", "left_elbow_joint",
+                          "left_wrist_1_joint", "left_wrist_2_joint", "left_wrist_3_joint"));
+  ASSERT_EQ(message.joint_path.points.size(), 2U);
+  const auto& last = message.joint_path.points[1];
+  EXPECT_THAT(last.positions, ElementsAre(0.2, 0, 0, 0, 0, 0.6));
+  EXPECT_THAT(last.velocities, ElementsAre(5, 0, 0, 0, 0, 0));
+  EXPECT_EQ(last.time_from_start, ros::Duration(0.02));
+}
+
+TEST(OutcomeMessages, aSequenceTellsWhatWasFoundOfEachStep) {
+  blocks::Outcome outcome = anError();
+  outcome.failed_step = 1;
+  outcome.steps.resize(2);
+  outcome.steps[0].duration = milliseconds(900);
+  outcome.steps[1].start = milliseconds(800);
+  outcome.steps[1].error_id = 0x203;
+  outcome.steps[1].error_description = "joint 3";
+  outcome.steps[1].offending_point = {{1, 2, 3, 4, 5, 6}};
+  cobot_command::CheckSequenceResult message;
+  fill(message, outcome, kNames);
+  EXPECT_EQ(message.failed_step, 1);
+  ASSERT_EQ(message.steps.size(), 2U);
+  EXPECT_EQ(message.steps[0].duration, ros::Duration(0.9));
+  EXPECT_FALSE(message.steps[0].offending_point_valid);
+  EXPECT_EQ(message.steps[1].start, ros::Duration(0.8));
+  EXPECT_EQ(message.steps[1].error_id, 0x203);
+  EXPECT_EQ(message.steps[1].error_description, "joint 3");
+  EXPECT_TRUE(message.steps[1].offending_point_valid);
+  EXPECT_THAT(toSix(message.steps[1].offending_point), ElementsAre(1, 2, 3, 4, 5, 6));
+}
+
+TEST(OutcomeMessages, aPickAndPlaceTellsTheErrorOfTheStepThatFailed) {
+  blocks::Outcome outcome = anError();
+  outcome.failed_step = 1;
+  outcome.cycles_done = 4;
+  outcome.steps.resize(2);
+  outcome.steps[1].error_id = 0x201;
+  outcome.steps[1].error_description = "too far";
+  cobot_command::PickAndPlaceResult message;
+  fill(message, outcome, kNames);
+  expectTheError(message);
+  EXPECT_EQ(message.failed_step, 1);
+  EXPECT_EQ(message.step_error_id, 0x201);
+  EXPECT_EQ(message.step_error_description, "too far");
+  EXPECT_EQ(message.cycles_done, 4);
+}
+
+TEST(OutcomeMessages, aFailedStepWithoutAReportIsStillNumbered) {
+  blocks::Outcome outcome = anError();
+  outcome.failed_step = 3;
+  cobot_command::PickAndPlaceResult message;
+  fill(message, outcome, kNames);
+  EXPECT_EQ(message.failed_step, 3);
+  EXPECT_EQ(message.step_error_id, 0);
+}
+
+TEST(OutcomeMessages, noStepFailedIsMinusOne) {
+  cobot_command::PickAndPlaceResult message;
+  fill(message, blocks::Outcome{}, kNames);
+  EXPECT_EQ(message.failed_step, -1);
+}
+
+TEST(FeedbackMessages, aMoveTellsItsPhasePlaceAndProgress) {
+  blocks::Progress progress;
+  progress.phase = blocks::Phase::Held;
+  progress.command_id_ack = 3;
+  progress.place_in_queue = 2;
+  progress.fraction = 0.25;
+  progress.planned = milliseconds(4000);
+  progress.remaining = milliseconds(3000);
+  progress.text = "a safeguard holds the robot";
+  cobot_command::MoveAbsoluteFeedback message;
+  fill(message, progress);
+  EXPECT_EQ(message.phase, cobot_command::MoveAbsoluteFeedback::HELD);
+  EXPECT_EQ(message.command_id_ack, 3);
+  EXPECT_EQ(message.place_in_queue, 2);
+  EXPECT_EQ(message.progress, 0.25);
+  EXPECT_EQ(message.planned_duration, ros::Duration(4));
+  EXPECT_EQ(message.remaining, ros::Duration(3));
+  EXPECT_EQ(message.text, "a safeguard holds the robot");
+}
+
+TEST(FeedbackMessages, aPickAndPlaceTellsItsStepAndCycle) {
+  blocks::Progress progress;
+  progress.phase = blocks::Phase::Dwelling;
+  progress.step = 2;
+  progress.cycle = 7;
+  cobot_command::PickAndPlaceFeedback message;
+  fill(message, progress);
+  EXPECT_EQ(message.phase, cobot_command::PickAndPlaceFeedback::DWELLING);
+  EXPECT_EQ(message.step, 2);
+  EXPECT_EQ(message.cycle, 7);
+}
+
+TEST(FeedbackMessages, thePhasesHaveTheSameNumbersInEveryAction) {
+  using Move = cobot_command::MoveAbsoluteFeedback;
+  EXPECT_EQ(toPhase(blocks::Phase::Sent), Move::SENT);
+  EXPECT_EQ(toPhase(blocks::Phase::Queued), Move::QUEUED);
+  EXPECT_EQ(toPhase(blocks::Phase::Active), Move::ACTIVE);
+  EXPECT_EQ(toPhase(blocks::Phase::Stopping), Move::STOPPING);
+  EXPECT_EQ(toPhase(blocks::Phase::Stopping), cobot_command::StopFeedback::STOPPING);
+}
+
+TEST(FeedbackMessages, connectHasPhasesOfItsOwn) {
+  using Message = cobot_command::ConnectFeedback;
+  blocks::Progress progress;
+  Message message;
+  progress.phase = blocks::Phase::Probing;
+  fill(message, progress);
+  EXPECT_EQ(message.phase, Message::PROBING);
+  EXPECT_FALSE(message.connected);
+  progress.phase = blocks::Phase::Connected;
+  fill(message, progress);
+  EXPECT_EQ(message.phase, Message::CONNECTED);
+  EXPECT_TRUE(message.connected);
+}
+
+}  // namespace
+}  // namespace cobot_command::ros_adapter

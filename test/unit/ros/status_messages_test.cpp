@@ -1,0 +1,82 @@
+#include "cobot_command/ros/status_messages.h"
+
+#include <chrono>
+
+#include <gmock/gmock.h>
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+arm::Pose at(double x, double y, double z) {
+  arm::Pose pose = arm::Pose::Identity();
+  pose.translation() = Eigen::Vector3d(x, y, z);
+  return pose;
+}
+
+TEST(StatusMessages, aPoseSurvivesTheWayThroughAMessage) {
+  arm::Pose pose = at(0.1, -0.2, 0.3);
+  pose.rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+  EXPECT_TRUE(toPose(toTransform(pose)).isApprox(pose, 1e-12));
+}
+
+TEST(StatusMessages, theCoresTimeBecomesRosTime) {
+  const ClockPair clocks{ros::Time(1000), Instant(std::chrono::seconds(50))};
+  EXPECT_EQ(clocks.toRos(Instant(std::chrono::seconds(48))), ros::Time(998));
+  EXPECT_EQ(clocks.toRos(Instant(std::chrono::seconds(-2000))), ros::Time(0)) << "never before the epoch";
+}
+
+TEST(StatusMessages, activeFramesThatAreKnownAreTold) {
+  blocks::ActiveFrames frames;
+  frames.base = at(0.5, 0, 0);
+  frames.base_name = "pallet";
+  frames.tcp = at(0, 0, 0.12);
+  frames.tcp_name = "gripper";
+  frames.tool_mass = 1.5;
+  const auto message = toMessage(frames, "left_base", ros::Time(12));
+  EXPECT_EQ(message.header.frame_id, "left_base");
+  EXPECT_EQ(message.header.stamp, ros::Time(12));
+  EXPECT_TRUE(message.base_known);
+  EXPECT_EQ(message.base.position.x, 0.5);
+  EXPECT_EQ(message.base_name, "pallet");
+  EXPECT_TRUE(message.tcp_known);
+  EXPECT_EQ(message.tcp.position.z, 0.12);
+  EXPECT_EQ(message.tcp_name, "gripper");
+  EXPECT_EQ(message.tool_mass, 1.5);
+}
+
+TEST(StatusMessages, activeFramesThatAreUnknownAreSaidToBeAndStillArePoses) {
+  const auto message = toMessage(blocks::ActiveFrames{}, "base", ros::Time(12));
+  EXPECT_FALSE(message.base_known);
+  EXPECT_FALSE(message.tcp_known);
+  EXPECT_EQ(message.base.orientation.w, 1);
+  EXPECT_EQ(message.tcp.orientation.w, 1);
+  EXPECT_EQ(message.tool_mass, -1);
+}
+
+TEST(StatusMessages, aPlannedPathIsALineThroughItsPointsInTheRobotBase) {
+  const auto marker = toMarker({at(0.1, 0, 0), at(0.2, 0, 0), at(0.2, 0.3, 0)}, "left_base", ros::Time(3));
+  EXPECT_EQ(marker.header.frame_id, "left_base");
+  EXPECT_EQ(marker.type, visualization_msgs::Marker::LINE_STRIP);
+  EXPECT_EQ(marker.action, visualization_msgs::Marker::ADD);
+  ASSERT_EQ(marker.points.size(), 3U);
+  EXPECT_EQ(marker.points[2].x, 0.2);
+  EXPECT_EQ(marker.points[2].y, 0.3);
+  EXPECT_EQ(marker.pose.orientation.w, 1);
+  EXPECT_GT(marker.scale.x, 0);
+  EXPECT_GT(marker.color.a, 0);
+}
+
+TEST(StatusMessages, aPathWithoutALineTakesTheLastOneAway) {
+  EXPECT_EQ(toMarker({at(0, 0, 0)}, "base", ros::Time(3)).action, visualization_msgs::Marker::DELETE);
+}
+
+TEST(StatusMessages, theStatusSaysWhyThereIsNoStatusStream) {
+  blocks::CommandStatus status;
+  status.status_diagnosis = "the status stream fell silent";
+  const auto message = toMessage(status, ClockPair{ros::Time(1), Instant{}});
+  EXPECT_FALSE(message.status_stream);
+  EXPECT_EQ(message.status_diagnosis, "the status stream fell silent");
+}
+
+}  // namespace
+}  // namespace cobot_command::ros_adapter
