@@ -41,6 +41,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
     : default_host_(parameters.robot_ip),
       default_port_(parameters.script_port),
       publisher_(node, jointNames(parameters.prefix), parameters.prefix),
+      diagnostics_(node, self, parameters.link.status_port != 0),
       frames_(parameters.prefix + "base"),
       intake_([this](const std_msgs::Header& header) { return frames_.find(header); }, kFramePatience,
               intakeCore()) {
@@ -109,8 +110,14 @@ void CommandNode::onAction(const blocks::Action& action, Instant now) {
                  [&](const blocks::GoalEnded& a) {
                    for (const auto& bridge : bridges_) bridge->ended(a.goal, a.outcome);
                  },
-                 [&](const blocks::RobotStatusReceived& a) { publisher_.publish(a.status); },
-                 [&](const blocks::StatusChanged& a) { publisher_.publish(a.status, clocks); },
+                 [&](const blocks::RobotStatusReceived& a) {
+                   publisher_.publish(a.status);
+                   diagnostics_.take(a.status);
+                 },
+                 [&](const blocks::StatusChanged& a) {
+                   publisher_.publish(a.status, clocks);
+                   diagnostics_.take(a.status);
+                 },
                  [&](const blocks::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
                  [&](const blocks::PathPlanned& a) { publisher_.publish(a); },
                  [&](const blocks::FrameTraced& a) { publisher_.publish(a, clocks); },

@@ -12,6 +12,7 @@
 #include <ros/steady_timer.h>
 
 #include "cobot_command/ros/action_bridge.h"
+#include "cobot_command/ros/diagnostics.h"
 #include "cobot_command/ros/goal_intake.h"
 #include "cobot_command/ros/parameters.h"
 #include "cobot_command/ros/status_publisher.h"
@@ -40,6 +41,7 @@ class CommandNode {
   int default_port_;
   blocks::GoalId last_goal_ = 0;
   StatusPublisher publisher_;
+  Diagnostics diagnostics_;
   TfFrames frames_;
   GoalIntake intake_;
   std::vector<std::unique_ptr<GoalListener>> bridges_;

@@ -1,0 +1,67 @@
+// The state of one robot on /diagnostics: Link, Listen node, Queue, Robot, Status stream.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+
+#include "cobot_command/blocks/command_status.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/link/robot_status.h"
+
+namespace cobot_command::ros_adapter {
+
+/// All that the tasks look at.
+struct DiagnosticsView {
+  blocks::CommandStatus command;
+  link::RobotStatus robot;           ///< of the last status frame
+  bool status_wanted = true;         ///< a status stream is asked for
+  double status_rate = 0;            ///< frames a second, over the last period
+  std::optional<double> status_age;  ///< since the last frame [s]; absent: none yet
+};
+
+/// What each task says. The level is STALE for what cannot be known.
+void describeLink(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
+void describeListenNode(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
+void describeQueue(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
+void describeRobot(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
+void describeStatusStream(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
+
+/// Publishes once in ~diagnostic_period (1 s), and within a tenth of a second when something that people look
+/// at has changed. take() is for the core's thread and costs a copy; all else is done on ROS's spinner.
+class Diagnostics {
+ public:
+  /// `status_wanted`: a status stream is asked for, so that its absence is worth a warning.
+  Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& self, bool status_wanted);
+  Diagnostics(const Diagnostics&) = delete;
+  Diagnostics& operator=(const Diagnostics&) = delete;
+
+  void take(const blocks::CommandStatus& status);
+  void take(const link::RobotStatus& status);
+
+ private:
+  using Describe = void (*)(diagnostic_updater::DiagnosticStatusWrapper&, const DiagnosticsView&);
+
+  void add(const char* task, Describe describe);
+  void tick();
+
+  std::mutex mutex_;  // guards the next five
+  blocks::CommandStatus command_;
+  link::RobotStatus robot_;
+  std::uint64_t frames_ = 0;
+  std::optional<ros::SteadyTime> last_frame_;
+  bool changed_ = true;
+
+  DiagnosticsView view_;  // what is being published
+  ros::SteadyTime last_publication_;
+  ros::SteadyTime rate_since_;
+  std::uint64_t rate_frames_ = 0;
+  diagnostic_updater::Updater updater_;
+  ros::SteadyTimer timer_;
+};
+
+}  // namespace cobot_command::ros_adapter
