@@ -12,6 +12,8 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
+constexpr double kAnnouncementTimeout = 30;  // [s]; a node starts in far less
+
 /// Reads parameters one after the other and keeps the first complaint.
 class Reader {
  public:
@@ -84,7 +86,39 @@ link::LinkSettings readLink(Reader& reader) {
   link.tag_deadline_margin = reader.readSeconds("tag_deadline_margin", link.tag_deadline_margin, 0.1, 3600.0);
   link.unplanned_motion_timeout =
       reader.readSeconds("unplanned_motion_timeout", link.unplanned_motion_timeout, 1.0, 86400.0);
+  link.stop_timeout = reader.readSeconds("stop_timeout", link.stop_timeout, 0.1, 60.0);
+  link.auto_reconnect = reader.read("auto_reconnect", link.auto_reconnect);
   return link;
+}
+
+/// The port that the node `controller` says it listens on; waits for it until `deadline`.
+std::optional<int> announcedPort(const ros::NodeHandle& node, const std::string& controller, const char* name,
+                                 const ros::SteadyTime& deadline) {
+  const std::string parameter = controller + "/listening/" + name;
+  int port = 0;
+  while (!node.getParam(parameter, port)) {
+    if (!ros::ok() || ros::SteadyTime::now() > deadline) return std::nullopt;
+    ros::WallDuration(0.05).sleep();
+  }
+  return port;
+}
+
+/// The ports of ~simulated_controller, if that is given, in place of ~script_port and ~status_port.
+void readAnnouncedPorts(const ros::NodeHandle& node, Reader& reader, CommandParameters& parameters) {
+  const auto controller = reader.read<std::string>("simulated_controller", "");
+  if (controller.empty() || reader.error()) return;
+  const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(kAnnouncementTimeout);
+  const auto script = announcedPort(node, controller, "script_port", deadline);
+  const auto status = announcedPort(node, controller, "status_port", deadline);
+  if (!script || !status) {
+    reader.complain(
+        "simulated_controller",
+        fmt::format("is {}, which has told no ports within {} s", controller, kAnnouncementTimeout),
+        "the name of a running simulated_controller_node, or empty");
+    return;
+  }
+  parameters.script_port = *script;
+  parameters.link.status_port = *status;
 }
 
 simulator::Settings readSettings(Reader& reader) {
@@ -118,6 +152,10 @@ Result<CommandParameters, ParameterError> readCommandParameters(const ros::NodeH
   parameters.robot_ip = reader.read<std::string>("robot_ip", "");
   parameters.script_port = reader.readInRange("script_port", parameters.script_port, 0, 65535);
   parameters.link = readLink(reader);
+  readAnnouncedPorts(node, reader, parameters);
+  parameters.auto_connect = reader.read("auto_connect", parameters.auto_connect);
+  if (parameters.auto_connect && parameters.robot_ip.empty())
+    reader.complain("robot_ip", "is empty", "the controller's address, as auto_connect is set");
   if (reader.error()) return refuse(*reader.error());
   return parameters;
 }

@@ -23,6 +23,7 @@ struct CommandParameters {
   std::string prefix;                ///< of joint and frame names
   std::string robot_ip;              ///< for Connect goals without a host
   int script_port = 5890;            ///< for Connect goals without a port
+  bool auto_connect = false;         ///< connect by itself, and keep it up
   link::LinkSettings link;
 };
 
@@ -39,7 +40,8 @@ struct SimulatorParameters {
   double publish_rate = 50.0;  ///< [Hz]
 };
 
-/// `node` gives the namespace for `robot_description`, `self` the private parameters.
+/// `node` gives the namespace for `robot_description` and for the node of a simulated controller, `self` the
+/// private parameters. With ~simulated_controller it waits until that node tells its ports.
 [[nodiscard]] Result<CommandParameters, ParameterError> readCommandParameters(const ros::NodeHandle& node,
                                                                               const ros::NodeHandle& self);
 [[nodiscard]] Result<SimulatorParameters, ParameterError> readSimulatorParameters(
