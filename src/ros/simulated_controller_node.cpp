@@ -29,9 +29,9 @@ runtime::SimulatorOptions optionsOf(const SimulatorParameters& parameters) {
 link::RobotStatus asStreamed(const simulator::RobotState& state) {
   link::RobotStatus status;
   status.joint_velocities = state.velocities;
-  status.operating_mode = 1;  // automatic: the only one that is simulated
+  status.operating_mode = static_cast<int>(state.mode);
   status.emergency_stop = state.emergency_stop;
-  status.safeguard = false;
+  status.safeguard = state.safeguard;
   status.error = state.error;
   status.error_code = state.error_code;
   status.error_text = state.error_text;
@@ -41,6 +41,13 @@ link::RobotStatus asStreamed(const simulator::RobotState& state) {
   status.base_name = state.base_name;
   status.tcp_name = state.tcp_name;
   return status;
+}
+
+template <class Response>
+bool answer(simulator::OperatorReply reply, Response& response) {
+  response.success = reply.done;
+  response.message = std::move(reply.text);
+  return true;
 }
 
 }  // namespace
@@ -69,49 +76,32 @@ Result<void, runtime::SimulatorError> SimulatedControllerNode::start() {
   return {};
 }
 
-bool SimulatedControllerNode::operate(const runtime::SimulatorRuntime::Operation& operation) {
-  auto done = std::make_shared<std::promise<void>>();
-  auto future = done->get_future();
-  const bool posted =
-      runtime_.post([operation, done](simulator::SimulatedController& controller, Instant now) {
-        operation(controller, now);
-        done->set_value();
-      });
-  if (!posted) return false;
+simulator::OperatorReply SimulatedControllerNode::operate(const simulator::OperatorAction& action) {
+  auto reply = std::make_shared<std::promise<simulator::OperatorReply>>();
+  auto future = reply->get_future();
+  const bool posted = runtime_.post([action, reply](simulator::SimulatedController& controller, Instant now) {
+    reply->set_value(controller.operate(action, now));
+  });
+  const simulator::OperatorReply shut_down{false, "the simulator is shutting down"};
+  if (!posted) return shut_down;
+  reply.reset();  // so that an operation that is never come to breaks the promise
   try {
-    future.get();
-    return true;
+    return future.get();
   } catch (const std::future_error&) {
-    return false;  // the runtime was stopped before it came to the operation
+    return shut_down;
   }
 }
 
 bool SimulatedControllerNode::runProject(Trigger::Request& /*request*/, Trigger::Response& response) {
-  bool running = false;
-  response.success = operate([&](simulator::SimulatedController& controller, Instant now) {
-    controller.runProject(now);
-    running = controller.state().project_running;
-  });
-  response.success = response.success && running;
-  response.message =
-      running ? "the project runs" : "the project does not run: release the emergency stop first";
-  return true;
+  return answer(operate(simulator::RunProject{}), response);
 }
 
 bool SimulatedControllerNode::stopProject(Trigger::Request& /*request*/, Trigger::Response& response) {
-  response.success =
-      operate([](simulator::SimulatedController& controller, Instant now) { controller.stopProject(now); });
-  response.message = "the project is stopped";
-  return true;
+  return answer(operate(simulator::StopProject{}), response);
 }
 
 bool SimulatedControllerNode::setEmergencyStop(SetBool::Request& request, SetBool::Response& response) {
-  const bool pressed = request.data != 0;
-  response.success = operate([pressed](simulator::SimulatedController& controller, Instant now) {
-    controller.setEmergencyStop(pressed, now);
-  });
-  response.message = pressed ? "the emergency stop is pressed" : "the emergency stop is released";
-  return true;
+  return answer(operate(simulator::SetEmergencyStop{request.data != 0}), response);
 }
 
 void SimulatedControllerNode::publish(const simulator::RobotState& state) {

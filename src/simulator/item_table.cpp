@@ -68,10 +68,12 @@ float speed(const Eigen::Matrix<double, 6, 1>& twist) {
 }
 
 int robotLight(const RobotState& state) {
-  constexpr int kOff = 0, kStandby = 3, kRunning = 4, kError = 9;
+  constexpr int kOff = 0;
+  constexpr struct { int standby, running, error; } kAutomatic{3, 4, 9}, kManual{5, 6, 10};
   if (state.emergency_stop) return kOff;
-  if (state.error) return kError;
-  return state.project_running ? kRunning : kStandby;
+  const auto& lights = state.mode == OperatingMode::Manual ? kManual : kAutomatic;
+  if (state.error) return lights.error;
+  return state.project_running ? lights.running : lights.standby;
 }
 
 std::string upperCase(std::string name) {
@@ -135,15 +137,13 @@ Value zeroFloats(const Values&) {
   return Floats(Size, 0.0F);
 }
 
-constexpr int kAutomatic = 1;  // MA_Mode
-
 constexpr Entry kEntries[] = {
     // The table of the vendor's driver, in its order.
     {"Robot_Link", true, [](const Values&) -> Value { return Byte{1}; }},
     {"Robot_Error", true, [](const Values& v) -> Value { return v.state.error; }},
     {"Project_Run", true, [](const Values& v) -> Value { return v.state.project_running; }},
     {"Project_Pause", true, [](const Values& v) -> Value { return v.state.project_paused; }},
-    {"Safeguard_A", true, [](const Values&) -> Value { return false; }},
+    {"Safeguard_A", true, [](const Values& v) -> Value { return v.state.safeguard; }},
     {"ESTOP", true, [](const Values& v) -> Value { return v.state.emergency_stop; }},
     {"Camera_Light", true, zeroByte},
     {"Error_Code", true, [](const Values& v) -> Value { return std::int32_t{v.state.error_code}; }},
@@ -158,7 +158,7 @@ constexpr Entry kEntries[] = {
     {"Joint_Torque", true, zeroFloats<6>},
     {"Project_Speed", true,
      [](const Values& v) -> Value { return std::int32_t{v.state.project_speed_percent}; }},
-    {"MA_Mode", true, [](const Values&) -> Value { return std::int32_t{kAutomatic}; }},
+    {"MA_Mode", true, [](const Values& v) -> Value { return static_cast<std::int32_t>(v.state.mode); }},
     {"Robot_Light", true, [](const Values& v) -> Value { return std::int32_t{robotLight(v.state)}; }},
     {"Ctrl_DO0", true, boxOutput<0>},
     {"Ctrl_DO1", true, boxOutput<1>},

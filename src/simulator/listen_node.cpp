@@ -60,6 +60,7 @@ void ListenNode::stop() {
 
 void ListenNode::enter() {
   reenter_at_.reset();
+  reentry_delay_ = settings_.reentry_delay;
   outbox_.log(fmt::format("Listen node entered: {}", settings_.listen_node_message));
   clients_.broadcast(protocol::ListenNodeEntered{settings_.listen_node_message});
 }
@@ -72,6 +73,20 @@ void ListenNode::leave() {
   }
 }
 
+void ListenNode::leaveForGood() {
+  reentry_delay_.reset();
+  reenter_at_.reset();
+  if (!listening()) return;
+  interpreter_.endCurrent();
+  leave();
+}
+
+void ListenNode::comeBack(Instant now) {
+  if (listening()) return;
+  reentry_delay_ = Duration::zero();
+  if (flow_ == FlowState::Elsewhere) reenter_at_ = now;
+}
+
 bool ListenNode::step(Instant now) {
   if (flow_ == FlowState::Listening) {
     const auto step = interpreter_.run(now);
@@ -81,7 +96,7 @@ bool ListenNode::step(Instant now) {
   if (flow_ == FlowState::Leaving && queue_.idle()) {
     flow_ = after(flow_, FlowEvent::Done);
     outbox_.log("Listen node left");
-    if (settings_.reentry_delay) reenter_at_ = now + std::max(*settings_.reentry_delay, Duration::zero());
+    if (reentry_delay_) reenter_at_ = now + std::max(*reentry_delay_, Duration::zero());
     return true;
   }
   if (flow_ == FlowState::Elsewhere && reenter_at_ && *reenter_at_ <= now) {

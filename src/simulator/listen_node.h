@@ -32,6 +32,9 @@ class ListenNode {
   void run();
   /// Closes the port and its clients, forgets all scripts and tags.
   void stop();
+  /// The operator lets the flow go elsewhere, once the queued motions are done, and back.
+  void leaveForGood();
+  void comeBack(Instant now);
   [[nodiscard]] bool projectRuns() const { return flow_ != FlowState::Stopped; }
   [[nodiscard]] bool listening() const { return flow_ == FlowState::Listening; }
 
@@ -67,6 +70,7 @@ class ListenNode {
   TagTable tags_;
   ScriptInterpreter interpreter_;
   FlowState flow_ = FlowState::Stopped;
+  std::optional<Duration> reentry_delay_;  // from the next leaving
   std::optional<Instant> reenter_at_;
 };
 

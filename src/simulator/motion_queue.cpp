@@ -19,12 +19,12 @@ void MotionQueue::resetSetting() {
   tcp_name_ = "NOTOOL";
   tcp_mass_ = load_ = 0.0;
   paused_ = false;
-  error_.reset();
+  clearError();
   stale_tags_.clear();
 }
 
 void MotionQueue::push(QueueItem item) {
-  if (std::holds_alternative<MotionRequest>(item)) error_.reset();
+  if (std::holds_alternative<MotionRequest>(item) && !error_stands_) error_.reset();
   items_.push_back(std::move(item));
 }
 
@@ -37,7 +37,7 @@ bool MotionQueue::run(Instant now) {
       continue;
     }
     if (items_.empty()) return ran;
-    if (paused_ && std::holds_alternative<MotionRequest>(items_.front())) return ran;
+    if (held() && std::holds_alternative<MotionRequest>(items_.front())) return ran;
     const QueueItem item = std::move(items_.front());
     items_.pop_front();
     std::visit([&](const auto& what) { apply(what, now); }, item);
@@ -53,10 +53,11 @@ void MotionQueue::endActive() {
 }
 
 void MotionQueue::apply(const MotionRequest& request, Instant now) {
+  if (error_stands_) return fail(*error_);
   const auto command = planning::toMotion(request);
-  if (!command) return fail(command.error());
+  if (!command) return fail(robotErrorFor(command.error()));
   auto planned = motion::plan(arm_, posture_, *command, setting_);
-  if (!planned) return fail(planned.error());
+  if (!planned) return fail(robotErrorFor(planned.error()));
   active_ = std::move(*planned);
   clock_.start(now);
   end_at_ = clock_.reaches(active_->duration());
@@ -86,8 +87,8 @@ void MotionQueue::apply(const protocol::WriteOutput& write, Instant) {
   events_.emplace_back(write);
 }
 
-void MotionQueue::fail(const motion::Refusal& refusal) {
-  error_ = robotErrorFor(refusal);
+void MotionQueue::fail(RobotError error) {
+  error_ = std::move(error);
   for (const QueueItem& item : std::exchange(items_, {})) {
     if (const auto* tag = std::get_if<QueuedTag>(&item)) settle(*tag, false);
   }
@@ -114,23 +115,42 @@ std::vector<QueueEvent> MotionQueue::takeEvents() {
   return std::exchange(events_, {});
 }
 
-void MotionQueue::pause(Instant now) {
-  if (std::exchange(paused_, true) || !active_ || stopping_) return;
+void MotionQueue::pause(Instant now, Holder holder) {
+  const bool stood = held();
+  (holder == Holder::Project ? paused_ : safeguarded_) = true;
+  if (stood || !active_ || stopping_) return;
   clock_.slowDown(now);
   end_at_ = clock_.reaches(active_->duration());
 }
 
-void MotionQueue::resume(Instant now) {
-  if (!std::exchange(paused_, false) || !active_ || stopping_) return;
+void MotionQueue::resume(Instant now, Holder holder) {
+  const bool stood = held();
+  (holder == Holder::Project ? paused_ : safeguarded_) = false;
+  if (!stood || held() || !active_ || stopping_) return;
   clock_.speedUp(now);
   end_at_ = clock_.reaches(active_->duration());
 }
 
 void MotionQueue::stop(Instant now) {
   dropQueue();
+  brake(now);
+}
+
+void MotionQueue::raise(RobotError error, Instant now) {
+  brake(now);
+  error_stands_ = true;
+  fail(std::move(error));
+}
+
+void MotionQueue::clearError() {
+  error_stands_ = false;
+  error_.reset();
+}
+
+void MotionQueue::brake(Instant now) {
   if (!active_ || stopping_) return;
   stopping_ = true;
-  if (!paused_) clock_.slowDown(now);
+  if (!held()) clock_.slowDown(now);
   // A motion that comes to its end while it slows down ends there.
   end_at_ =
       std::max(now, std::min(clock_.settled(), clock_.reaches(active_->duration()).value_or(Instant::max())));

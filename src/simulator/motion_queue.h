@@ -75,9 +75,16 @@ class MotionQueue {
   [[nodiscard]] Instant nextEvent() const;
   [[nodiscard]] std::vector<QueueEvent> takeEvents();
 
-  /// Slows down on the path and stands; resume() goes on. Both act once however often they are called.
-  void pause(Instant now);
-  void resume(Instant now);
+  /// Slows down on the path and stands; goes on when none of those who held it does any more. Each acts once
+  /// however often it is called.
+  enum class Holder { Project, Safeguard };
+  void pause(Instant now, Holder holder = Holder::Project);
+  void resume(Instant now, Holder holder = Holder::Project);
+  /// For the motions that start from now on, (0, 1].
+  void setSpeedOverride(double override) { setting_.speed_override = override; }
+  /// Stops on the path; what is queued, and what will be until clearError(), fails with this error.
+  void raise(RobotError error, Instant now);
+  void clearError();
   /// Slows down on the path, gives up the rest of the motion and everything behind it. A pause stays.
   void stop(Instant now);
   /// Stands at once; everything is given up.
@@ -89,6 +96,7 @@ class MotionQueue {
   [[nodiscard]] bool inMotion(Instant now) const;
   /// No motion is under way and none waits.
   [[nodiscard]] bool idle() const { return !active_ && items_.empty(); }
+  /// By the project; a safeguard may hold it all the same.
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] int motionCount() const;
   [[nodiscard]] const motion::Setting& setting() const { return setting_; }
@@ -107,8 +115,10 @@ class MotionQueue {
   void apply(const LoadChange& change, Instant now);
   void apply(const QueuedTag& tag, Instant now);
   void apply(const protocol::WriteOutput& write, Instant now);
-  void fail(const motion::Refusal& refusal);
+  void fail(RobotError error);
   void dropQueue();
+  void brake(Instant now);
+  [[nodiscard]] bool held() const { return paused_ || safeguarded_; }
   void settle(const QueuedTag& tag, bool complete) { events_.emplace_back(TagSettled{tag, complete}); }
 
   const arm::ArmModel& arm_;
@@ -124,11 +134,13 @@ class MotionQueue {
   std::optional<Instant> end_at_;  // of the active motion; nothing while a pause holds it
   bool stopping_ = false;
   bool paused_ = false;
+  bool safeguarded_ = false;
 
   std::deque<QueueItem> items_;
   std::vector<QueuedTag> stale_tags_;
   std::vector<QueueEvent> events_;
   std::optional<RobotError> error_;
+  bool error_stands_ = false;  // until clearError()
 };
 
 }  // namespace cobot_command::simulator

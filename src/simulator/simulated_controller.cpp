@@ -1,186 +1,143 @@
-#include "cobot_command/simulator/simulated_controller.h"
-
 #include <algorithm>
 #include <utility>
 
-#include "io_board.h"
-#include "listen_node.h"
-#include "motion_queue.h"
-#include "outbox.h"
-#include "status_server.h"
+#include "controller_impl.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
 
 namespace cobot_command::simulator {
 
-class SimulatedController::Impl {
- public:
-  Impl(arm::ArmModel arm, Settings settings, Instant now)
-      : arm_(std::move(arm)),
-        settings_(std::move(settings)),
-        now_(now),
-        queue_(arm_, settings_.start_posture,
-               {std::max(settings_.stop_time, Duration::zero()), speedPercent() / 100.0,
-                settings_.reports_stale_tags}),
-        io_(outbox_),
-        node_(settings_, queue_, io_, outbox_),
-        status_(settings_.status_period, now, outbox_) {
-    outbox_.setTime(now);
-    outbox_.openPort(Port::Status);
-    if (settings_.project_running) runProject(now);
-  }
+SimulatedController::Impl::Impl(arm::ArmModel arm, Settings settings, Instant now)
+    : arm_(std::move(arm)),
+      settings_(std::move(settings)),
+      now_(now),
+      queue_(arm_, settings_.start_posture,
+             {std::max(settings_.stop_time, Duration::zero()), 1.0, settings_.reports_stale_tags}),
+      io_(outbox_),
+      node_(settings_, queue_, io_, outbox_),
+      status_(settings_.status_period, now, outbox_) {
+  settings_.project_speed_percent = std::clamp(settings_.project_speed_percent, 1, 100);
+  queue_.setSpeedOverride(settings_.project_speed_percent / 100.0);
+  outbox_.setTime(now);
+  outbox_.openPort(Port::Status);
+  if (settings_.project_running) act(RunProject{});
+}
 
-  void advance(Instant now) {
-    for (Instant next = nextEvent(); next <= now; next = nextEvent()) {
-      setTime(next);
-      settle();
-      if (status_.nextEvent() <= now_) streamStatus();
-    }
-    setTime(now);
-  }
+// --- Time --------------------------------------------------------------------------------------------------
 
-  [[nodiscard]] Instant nextEvent() const {
-    return std::min({queue_.nextEvent(), node_.nextEvent(), status_.nextEvent()});
-  }
-
-  void clientConnected(Port port, ClientId client, Instant now) {
-    advance(now);
-    if (port == Port::Status) return status_.connected(client, now_);
-    node_.connected(client);
-  }
-
-  void clientDisconnected(Port port, ClientId client, Instant now) {
-    advance(now);
-    if (port == Port::Status) return status_.disconnected(client);
-    node_.disconnected(client);
-  }
-
-  void received(Port port, ClientId client, std::string_view bytes, Instant now) {
-    advance(now);
-    if (port == Port::Status) {
-      const RobotState robot = state();
-      return status_.received(client, bytes, {arm_, settings_, robot});
-    }
-    node_.feed(client, bytes);
-    // Frame by frame, so that frames in one piece do what they do in pieces of their own.
-    while (node_.handleNext(client, now_)) settle();
-  }
-
-  void runProject(Instant now) {
-    advance(now);
-    if (node_.projectRuns() || emergency_stop_) return;
-    queue_.resetSetting();
-    node_.run();
+void SimulatedController::Impl::advance(Instant now) {
+  for (Instant next = nextEvent(); next <= now; next = nextEvent()) {
+    setTime(next);
     settle();
+    if (status_.nextEvent() <= now_) streamStatus();
   }
+  setTime(now);
+}
 
-  void stopProject(Instant now) {
-    advance(now);
-    queue_.stop(now_);
-    node_.stop();
-    settle();
-  }
+Instant SimulatedController::Impl::nextEvent() const {
+  return std::min({queue_.nextEvent(), node_.nextEvent(), status_.nextEvent()});
+}
 
-  void setEmergencyStop(bool pressed, Instant now) {
-    advance(now);
-    if (std::exchange(emergency_stop_, pressed) == pressed) return;
-    outbox_.log(pressed ? "emergency stop" : "emergency stop released");
-    if (!pressed) return;
-    queue_.halt(now_);
-    node_.stop();
-    settle();
-  }
+void SimulatedController::Impl::setTime(Instant now) {
+  now_ = std::max(now_, now);
+  outbox_.setTime(now_);
+}
 
-  std::vector<Output> takeOutputs() { return outbox_.take(); }
-
-  [[nodiscard]] RobotState state() const {
-    const motion::JointState joints = queue_.at(now_);
-    RobotState state;
-    state.time = now_;
-    state.joints = joints.position;
-    state.velocities = joints.velocity;
-    state.flange = arm::forwardKinematics(arm_, joints.position);
-    state.base = queue_.setting().base;
-    state.tcp = queue_.setting().tcp;
-    state.base_name = queue_.baseName();
-    state.tcp_name = queue_.tcpName();
-    state.tcp_mass = queue_.tcpMass();
-    state.load = queue_.load();
-    state.inputs = io_.inputs();
-    state.outputs = io_.outputs();
-    state.in_motion = queue_.inMotion(now_);
-    state.project_running = node_.projectRuns();
-    state.project_paused = queue_.paused() && node_.projectRuns();
-    state.listening = node_.listening();
-    state.emergency_stop = emergency_stop_;
-    state.error = queue_.error().has_value();
-    if (queue_.error()) {
-      state.error_code = queue_.error()->code;
-      state.error_text = queue_.error()->text;
+// Scripts and motions, in turn, until nothing more happens at this instant. Scripts go first: a motion starts
+// when all lines that could be passed have been, so that a tag behind it knows how it ends.
+void SimulatedController::Impl::settle() {
+  do {
+    while (node_.step(now_)) {
     }
-    state.queued_motions = queue_.motionCount();
-    state.project_speed_percent = speedPercent();
-    return state;
+  } while (runQueue());
+}
+
+bool SimulatedController::Impl::runQueue() {
+  const bool ran = queue_.run(now_);
+  const std::vector<QueueEvent> events = queue_.takeEvents();
+  for (const QueueEvent& event : events) {
+    std::visit([&](const auto& what) { on(what); }, event);
   }
+  if (std::exchange(stops_project_, false)) node_.stop();
+  return ran || !events.empty();
+}
 
-  [[nodiscard]] const arm::ArmModel& arm() const { return arm_; }
+void SimulatedController::Impl::on(const MotionStarted& started) {
+  outbox_.log(fmt::format("motion of {:.3f} s", toSeconds(started.duration)));
+}
 
- private:
-  void setTime(Instant now) {
-    now_ = std::max(now_, now);
-    outbox_.setTime(now_);
-  }
+void SimulatedController::Impl::on(const MotionFailed& failed) {
+  outbox_.log(fmt::format("robot error 0x{:X}: {}", failed.error.code, failed.error.text));
+  node_.abandonScripts();
+  stops_project_ = settings_.on_motion_error == MotionErrorPolicy::StopProject;
+}
 
-  [[nodiscard]] int speedPercent() const { return std::clamp(settings_.project_speed_percent, 1, 100); }
+void SimulatedController::Impl::streamStatus() {
+  const RobotState robot = state();
+  status_.stream({arm_, settings_, robot});
+}
 
-  // Scripts and motions, in turn, until nothing more happens at this instant. Scripts go first: a motion
-  // starts when all lines that could be passed have been, so that a tag behind it knows how it ends.
-  void settle() {
-    do {
-      while (node_.step(now_)) {
-      }
-    } while (runQueue());
-  }
+// --- The wire ----------------------------------------------------------------------------------------------
 
-  bool runQueue() {
-    const bool ran = queue_.run(now_);
-    const std::vector<QueueEvent> events = queue_.takeEvents();
-    for (const QueueEvent& event : events) {
-      std::visit([&](const auto& what) { on(what); }, event);
-    }
-    if (std::exchange(stops_project_, false)) node_.stop();
-    return ran || !events.empty();
-  }
+void SimulatedController::Impl::clientConnected(Port port, ClientId client, Instant now) {
+  advance(now);
+  if (port == Port::Status) return status_.connected(client, now_);
+  node_.connected(client);
+}
 
-  void on(const TagSettled& settled) { node_.on(settled); }
-  void on(const TagDropped& dropped) { node_.on(dropped); }
-  void on(const protocol::WriteOutput& write) { io_.write(write); }
-  void on(const MotionStarted& started) {
-    outbox_.log(fmt::format("motion of {:.3f} s", toSeconds(started.duration)));
-  }
-  void on(const MotionFailed& failed) {
-    outbox_.log(fmt::format("robot error 0x{:X}: {}", failed.error.code, failed.error.text));
-    node_.abandonScripts();
-    stops_project_ = settings_.on_motion_error == MotionErrorPolicy::StopProject;
-  }
+void SimulatedController::Impl::clientDisconnected(Port port, ClientId client, Instant now) {
+  advance(now);
+  if (port == Port::Status) return status_.disconnected(client);
+  node_.disconnected(client);
+}
 
-  void streamStatus() {
+void SimulatedController::Impl::received(Port port, ClientId client, std::string_view bytes, Instant now) {
+  advance(now);
+  if (port == Port::Status) {
     const RobotState robot = state();
-    status_.stream({arm_, settings_, robot});
+    return status_.received(client, bytes, {arm_, settings_, robot});
   }
+  node_.feed(client, bytes);
+  // Frame by frame, so that frames in one piece do what they do in pieces of their own.
+  while (node_.handleNext(client, now_)) settle();
+}
 
-  arm::ArmModel arm_;
-  Settings settings_;
-  Instant now_;
-  Outbox outbox_;
-  MotionQueue queue_;
-  IoBoard io_;
-  ListenNode node_;
-  StatusServer status_;
-  bool emergency_stop_ = false;
-  bool stops_project_ = false;
-};
+// --- What comes out ----------------------------------------------------------------------------------------
+
+RobotState SimulatedController::Impl::state() const {
+  const motion::JointState joints = queue_.at(now_);
+  RobotState state;
+  state.time = now_;
+  state.joints = joints.position;
+  state.velocities = joints.velocity;
+  state.flange = arm::forwardKinematics(arm_, joints.position);
+  state.base = queue_.setting().base;
+  state.tcp = queue_.setting().tcp;
+  state.base_name = queue_.baseName();
+  state.tcp_name = queue_.tcpName();
+  state.tcp_mass = queue_.tcpMass();
+  state.load = queue_.load();
+  state.inputs = io_.inputs();
+  state.outputs = io_.outputs();
+  state.in_motion = queue_.inMotion(now_);
+  state.project_running = node_.projectRuns();
+  state.project_paused = queue_.paused() && node_.projectRuns();
+  state.listening = node_.listening();
+  state.emergency_stop = emergency_stop_;
+  state.safeguard = safeguard_;
+  state.mode = mode_;
+  state.error = queue_.error().has_value();
+  if (queue_.error()) {
+    state.error_code = queue_.error()->code;
+    state.error_text = queue_.error()->text;
+  }
+  state.queued_motions = queue_.motionCount();
+  state.project_speed_percent = settings_.project_speed_percent;
+  return state;
+}
+
+// --- The public face ---------------------------------------------------------------------------------------
 
 SimulatedController::SimulatedController(arm::ArmModel arm, Settings settings, Instant now)
     : impl_(std::make_unique<Impl>(std::move(arm), std::move(settings), now)) {}
@@ -208,16 +165,8 @@ Instant SimulatedController::nextEvent() const {
   return impl_->nextEvent();
 }
 
-void SimulatedController::runProject(Instant now) {
-  impl_->runProject(now);
-}
-
-void SimulatedController::stopProject(Instant now) {
-  impl_->stopProject(now);
-}
-
-void SimulatedController::setEmergencyStop(bool pressed, Instant now) {
-  impl_->setEmergencyStop(pressed, now);
+OperatorReply SimulatedController::operate(const OperatorAction& action, Instant now) {
+  return impl_->operate(action, now);
 }
 
 std::vector<Output> SimulatedController::takeOutputs() {

@@ -61,9 +61,14 @@ class SimulatedRobot {
     while (controller_.nextEvent() != Instant::max()) waitUntil(controller_.nextEvent());
   }
 
-  void runProject() { controller_.runProject(now_), collect(); }
-  void stopProject() { controller_.stopProject(now_), collect(); }
-  void setEmergencyStop(bool pressed) { controller_.setEmergencyStop(pressed, now_), collect(); }
+  OperatorReply operate(const OperatorAction& action) {
+    OperatorReply reply = controller_.operate(action, now_);
+    collect();
+    return reply;
+  }
+  void runProject() { operate(RunProject{}); }
+  void stopProject() { operate(StopProject{}); }
+  void setEmergencyStop(bool pressed) { operate(SetEmergencyStop{pressed}); }
 
   /// All bytes that a client got since the last call.
   std::string heard(ClientId client) { return std::exchange(heard_[client], {}); }

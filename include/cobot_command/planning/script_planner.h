@@ -54,6 +54,8 @@ class ScriptPlanner {
   /// What the next motion is planned with; an unknown frame stands as the identity.
   [[nodiscard]] motion::Setting setting() const;
   [[nodiscard]] bool framesKnown() const { return base_ && tcp_; }
+  /// Where a sequence would start that comes behind this one.
+  [[nodiscard]] Start end() const { return {end_, base_, tcp_, speed_override_}; }
   /// Of all motions that were planned.
   [[nodiscard]] Duration duration() const { return duration_; }
 

@@ -35,8 +35,8 @@ class SimulatedControllerNode {
   bool runProject(Trigger::Request& request, Trigger::Response& response);
   bool stopProject(Trigger::Request& request, Trigger::Response& response);
   bool setEmergencyStop(SetBool::Request& request, SetBool::Response& response);
-  /// Returns when the operation is done, so that who called sees its effect.
-  bool operate(const runtime::SimulatorRuntime::Operation& operation);
+  /// Returns when it is done, so that who called sees its effect.
+  simulator::OperatorReply operate(const simulator::OperatorAction& action);
   void publish(const simulator::RobotState& state);  // on the simulator's thread
 
   ros::NodeHandle self_;

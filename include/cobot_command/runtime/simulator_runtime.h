@@ -70,7 +70,7 @@ class SimulatorRuntime {
   /// any more once this returns. It never waits for the network. Not from the observer.
   void stop();
 
-  /// An operator's action, for instance `controller.stopProject(now)`. False, and it is not done, once stop()
+  /// An operator's action, for instance `controller.operate(StopProject{}, now)`. False, and it is not done, once stop()
   /// has begun.
   bool post(Operation operation);
 

@@ -23,6 +23,9 @@ struct DigitalIo {
   }
 };
 
+/// As MA_Mode.
+enum class OperatingMode { Automatic = 1, Manual = 2 };
+
 struct RobotState {
   Instant time{};
   arm::JointVector joints = arm::JointVector::Zero();      ///< [rad]
@@ -41,6 +44,8 @@ struct RobotState {
   bool project_paused = false;
   bool listening = false;
   bool emergency_stop = false;
+  bool safeguard = false;  ///< open: it holds the arm
+  OperatingMode mode = OperatingMode::Automatic;
   bool error = false;
   int error_code = 0;  ///< as the controller's Error_Code (fact sheet 2.6)
   std::string error_text;

@@ -33,6 +33,8 @@ struct Settings {
   MotionErrorPolicy on_motion_error = MotionErrorPolicy::ReportFalse;
   /// From full motion to standstill, on the path, by Pause and StopAndClearBuffer; and back by Resume.
   Duration stop_time = std::chrono::milliseconds(200);
+  /// The arm goes on when the safeguard is closed again; else the project is paused then, and needs Resume().
+  bool safeguard_resets_itself = true;
   /// From leaving the Listen node (ScriptExit) until the project's loop enters it again; absent: never.
   std::optional<Duration> reentry_delay = std::chrono::milliseconds(100);
   std::string project_name = "ListenProject";

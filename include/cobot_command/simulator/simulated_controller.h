@@ -13,6 +13,7 @@
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/simulator/operator_action.h"
 #include "cobot_command/simulator/robot_state.h"
 #include "cobot_command/simulator/settings.h"
 
@@ -72,13 +73,8 @@ class SimulatedController {
   [[nodiscard]] Instant nextEvent() const;
 
   // --- The operator's side of the controller.
-  /// Opens the script port, enters the Listen node, clears a robot error; base and TCP are RobotBase and
-  /// NOTOOL again. Does nothing while a project runs or the emergency stop is pressed.
-  void runProject(Instant now);
-  /// Stops the arm on its path, empties the queue, closes the script port and its clients.
-  void stopProject(Instant now);
-  /// Pressed: the arm stands at once and the project stops. Released: stands until runProject().
-  void setEmergencyStop(bool pressed, Instant now);
+  /// An action that changes nothing, like to press what is pressed, is done all the same.
+  OperatorReply operate(const OperatorAction& action, Instant now);
 
   // --- What comes out.
   /// All outputs since the last call, in order.
@@ -88,7 +84,7 @@ class SimulatedController {
   [[nodiscard]] const arm::ArmModel& arm() const;
 
  private:
-  class Impl;
+  class Impl;  // src/simulator/controller_impl.h
   std::unique_ptr<Impl> impl_;
 };
 

@@ -157,9 +157,9 @@ TEST_F(Chain, worksAgainAfterTheControllerWasRestarted) {
 
 TEST_F(Chain, losesTheConnectionWithTheProjectAndFindsTheNextOne) {
   power(kQuick);
-  robot->operate([](auto& controller, Instant now) { controller.stopProject(now); });
+  robot->operate([](auto& controller, Instant now) { controller.operate(simulator::StopProject{}, now); });
   expectError(commander->outcomeOf(link), Ending::Aborted, 0x90);
-  robot->operate([](auto& controller, Instant now) { controller.runProject(now); });
+  robot->operate([](auto& controller, Instant now) { controller.operate(simulator::RunProject{}, now); });
   link = commander->connect(robot->ports());
   expectDone(commander->run(moveJoints({5, 0, 90, 0, 90, 0})));
 }
@@ -168,7 +168,8 @@ TEST_F(Chain, endsAMoveWhenTheEmergencyStopIsPressed) {
   power(kReal);
   const auto move = commander->submit(endlessMove());
   ASSERT_TRUE(commander->reaches(move, Phase::Active));
-  robot->operate([](auto& controller, Instant now) { controller.setEmergencyStop(true, now); });
+  robot->operate(
+      [](auto& controller, Instant now) { controller.operate(simulator::SetEmergencyStop{true}, now); });
   const auto outcome = commander->outcomeOf(move);
   ASSERT_TRUE(outcome.has_value());
   EXPECT_EQ(outcome->ending, Ending::Aborted);

@@ -118,12 +118,15 @@ TEST(SimulatorRuntime, refusesClientsWhileNoProjectRunsAndServesThemAgainOnTheSa
   Simulator simulator;
   RawClient before(simulator.ports.script);
   ASSERT_TRUE(before.isConnected());
-  simulator.operate([](SimulatedController& controller, Instant now) { controller.stopProject(now); });
+  simulator.operate([](SimulatedController& controller, Instant now) {
+    controller.operate(simulator::StopProject{}, now);
+  });
   ASSERT_TRUE(before.readsTheEnd());
   EXPECT_FALSE(RawClient(simulator.ports.script).isConnected());
   EXPECT_TRUE(RawClient(simulator.ports.status).isConnected()) << "the status port needs no project";
 
-  simulator.operate([](SimulatedController& controller, Instant now) { controller.runProject(now); });
+  simulator.operate(
+      [](SimulatedController& controller, Instant now) { controller.operate(simulator::RunProject{}, now); });
   RawClient after(simulator.ports.script);
   ASSERT_TRUE(after.isConnected());
   after.send(kListenQuery);

@@ -1,0 +1,62 @@
+// What the operator of a simulated controller can do, as values: keys of the pendant, switches of the cell,
+// and wires of the control box.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/simulator/robot_state.h"
+
+namespace cobot_command::simulator {
+
+/// Opens the script port, enters the Listen node, clears a robot error; base and TCP are RobotBase and NOTOOL
+/// again. Refused while the emergency stop is pressed.
+struct RunProject {};
+/// Stops the arm on its path, empties the queue, closes the script port and its clients.
+struct StopProject {};
+/// As the script command Pause(), and Resume(): the arm stands on its path, scripts go on.
+struct PauseProject {};
+struct ResumeProject {};
+/// The flow goes to another node once the queued motions are done, and stays there until it is let back in.
+struct LeaveListenNode {};
+struct EnterListenNode {};
+/// Pressed: the arm stands at once and the project stops. Released: stands until the project is run again.
+struct SetEmergencyStop {
+  bool pressed = true;
+};
+/// Open: the arm slows down on its path and stands. Closed again: see Settings::safeguard_resets_itself.
+struct SetSafeguard {
+  bool open = true;
+};
+struct SetOperatingMode {
+  OperatingMode mode = OperatingMode::Automatic;
+};
+/// 5..100 in steps of 5; counts for the motions that start from then on.
+struct SetProjectSpeed {
+  int percent = 100;
+};
+/// The robot fails: the arm comes to rest on its path and every tag in the queue is reported false, as when a
+/// motion cannot be made; so is every motion until ClearError or RunProject.
+struct RaiseError {
+  int code = 0;      ///< not 0
+  std::string text;  ///< Error_Content
+};
+struct ClearError {};
+struct SetInput {
+  protocol::IoModule module = protocol::IoModule::ControlBox;
+  int index = 0;
+  bool on = true;
+};
+
+using OperatorAction = std::variant<RunProject, StopProject, PauseProject, ResumeProject, LeaveListenNode,
+                                    EnterListenNode, SetEmergencyStop, SetSafeguard, SetOperatingMode,
+                                    SetProjectSpeed, RaiseError, ClearError, SetInput>;
+
+/// What became of an action.
+struct OperatorReply {
+  bool done = true;
+  std::string text;  ///< how things are now; or why it was not done, and what to do
+};
+
+}  // namespace cobot_command::simulator

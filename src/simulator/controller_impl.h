@@ -1,0 +1,72 @@
+// The parts of the simulated controller, wired, and its time.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io_board.h"
+#include "listen_node.h"
+#include "motion_queue.h"
+#include "outbox.h"
+#include "status_server.h"
+
+#include "cobot_command/simulator/simulated_controller.h"
+
+namespace cobot_command::simulator {
+
+class SimulatedController::Impl {
+ public:
+  Impl(arm::ArmModel arm, Settings settings, Instant now);
+
+  void advance(Instant now);
+  [[nodiscard]] Instant nextEvent() const;
+  void clientConnected(Port port, ClientId client, Instant now);
+  void clientDisconnected(Port port, ClientId client, Instant now);
+  void received(Port port, ClientId client, std::string_view bytes, Instant now);
+  OperatorReply operate(const OperatorAction& action, Instant now);  // operator_side.cpp
+
+  std::vector<Output> takeOutputs() { return outbox_.take(); }
+  [[nodiscard]] RobotState state() const;
+  [[nodiscard]] const arm::ArmModel& arm() const { return arm_; }
+
+ private:
+  OperatorReply act(const RunProject& action);
+  OperatorReply act(const StopProject& action);
+  OperatorReply act(const PauseProject& action);
+  OperatorReply act(const ResumeProject& action);
+  OperatorReply act(const LeaveListenNode& action);
+  OperatorReply act(const EnterListenNode& action);
+  OperatorReply act(const SetEmergencyStop& action);
+  OperatorReply act(const SetSafeguard& action);
+  OperatorReply act(const SetOperatingMode& action);
+  OperatorReply act(const SetProjectSpeed& action);
+  OperatorReply act(const RaiseError& action);
+  OperatorReply act(const ClearError& action);
+  OperatorReply act(const SetInput& action);
+
+  void setTime(Instant now);
+  void settle();
+  bool runQueue();
+  void streamStatus();
+  void on(const TagSettled& settled) { node_.on(settled); }
+  void on(const TagDropped& dropped) { node_.on(dropped); }
+  void on(const protocol::WriteOutput& write) { io_.write(write); }
+  void on(const MotionStarted& started);
+  void on(const MotionFailed& failed);
+
+  arm::ArmModel arm_;
+  Settings settings_;
+  Instant now_;
+  Outbox outbox_;
+  MotionQueue queue_;
+  IoBoard io_;
+  ListenNode node_;
+  StatusServer status_;
+  bool emergency_stop_ = false;
+  bool safeguard_ = false;
+  OperatingMode mode_ = OperatingMode::Automatic;
+  bool stops_project_ = false;
+};
+
+}  // namespace cobot_command::simulator
