@@ -74,7 +74,7 @@ CommandOrder orderOf(const OutputAction& output) {
   return orderOf(Block::PickAndPlace, write, false);
 }
 
-void close(CommandOrder& order) {
+void addLastLines(CommandOrder& order) {
   if (order.tag) {
     order.lines.push_back(protocol::toText(protocol::ScriptCommand(protocol::QueueTag{*order.tag, false})));
   }

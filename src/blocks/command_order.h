@@ -43,7 +43,7 @@ struct CommandOrder {
 [[nodiscard]] CommandOrder orderOf(const OutputAction& output);
 [[nodiscard]] std::optional<protocol::IoModule> moduleOf(const OutputAction& output);
 
-/// Adds the lines at the end: a queue tag, when one is open for it, and the exit from the node.
-void close(CommandOrder& order);
+/// The queue tag, when one is open for it, and the exit from the node.
+void addLastLines(CommandOrder& order);
 
 }  // namespace cobot_command::blocks

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <deque>
+#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -137,7 +138,7 @@ class CommandCore::Impl : private link::Wire {
   StopRun stop_;
   std::vector<GoalId> stop_goals_;
   std::optional<CommandRun> run_;
-  std::vector<CommandRun> direct_;  ///< program control: beside whatever else is on the wire
+  std::list<CommandRun> direct_;  ///< program control: beside whatever else is on the wire
   std::optional<PickAndPlaceRun> cycle_;
   std::deque<Waiting> waiting_;
   std::optional<Instant> loose_since_;

@@ -169,7 +169,7 @@ Result<CommandOrder, Failure> CommandCore::Impl::prepare(const Goal& goal, Insta
     order.command_id_ack = traits.command_id != 0 ? traits.command_id : order.tag.value_or(0);
     order.exits_node = traits.exits_node;
     order.reply_timeout = traits.reply_timeout;
-    close(order);
+    addLastLines(order);
     return order;
   });
 }
@@ -227,8 +227,7 @@ void CommandCore::Impl::finishRuns(Instant now) {
   for (const CommandRun& run : direct_) {
     if (run.ended()) board_.end(run.order().block, run.order().goal, run.outcome());
   }
-  direct_.erase(std::remove_if(direct_.begin(), direct_.end(), [](const auto& run) { return run.ended(); }),
-                direct_.end());
+  direct_.remove_if([](const CommandRun& run) { return run.ended(); });
   if (!run_) return;
   for (Progress& progress : run_->takeProgress()) {
     if (cycle_) {

@@ -55,12 +55,14 @@ Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<protocol:
 
 void Preflight::queue(const std::optional<Plan>& plan, Instant now) {
   queue_end_.reset();
-  if (plan) queue_end_ = QueueEnd{plan->end.joints, now + plan->start_delay + plan->duration};
+  if (plan && plan->end.start.joints) {
+    queue_end_ = QueueEnd{*plan->end.start.joints, now + plan->start_delay + plan->duration};
+  }
 }
 
 void Preflight::arrive(const std::optional<Plan>& plan, Instant now) {
   queue_end_.reset();
-  if (plan) queue_end_ = QueueEnd{plan->end.joints, now};
+  if (plan && plan->end.start.joints) queue_end_ = QueueEnd{*plan->end.start.joints, now};
 }
 
 }  // namespace cobot_command::blocks
