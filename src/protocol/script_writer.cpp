@@ -193,6 +193,11 @@ bool isName(std::string_view name) {
          std::none_of(name.begin(), name.end(), isControl);
 }
 
+bool isScriptLine(std::string_view line) {
+  return isUtf8(line) &&
+         std::none_of(line.begin(), line.end(), [](char c) { return isControl(c) && c != '\t'; });
+}
+
 std::string toText(const ScriptCommand& command) {
   return std::visit([](const auto& value) { return text(value); }, command);
 }

@@ -130,6 +130,9 @@ using ScriptCommand =
 [[nodiscard]] bool isName(std::string_view name);
 inline constexpr std::size_t kMaxNameLength = 255;
 
+/// What can be sent as one line of script: UTF-8 without control characters other than tabs.
+[[nodiscard]] bool isScriptLine(std::string_view line);
+
 /// One line of script. Preconditions: all numbers are finite, names are isName(), the format is one that the
 /// command takes, the module has the output, and optional parts stand only where the comments above allow
 /// them.

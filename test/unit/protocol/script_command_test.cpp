@@ -291,6 +291,16 @@ TEST(IsName, refusesWhatCouldBreakTheLine) {
   EXPECT_FALSE(isName("\xC8"));
 }
 
+TEST(ScriptLine, isUtf8WithoutControlCharactersOtherThanTabs) {
+  EXPECT_TRUE(isScriptLine(""));
+  EXPECT_TRUE(isScriptLine("\tvar_s = \"\u9054\u660e $*\" // text"));
+  EXPECT_TRUE(isScriptLine(std::string(4096, 'x')));
+  for (const std::string& bad : {std::string("a\r"), std::string("a\nb"), std::string("a\0b", 3),
+                                 std::string("\x7F"), std::string("\xC8")}) {
+    EXPECT_FALSE(isScriptLine(bad));
+  }
+}
+
 #ifdef NDEBUG
 TEST(ToText, keepsAForgottenCheckOfANameFromBecomingACommand) {
   EXPECT_EQ(toText(ChangeBase{"a\r\nScriptExit()"}), "ChangeBase(\"aScriptExit()\")");
