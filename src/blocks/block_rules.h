@@ -34,7 +34,8 @@ struct CommandTraits {
 [[nodiscard]] CommandTraits traitsOf(const ExitListenNodeGoal& goal);
 [[nodiscard]] CommandTraits traitsOf(const RunScriptGoal& goal);
 
-/// All violations of the goal's own parameters, in table order; empty when it may be sent.
+/// All violations of the goal's own parameters, in table order; empty when it may be sent. Numbers are not
+/// looked at where a pose or a name stands in place of them.
 [[nodiscard]] std::vector<Failure> check(const MoveAbsoluteGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const MoveRelativeGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const MoveCircleGoal& goal);
@@ -54,7 +55,8 @@ struct CommandTraits {
 [[nodiscard]] protocol::ScriptCommand commandOf(const ChangeTcpGoal& goal, const arm::Pose& base);
 [[nodiscard]] protocol::ScriptCommand commandOf(const ProgramControlGoal& goal);
 
-/// The lines of a raw script, without line ends and without empty ones. Precondition as above.
+/// The lines of a raw script, without line ends, without empty ones, and without a ScriptExit() at the end:
+/// that is told by CommandTraits::exits_node, as it has to come behind the queue tag. Precondition as above.
 [[nodiscard]] std::vector<std::string> linesOf(const RunScriptGoal& goal);
 
 }  // namespace cobot_command::blocks

@@ -1,8 +1,9 @@
 #include "cobot_command/blocks/error_catalogue.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "catalogue_tables.h"
+#include "error_tables.h"
 
 namespace cobot_command::blocks {
 
@@ -39,7 +40,10 @@ const char* toString(Block block) {
 const std::vector<ErrorEntry>& errorCatalogue() {
   static const std::vector<ErrorEntry> kCatalogue = [] {
     std::vector<ErrorEntry> all;
-    for (const auto& table : {connectErrors(), moveAbsoluteErrors()}) {
+    for (const auto& table :
+         {connectErrors(), moveAbsoluteErrors(), moveRelativeErrors(), moveCircleErrors(), changeBaseErrors(),
+          changeTcpErrors(), programControlErrors(), stopErrors(), exitListenNodeErrors(), runScriptErrors(),
+          checkSequenceErrors(), pickAndPlaceErrors()}) {
       all.insert(all.end(), table.begin(), table.end());
     }
     return all;
@@ -49,10 +53,10 @@ const std::vector<ErrorEntry>& errorCatalogue() {
 
 const ErrorEntry* findError(Block block, int id) {
   const auto& all = errorCatalogue();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const ErrorEntry& entry) {
-    return entry.block == block && entry.id == id;
-  });
-  return found == all.end() ? nullptr : &*found;
+  const auto found = std::lower_bound(
+      all.begin(), all.end(), std::pair(block, id),
+      [](const ErrorEntry& entry, auto wanted) { return std::pair(entry.block, entry.id) < wanted; });
+  return found != all.end() && found->block == block && found->id == id ? &*found : nullptr;
 }
 
 }  // namespace cobot_command::blocks

@@ -1,13 +1,66 @@
-// One table for each block; the catalogue is all of them, one after the other. Each is ordered by id.
+// One table of errors for each block; the catalogue is all of them, one after the other. What blocks have in
+// common is written once (shared_errors.cpp).
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "cobot_command/blocks/error_catalogue.h"
 
 namespace cobot_command::blocks {
 
+/// Remedies of the thesis that many rows share.
+inline constexpr const char* kCheckWiring = "Check Ethernet connection wiring";
+inline constexpr const char* kSetInRange = "Set parameter in acceptable range";
+inline constexpr const char* kExecuteAgain = "Re-execution is required";
+inline constexpr const char* kUseConnect = "Use CBT_Connect FB for connection";
+/// Why a row of the thesis is only kept for its number.
+inline constexpr const char* kNoSuchStep =
+    "cannot occur any more: there is no such step, bytes are read as they come";
+
+/// The rows of one block, in any order.
+class ErrorTable {
+ public:
+  explicit ErrorTable(Block block) : block_(block) {}
+
+  ErrorTable& row(int id, const char* description, const char* remedy, const char* raised_when);
+  /// Rows with the texts that they have in all blocks. Precondition: shared_errors.cpp has the id.
+  ErrorTable& shared(std::initializer_list<int> ids);
+  /// The same, raised under another condition here.
+  ErrorTable& shared(int id, const char* raised_when);
+
+  /// The steps of the thesis that every one of its command blocks has: connect, build, send, receive.
+  ErrorTable& thesisCommand();
+  /// What comes between a goal and its script, with any command of this layer.
+  ErrorTable& anyCommand();
+  /// To wait for one's turn.
+  ErrorTable& turn();
+  /// The way of a motion from its acceptance to its tag.
+  ErrorTable& tag();
+  /// Speed, time, blending and the plan of a move.
+  ErrorTable& move();
+  /// A target as a pose in a tf frame.
+  ErrorTable& framedPose();
+
+  /// Ordered by id.
+  [[nodiscard]] std::vector<ErrorEntry> rows();
+
+ private:
+  Block block_;
+  std::vector<ErrorEntry> rows_;
+};
+
 [[nodiscard]] std::vector<ErrorEntry> connectErrors();
 [[nodiscard]] std::vector<ErrorEntry> moveAbsoluteErrors();
+[[nodiscard]] std::vector<ErrorEntry> moveRelativeErrors();
+[[nodiscard]] std::vector<ErrorEntry> moveCircleErrors();
+[[nodiscard]] std::vector<ErrorEntry> changeBaseErrors();
+[[nodiscard]] std::vector<ErrorEntry> changeTcpErrors();
+[[nodiscard]] std::vector<ErrorEntry> programControlErrors();
+[[nodiscard]] std::vector<ErrorEntry> stopErrors();
+[[nodiscard]] std::vector<ErrorEntry> exitListenNodeErrors();
+[[nodiscard]] std::vector<ErrorEntry> runScriptErrors();
+[[nodiscard]] std::vector<ErrorEntry> checkSequenceErrors();
+[[nodiscard]] std::vector<ErrorEntry> pickAndPlaceErrors();
 
 }  // namespace cobot_command::blocks

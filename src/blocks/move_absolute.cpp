@@ -1,89 +1,69 @@
-#include "move_absolute.h"
+// CBT_MoveAbsolute (thesis 5.3.2).
 
-#include <algorithm>
-#include <cmath>
+#include "framed_pose.h"
+#include "motion_parameters.h"
+#include <fmt/format.h>
 
-#include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/common/units.h"
+#include "cobot_command/blocks/error_ids.h"
 
 namespace cobot_command::blocks {
 namespace {
 
-using protocol::DataFormat;
-
-DataFormat formatOf(const MoveAbsoluteGoal& goal) {
-  using Target = DataFormat::Target;
-  using Speed = DataFormat::Speed;
-  using Blending = DataFormat::Blending;
-  switch (static_cast<AbsoluteFormat>(goal.data_format)) {
-    case AbsoluteFormat::Jpp:
-      return {Target::Joint, Speed::Percent, Blending::Percent};
-    case AbsoluteFormat::Cpr:
-      return {Target::Cartesian, Speed::Percent, Blending::Radius};
-    case AbsoluteFormat::Cap:
-      return {Target::Cartesian, Speed::Absolute, Blending::Percent};
-    case AbsoluteFormat::Car:
-      return {Target::Cartesian, Speed::Absolute, Blending::Radius};
-    case AbsoluteFormat::Cpp:
-      break;
-  }
-  return {Target::Cartesian, Speed::Percent, Blending::Percent};
-}
-
-int rounded(double value) {
-  return static_cast<int>(std::lround(value));
-}
-
-protocol::MotionOptions optionsOf(const MoveAbsoluteGoal& goal) {
-  protocol::MotionOptions options;
-  options.speed = std::max(1, rounded(goal.speed));
-  options.accel_time = rounded(goal.accel_time);
-  options.blending = goal.blending_enable ? rounded(goal.blending_value) : 0;
-  options.disable_precise_positioning = !goal.precise_positioning;
-  return options;
-}
+constexpr std::array<std::string_view, 5> kFormatNames{"JPP", "CPP", "CPR", "CAP", "CAR"};
+constexpr FormatList kFormats(kFormatNames);
 
 bool isLine(const MoveAbsoluteGoal& goal) {
   return goal.movement_command == static_cast<int>(Movement::Line);
 }
 
-}  // namespace
-
-std::vector<protocol::ScriptCommand> scriptOf(const MoveAbsoluteGoal& goal, std::optional<int> tag) {
-  std::vector<protocol::ScriptCommand> script;
-  if (isLine(goal)) {
-    script.emplace_back(protocol::Line{formatOf(goal), goal.target, optionsOf(goal)});
-  } else {
-    protocol::Ptp ptp{formatOf(goal), goal.target, optionsOf(goal), std::nullopt};
-    if (goal.robot_pose_enable) ptp.pose_bits = goal.robot_pose;
-    script.emplace_back(std::move(ptp));
-  }
-  if (tag) script.emplace_back(protocol::QueueTag{*tag, false});
-  if (goal.exit_node) script.emplace_back(protocol::ScriptExit{});
-  return script;
+bool isInJoints(const MoveAbsoluteGoal& goal) {
+  return goal.data_format == static_cast<int>(AbsoluteFormat::Jpp);
 }
 
-motion::Command motionOf(const MoveAbsoluteGoal& goal) {
-  const protocol::MotionOptions options = optionsOf(goal);
-  const DataFormat format = formatOf(goal);
-  const Duration time_to_top_speed = std::chrono::milliseconds(options.accel_time);
-  if (isLine(goal)) {
-    motion::PathSpeed speed = motion::SpeedRatio{options.speed / 100.0};
-    if (format.speed == DataFormat::Speed::Absolute) speed = motion::TcpSpeed{mmToM(options.speed)};
-    return motion::Line{arm::toPose(goal.target), speed, time_to_top_speed};
+void checkRobotPose(ParameterChecks& checks, const MoveAbsoluteGoal& goal) {
+  if (!goal.robot_pose_enable) return;
+  const auto& [config1, config2, config3] = goal.robot_pose;
+  checks.require(!isLine(goal), motion_error::kPoseWithLine, "");
+  checks.require(config1 == 0 || config1 == 1, motion_error::kPose1Range,
+                 fmt::format("config1 is {}", config1));
+  checks.require(config2 == 2 || config2 == 3, motion_error::kPose2Range,
+                 fmt::format("config2 is {}", config2));
+  checks.require(config3 == 4 || config3 == 5, motion_error::kPose3Range,
+                 fmt::format("config3 is {}", config3));
+  const bool ptp = goal.movement_command == static_cast<int>(Movement::Ptp);
+  checks.require(!ptp || !isInJoints(goal), own_error::kPoseWithJoints, "");
+}
+
+}  // namespace
+
+CommandTraits traitsOf(const MoveAbsoluteGoal& goal) {
+  CommandTraits traits = traitsOfMove(goal);
+  traits.needs_base = goal.target_pose.has_value();
+  return traits;
+}
+
+std::vector<Failure> check(const MoveAbsoluteGoal& goal) {
+  ParameterChecks checks;
+  checkMotion(checks, parametersOf(goal), kFormats.at(goal.data_format));
+  checkRobotPose(checks, goal);
+  checkMovement(checks, goal.movement_command, goal.data_format, kFormats, motion_error::kFormatForPtp,
+                motion_error::kFormatForLine);
+  if (goal.target_pose) {
+    checks.require(!isInJoints(goal), own_error::kPoseNeedsCartesian, "target_pose with data_format JPP");
+    checkPose(checks, "target_pose", *goal.target_pose);
+  } else {
+    checks.sixValues("target_position", goal.target);
   }
-  motion::Ptp ptp;
-  ptp.speed_ratio = options.speed / 100.0;
-  ptp.time_to_top_speed = time_to_top_speed;
-  if (format.target == DataFormat::Target::Joint) {
-    ptp.target = arm::toJointVector(goal.target);
-    return ptp;
-  }
-  motion::PoseTarget target{arm::toPose(goal.target), std::nullopt};
-  if (goal.robot_pose_enable) {
-    target.bits = arm::PoseBits::fromNumbers(goal.robot_pose[0], goal.robot_pose[1], goal.robot_pose[2]);
-  }
-  ptp.target = target;
+  return std::move(checks).violations();
+}
+
+protocol::ScriptCommand commandOf(const MoveAbsoluteGoal& goal, const arm::Pose& base) {
+  const protocol::DataFormat format = kFormats.at(goal.data_format).value_or(protocol::DataFormat{});
+  const SixValues target = targetOf(goal.target, goal.target_pose, base);
+  const protocol::MotionOptions options = optionsOf(parametersOf(goal));
+  if (isLine(goal)) return protocol::Line{format, target, options};
+  protocol::Ptp ptp{format, target, options, std::nullopt};
+  if (goal.robot_pose_enable) ptp.pose_bits = goal.robot_pose;
   return ptp;
 }
 

@@ -112,6 +112,8 @@ inline constexpr int kOutputInvalid = 0x255;
 inline constexpr int kStepsUnreadable = 0x256;
 inline constexpr int kOutputFailed = 0x257;
 inline constexpr int kBlendBeforeDwell = 0x258;
+// Raw scripts.
+inline constexpr int kReplyTimeoutRange = 0x260;
 }  // namespace own_error
 
 }  // namespace cobot_command::blocks

@@ -56,39 +56,6 @@ TEST(MoveAbsolute, sendsLineWithTheSpeedAndBlendingOfItsFormat) {
   EXPECT_FALSE(rig.outcome(id)->actual.has_value());
 }
 
-TEST(MoveAbsolute, sendsTheRobotPoseAndSwitchesPrecisePositioningOff) {
-  CoreRig rig;
-  rig.connect();
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.robot_pose_enable = true;
-  goal.robot_pose = {1, 3, 5};
-  goal.precise_positioning = false;
-  rig.submit(goal);
-  EXPECT_THAT(rig.takeScript().script, HasSubstr(",10,200,0,true,1,3,5)\r\nQueueTag("));
-}
-
-TEST(MoveAbsolute, sendsJointsWithAllTheirDecimals) {
-  CoreRig rig;
-  rig.connect();
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.data_format = static_cast<int>(AbsoluteFormat::Jpp);
-  goal.target = {0.001, -0.125, 90.4567, 0, 90, -179.999};
-  rig.submit(goal);
-  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP(\"JPP\",0.001,-0.125,90.4567,0,90,-179.999,10,"));
-}
-
-TEST(MoveAbsolute, roundsWhatTheControllerTakesAsWholeNumbers) {
-  CoreRig rig;
-  rig.connect();
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.speed = 0.2;
-  goal.accel_time = 199.6;
-  goal.blending_enable = true;
-  goal.blending_value = 12.4;
-  rig.submit(goal);
-  EXPECT_THAT(rig.takeScript().script, HasSubstr(",90,1,200,12,false)"));
-}
-
 TEST(MoveAbsolute, honoursTheCommandIdAsTag) {
   for (const int command_id : {2, 9}) {
     CoreRig rig;

@@ -1,0 +1,61 @@
+// CBT_MoveCircle (thesis 5.3.4).
+
+#include <algorithm>
+#include <cmath>
+
+#include "framed_pose.h"
+#include "motion_parameters.h"
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/error_ids.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+constexpr std::array<std::string_view, 2> kFormatNames{"CPP", "CAP"};
+constexpr FormatList kFormats(kFormatNames);
+constexpr double kMaxArcAngle = 360;
+
+void checkPoint(ParameterChecks& checks, const char* values_field, const SixValues& values,
+                const char* pose_field, const std::optional<FramedPose>& pose) {
+  if (pose) {
+    checkPose(checks, pose_field, *pose);
+  } else {
+    checks.sixValues(values_field, values);
+  }
+}
+
+/// Whole degrees. 0 has a meaning of its own, so the smallest arc is one degree.
+int arcAngleOf(const MoveCircleGoal& goal) {
+  if (goal.arc_angle == 0) return 0;
+  return std::max(1, static_cast<int>(std::lround(goal.arc_angle)));
+}
+
+}  // namespace
+
+CommandTraits traitsOf(const MoveCircleGoal& goal) {
+  CommandTraits traits = traitsOfMove(goal);
+  traits.needs_base = goal.arc_pose || goal.end_pose;
+  return traits;
+}
+
+std::vector<Failure> check(const MoveCircleGoal& goal) {
+  ParameterChecks checks;
+  const auto format = kFormats.at(goal.data_format);
+  checkMotion(checks, parametersOf(goal), format);
+  checkPoint(checks, "arc_point", goal.arc_point, "arc_pose", goal.arc_pose);
+  checkPoint(checks, "end_point", goal.end_point, "end_pose", goal.end_pose);
+  checks.require(isWithin(goal.arc_angle, 0, kMaxArcAngle), own_error::kArcAngleRange,
+                 fmt::format("arc_angle is {}", goal.arc_angle));
+  checks.require(format.has_value(), own_error::kFormatForCircle, kFormats.found(goal.data_format));
+  return std::move(checks).violations();
+}
+
+protocol::ScriptCommand commandOf(const MoveCircleGoal& goal, const arm::Pose& base) {
+  return protocol::Circle{kFormats.at(goal.data_format).value_or(protocol::DataFormat{}),
+                          targetOf(goal.arc_point, goal.arc_pose, base),
+                          targetOf(goal.end_point, goal.end_pose, base), optionsOf(parametersOf(goal)),
+                          arcAngleOf(goal)};
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,34 @@
+#include "error_tables.h"
+
+#include "cobot_command/blocks/error_ids.h"
+
+namespace cobot_command::blocks {
+
+std::vector<ErrorEntry> pickAndPlaceErrors() {
+  return ErrorTable(Block::PickAndPlace)
+      .turn()
+      .shared({motion_error::kNotConnected, motion_error::kLinkDropped, own_error::kStartUnknown,
+               own_error::kNoModel, own_error::kNotListening, own_error::kEmergencyStop,
+               own_error::kRobotError, own_error::kShutDown})
+      .shared(own_error::kStepCount, "there are no steps, or more than 50")
+      .shared({own_error::kStepRefused})
+      .row(own_error::kStepFailed, "Step failed", kExecuteAgain,
+           "a move of the cycle failed in execution; the description tells its error and the index of the "
+           "step")
+      .row(own_error::kDwellRange, "Dwell range: 0~3600 s", kSetInRange,
+           "the dwell of a step is negative, above 3600, or not a number")
+      .row(own_error::kCycleRange, "Cycles range: 0~1000000", kSetInRange,
+           "cycles is negative or above 1000000; 0 means until cancelled")
+      .row(own_error::kOutputInvalid, "Output invalid", "Use EndModule or ControlBox, and 0 to 15",
+           "the output of a step is of another module, or negative or above 15")
+      .row(own_error::kStepsUnreadable, "Steps cannot be read",
+           "Check the path of the file, and its form against config/pick_and_place.yaml",
+           "steps_file is not there, is no YAML, or has other fields than a step")
+      .row(own_error::kOutputFailed, "Output not set", "Check that the controller has this output",
+           "the controller refused or did not answer the line that sets an output")
+      .row(own_error::kBlendBeforeDwell, "Blending must be disabled before an output or a dwell",
+           "Disable blending_enable of the step", "a step with blending_enable has an output or a dwell")
+      .rows();
+}
+
+}  // namespace cobot_command::blocks

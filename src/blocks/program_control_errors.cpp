@@ -1,0 +1,16 @@
+#include "error_tables.h"
+
+#include "cobot_command/blocks/error_ids.h"
+
+namespace cobot_command::blocks {
+
+std::vector<ErrorEntry> programControlErrors() {
+  return ErrorTable(Block::ProgramControl)
+      .thesisCommand()
+      .anyCommand()
+      .row(own_error::kProgramCommandUnknown, "Command unknown", "Use 0 (Pause) or 1 (Resume)",
+           "command is neither 0 nor 1")
+      .rows();
+}
+
+}  // namespace cobot_command::blocks

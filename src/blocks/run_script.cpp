@@ -1,0 +1,116 @@
+// Raw script: what it must not hold, so that the layer still knows its queue tags and its Listen node.
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include "parameter_checks.h"
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/error_ids.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+constexpr std::size_t kMaxScript = 4096;
+constexpr double kMinReplyTimeout = 0.05;
+constexpr double kMaxReplyTimeout = 3600;
+
+struct Line {
+  int number = 1;  ///< from 1, empty lines count
+  std::string_view text;
+};
+
+/// Those that are not blank. Separators: CR LF or LF.
+std::vector<Line> split(std::string_view script) {
+  std::vector<Line> lines;
+  for (int number = 1; !script.empty(); ++number) {
+    const std::size_t end = std::min(script.find('\n'), script.size());
+    std::string_view text = script.substr(0, end);
+    script.remove_prefix(std::min(end + 1, script.size()));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    if (text.find_first_not_of(" \t") != std::string_view::npos) lines.push_back({number, text});
+  }
+  return lines;
+}
+
+bool isWordCharacter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// The word in any case, anywhere: whether it stands in a text, a comment or a call is not told apart, as it
+/// is not known which of them the controller's version has.
+bool hasWord(std::string_view line, std::string_view word) {
+  const auto same = [](char a, char b) { return (a | 0x20) == (b | 0x20); };
+  for (auto at = line.begin();; ++at) {
+    at = std::search(at, line.end(), word.begin(), word.end(), same);
+    if (at == line.end()) return false;
+    const auto behind = at + static_cast<std::ptrdiff_t>(word.size());
+    const bool begins = at == line.begin() || !isWordCharacter(*(at - 1));
+    if (begins && (behind == line.end() || !isWordCharacter(*behind))) return true;
+  }
+}
+
+bool isScriptExit(const Line& line) {
+  const auto command = protocol::parseCommand(line.text);
+  if (!command) return false;
+  const auto* exit = std::get_if<protocol::ScriptExit>(&*command);
+  return exit != nullptr && !exit->mode;
+}
+
+bool endsWithScriptExit(const std::vector<Line>& lines) {
+  return !lines.empty() && isScriptExit(lines.back());
+}
+
+/// What is wrong with the script, at its first faulty line; empty: nothing.
+std::string faultOf(const std::string& script) {
+  if (script.size() > kMaxScript) return fmt::format("it has {} bytes", script.size());
+  const std::vector<Line> lines = split(script);
+  if (lines.empty()) return "it is empty";
+  for (const Line& line : lines) {
+    if (!protocol::isScriptLine(line.text)) {
+      return fmt::format("line {} has control characters, or is not UTF-8", line.number);
+    }
+    for (const char* word : {"QueueTag", "WaitQueueTag"}) {
+      if (hasWord(line.text, word)) {
+        return fmt::format("line {} has {}: queue tags are the layer's, see await_motion", line.number, word);
+      }
+    }
+    if (isScriptExit(line) && line.number != lines.back().number) {
+      return fmt::format("the lines behind line {}, ScriptExit(), would never run", line.number);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+CommandTraits traitsOf(const RunScriptGoal& goal) {
+  CommandTraits traits;
+  traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.awaits_motion = goal.await_motion;
+  traits.exits_node = endsWithScriptExit(split(goal.script));
+  if (goal.reply_timeout > 0) traits.reply_timeout = fromSeconds(goal.reply_timeout);
+  return traits;
+}
+
+std::vector<Failure> check(const RunScriptGoal& goal) {
+  ParameterChecks checks;
+  checks.bufferMode(goal.buffer_mode);
+  const std::string fault = faultOf(goal.script);
+  checks.require(fault.empty(), own_error::kScriptInvalid, fault);
+  checks.require(goal.reply_timeout == 0 || isWithin(goal.reply_timeout, kMinReplyTimeout, kMaxReplyTimeout),
+                 own_error::kReplyTimeoutRange, fmt::format("reply_timeout is {} s", goal.reply_timeout));
+  return std::move(checks).violations();
+}
+
+std::vector<std::string> linesOf(const RunScriptGoal& goal) {
+  std::vector<Line> lines = split(goal.script);
+  if (endsWithScriptExit(lines)) lines.pop_back();
+  std::vector<std::string> texts;
+  texts.reserve(lines.size());
+  for (const Line& line : lines) texts.emplace_back(line.text);
+  return texts;
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,22 @@
+#include "error_tables.h"
+
+#include "cobot_command/blocks/error_ids.h"
+
+namespace cobot_command::blocks {
+
+std::vector<ErrorEntry> runScriptErrors() {
+  return ErrorTable(Block::RunScript)
+      .anyCommand()
+      .turn()
+      .tag()
+      .row(
+          own_error::kScriptInvalid, "Script invalid",
+          "Give lines of printable text, together at most 4096 bytes, without queue tags",
+          "script is empty, too long, or not UTF-8; or a line has control characters or the word QueueTag or "
+          "WaitQueueTag; or lines follow a ScriptExit()")
+      .row(own_error::kReplyTimeoutRange, "ReplyTimeout range: 0.05~3600 s, or 0", kSetInRange,
+           "reply_timeout is neither 0 (that of the link) nor 0.05..3600")
+      .rows();
+}
+
+}  // namespace cobot_command::blocks

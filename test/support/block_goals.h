@@ -1,0 +1,120 @@
+// Good goals of the function blocks, and what the checks say of changed ones.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "block_rules.h"
+
+#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::testing {
+
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// What a goal of each block looks like that may be sent.
+template <class Goal>
+[[nodiscard]] Goal good();
+
+template <>
+inline blocks::MoveAbsoluteGoal good() {
+  blocks::MoveAbsoluteGoal goal;
+  goal.target = {417.5, -122.3, 343.9, 180, 0, 90};
+  goal.speed = 10;
+  goal.accel_time = 200;
+  return goal;
+}
+template <>
+inline blocks::MoveRelativeGoal good() {
+  blocks::MoveRelativeGoal goal;
+  goal.target = {0, 0, 10, 45, 0, 0};
+  goal.speed = 10;
+  goal.accel_time = 200;
+  return goal;
+}
+template <>
+inline blocks::MoveCircleGoal good() {
+  blocks::MoveCircleGoal goal;
+  goal.arc_point = {417.5, -122.3, 343.9, 180, 0, 90};
+  goal.end_point = {381.7, 208.74, 343.9, 180, 0, 135};
+  goal.speed = 10;
+  goal.accel_time = 200;
+  return goal;
+}
+template <>
+inline blocks::ChangeBaseGoal good() {
+  blocks::ChangeBaseGoal goal;
+  goal.transformation = {20, 30, 10, 0, 0, 90};
+  return goal;
+}
+template <>
+inline blocks::ChangeTcpGoal good() {
+  blocks::ChangeTcpGoal goal;
+  goal.tcp_offset = {0, 0, 150, 0, 0, 90};
+  goal.weight = 2;
+  goal.moment_of_inertia = {2, 0.5, 0.5};
+  goal.mass_center = {0, 0, -80, 0, 0, 0};
+  return goal;
+}
+template <>
+inline blocks::ProgramControlGoal good() {
+  return {};
+}
+template <>
+inline blocks::ExitListenNodeGoal good() {
+  return {};
+}
+template <>
+inline blocks::RunScriptGoal good() {
+  blocks::RunScriptGoal goal;
+  goal.script = "PTP(\"JPP\",0,0,90,0,90,0,35,200,0,false)";
+  return goal;
+}
+
+template <class Goal, class Change>
+[[nodiscard]] Goal with(const Change& change) {
+  Goal goal = good<Goal>();
+  change(goal);
+  return goal;
+}
+
+template <class Goal>
+[[nodiscard]] std::vector<int> idsOf(const Goal& goal) {
+  std::vector<int> ids;
+  for (const blocks::Failure& failure : check(goal)) ids.push_back(failure.error_id);
+  return ids;
+}
+
+/// The id that decides; 0: the goal may be sent.
+template <class Goal>
+[[nodiscard]] int errorOf(const Goal& goal) {
+  const auto ids = idsOf(goal);
+  return ids.empty() ? 0 : ids.front();
+}
+template <class Goal, class Change>
+[[nodiscard]] int errorWith(const Change& change) {
+  return errorOf(with<Goal>(change));
+}
+
+/// The script text of a goal that may be sent.
+template <class Goal>
+[[nodiscard]] std::string scriptOf(const Goal& goal, const arm::Pose& base = arm::Pose::Identity()) {
+  return protocol::toText(commandOf(goal, base));
+}
+
+/// A pose in a frame that stands 1 m in front of the robot base, turned by 90 degrees about Z.
+[[nodiscard]] inline blocks::FramedPose framedPose() {
+  blocks::FramedPose pose;
+  pose.frame = "table";
+  pose.position = {0.1, 0.2, 0.3};
+  pose.quaternion = {0, 0, 0, 1};
+  pose.frame_in_robot_base = arm::Pose::Identity();
+  pose.frame_in_robot_base->translation() << 1, 0, 0;
+  pose.frame_in_robot_base->rotate(Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitZ()));
+  return pose;
+}
+
+}  // namespace cobot_command::testing

@@ -1,0 +1,32 @@
+// What brings about the rows of the error catalogue, by block and id.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "cobot_command/blocks/error_catalogue.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/outcome.h"
+
+namespace cobot_command::testing {
+
+using Row = std::pair<blocks::Block, int>;
+/// How a goal ends that meets the condition of the row.
+using Scenario = std::function<blocks::Outcome()>;
+using Scenarios = std::map<Row, Scenario>;
+
+[[nodiscard]] Scenarios connectScenarios();
+/// Goals of all command blocks with one bad parameter.
+[[nodiscard]] Scenarios parameterScenarios();
+[[nodiscard]] Scenarios planningScenarios();
+
+// The same for any command, `goal` being one that may be sent.
+/// The command is refused before it is sent.
+[[nodiscard]] Scenarios readinessScenarios(const blocks::Goal& goal);
+/// The controller, or the wire, fails a command that was sent.
+[[nodiscard]] Scenarios replyScenarios(const blocks::Goal& goal);
+/// The way of a motion from its acceptance to its end.
+[[nodiscard]] Scenarios motionScenarios(const blocks::Goal& goal);
+
+}  // namespace cobot_command::testing
