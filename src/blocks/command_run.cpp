@@ -225,7 +225,7 @@ void CommandRun::end(Outcome outcome, Instant now) {
   if (order_.plan) outcome.planned = order_.plan->duration;
   if (tag_seen_at_) {
     outcome.actual = *tag_seen_at_ - sent_at_;
-  } else if (accepted_at_) {
+  } else if (accepted_at_ && order_.tag) {
     outcome.actual = now - *accepted_at_;
   }
   outcome.final_joints_deg = context_.robot.jointsDeg();

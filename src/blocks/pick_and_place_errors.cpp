@@ -19,8 +19,8 @@ std::vector<ErrorEntry> pickAndPlaceErrors() {
            "the dwell of a step is negative, above 3600, or not a number")
       .row(own_error::kCycleRange, "Cycles range: 0~1000000", kSetInRange,
            "cycles is negative or above 1000000; 0 means until cancelled")
-      .row(own_error::kOutputInvalid, "Output invalid", "Use EndModule or ControlBox, and 0 to 15",
-           "the output of a step is of another module, or negative or above 15")
+      .row(own_error::kOutputInvalid, "Output invalid", "Use 0 to 3 of EndModule, or 0 to 15 of ControlBox",
+           "the output of a step is of another module, or has no such number")
       .row(own_error::kStepsUnreadable, "Steps cannot be read",
            "Check the path of the file, and its form against config/pick_and_place.yaml",
            "steps_file is not there, is no YAML, or has other fields than a step")

@@ -42,7 +42,8 @@ void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
       outcome_.failed_step = static_cast<int>(step_);
       return;
     }
-    failStep(own_error::kStepFailed, {outcome.error_id, outcome.error_description, ""}, outcome.remedy, now);
+    const int id = state_ == State::Setting ? own_error::kOutputFailed : own_error::kStepFailed;
+    failStep(id, {outcome.error_id, outcome.error_description, ""}, outcome.remedy, now);
     return;
   }
   if (outcome.ending == Ending::CommandAborted || cancelled_why_) {

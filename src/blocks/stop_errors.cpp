@@ -8,6 +8,7 @@ std::vector<ErrorEntry> stopErrors() {
   return ErrorTable(Block::Stop)
       .shared({motion_error::kNotConnected})
       .shared(motion_error::kLinkDropped, "the link dropped before the robot was seen to stand")
+      .shared({own_error::kNotListening})
       .shared(own_error::kStopNotConfirmed,
               "the controller did not accept the stop, or the robot did not come to rest in time")
       .shared({own_error::kShutDown})

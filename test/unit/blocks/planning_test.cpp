@@ -126,7 +126,10 @@ TEST_F(Planning, startsWhereTheRobotStandsOnceTheQueueIsDone) {
 }
 
 TEST_F(Planning, isLeftOutWithoutAStatusStreamAndWhileTheRobotMovesFromNobodyKnowsWhere) {
-  const GoalId blind = rig.submit(toJoints({0, 0, 170, 0, 90, 0}));
+  const GoalId outside = rig.submit(toJoints({0, 0, 170, 0, 90, 0}));
+  ASSERT_NE(rig.outcome(outside), nullptr) << "a joint target can be judged from anywhere";
+  EXPECT_EQ(rig.outcome(outside)->error_id, own_error::kJointLimit);
+  const GoalId blind = rig.submit(toJoints(kAside));
   EXPECT_EQ(rig.outcome(blind), nullptr) << "sent unplanned";
   EXPECT_FALSE(rig.progress(blind).back().planned);
   rig.reply(rig.takeScript().id, false);
