@@ -30,7 +30,7 @@ std::vector<ErrorEntry> moveAbsoluteErrors() {
       .row(own_error::kPoseNeedsCartesian, "A pose needs a Cartesian DataFormat",
            "Use a format that begins with C, or give the joints in target_position",
            "target_pose with JPP: a pose is no target in joints")
-      .shared({own_error::kMovementUnknown, own_error::kBaseUnknown})
+      .shared({own_error::kMovementUnknown})
       .rows();
 }
 

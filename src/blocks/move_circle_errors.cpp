@@ -16,7 +16,6 @@ std::vector<ErrorEntry> moveCircleErrors() {
            "arc_angle is negative, above 360, or not a number")
       .row(own_error::kFormatForCircle, "DataFormat invalid for Circle command", "Use 0 (CPP) or 1 (CAP)",
            "data_format is neither 0 nor 1")
-      .shared({own_error::kBaseUnknown})
       .rows();
 }
 

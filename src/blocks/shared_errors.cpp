@@ -87,9 +87,10 @@ constexpr SharedError kTargetErrors[] = {
     {own_error::kQuaternion, "Quaternion not of unit length",
      "Normalise the quaternion; 0, 0, 0, 1 means no rotation",
      "the length of a pose's quaternion differs from 1 by more than 0.001, as that of all zeros"},
-    {own_error::kBaseUnknown, "Active base unknown",
-     "Tick Base_Value in the Ethernet Slave's data table, or give the base with change_base",
-     "a target in a tf frame, and it is not known which base the controller would take it in"},
+    {own_error::kBaseUnknown, "Active base or TCP unknown",
+     "Give them by value, or tick Base_Value and TCP_Value in the Ethernet Slave's data table",
+     "a target in a tf frame, and it is not known in which base the controller would take it; or a motion to "
+     "be checked in a sequence, in a base or TCP that the project knows by name only"},
 };
 
 constexpr SharedError kParameterErrors[] = {
@@ -194,7 +195,7 @@ ErrorTable& ErrorTable::move() {
                  own_error::kUnreachable, own_error::kPoseBits, own_error::kJointLimit,
                  own_error::kJointSpeed, own_error::kSingular, own_error::kNotPlannable,
                  own_error::kBlendingTooLarge, own_error::kStartUnknown, own_error::kNoModel,
-                 own_error::kBlendingRange, own_error::kCoordinateRange});
+                 own_error::kBlendingRange, own_error::kCoordinateRange, own_error::kBaseUnknown});
 }
 
 ErrorTable& ErrorTable::framedPose() {

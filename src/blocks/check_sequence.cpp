@@ -1,0 +1,171 @@
+#include "check_sequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "block_rules.h"
+#include "joint_path.h"
+#include "refusal_failure.h"
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/planning/script_planner.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+constexpr std::size_t kMaxSteps = 200;
+
+using Start = planning::ScriptPlanner::Start;
+
+/// The block of a step: the steps are some of the goals, in the same order.
+Block blockOf(const SequenceStep& step) {
+  return std::visit([](const auto& goal) { return static_cast<Block>(Goal(goal).index()); }, step);
+}
+
+bool isJoints(const std::vector<double>& joints_deg) {
+  return joints_deg.size() == arm::kJointCount &&
+         std::all_of(joints_deg.begin(), joints_deg.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// Its joints are absent when they are not known, or not those of an arm.
+Start startOf(const CheckSequenceGoal& goal, const std::optional<Origin>& origin) {
+  Start start{std::nullopt, std::nullopt, std::nullopt, 1.0};
+  if (origin) start = origin->start;
+  if (goal.start_joints.empty()) return start;
+  start.joints.reset();
+  if (isJoints(goal.start_joints)) {
+    arm::ControllerJoints joints_deg{};
+    std::copy(goal.start_joints.begin(), goal.start_joints.end(), joints_deg.begin());
+    start.joints = arm::toJointVector(joints_deg);
+  }
+  return start;
+}
+
+std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, bool has_model) {
+  std::vector<Failure> failures;
+  if (!start.joints) {
+    failures.push_back({own_error::kStartUnknown,
+                        goal.start_joints.empty()
+                            ? ""
+                            : fmt::format("start_joints are {}", fmt::join(goal.start_joints, ", ")),
+                        ""});
+  }
+  if (!has_model) failures.push_back({own_error::kNoModel, "", ""});
+  if (goal.steps.empty() || goal.steps.size() > kMaxSteps) {
+    failures.push_back({own_error::kStepCount, fmt::format("{} steps", goal.steps.size()), ""});
+  }
+  return failures;
+}
+
+/// What is wrong with a step: its errors, in the order of its table, and where.
+struct Fault {
+  std::vector<Failure> failures;
+  std::optional<std::array<double, 6>> point;
+};
+
+/// The refusals of an input have no place on the path.
+bool hasPoint(motion::Refusal::Reason reason) {
+  using Reason = motion::Refusal::Reason;
+  return reason != Reason::NotFinite && reason != Reason::BadParameter && reason != Reason::DegenerateCircle;
+}
+
+/// Checks and plans one step after the other.
+class Sequence {
+ public:
+  Sequence(const CheckSequenceGoal& goal, const arm::ArmModel& arm, const Start& start)
+      : goal_(goal), planner_(arm, start) {}
+
+  Outcome run() {
+    for (std::size_t i = 0; i < goal_.steps.size() && outcome_.failed_step < 0; ++i) {
+      auto planned = std::visit([this](const auto& step) { return plan(step); }, goal_.steps[i]);
+      if (planned) {
+        keep(std::move(*planned));
+      } else {
+        fail(i, planned.error());
+      }
+    }
+    addJointPaths();
+    if (outcome_.failed_step < 0) outcome_.planned = planner_.duration();
+    return std::move(outcome_);
+  }
+
+ private:
+  template <class Step>
+  Result<planning::PlannedStep, Fault> plan(const Step& step) {
+    if (auto failures = check(step); !failures.empty()) return refuse(Fault{std::move(failures), {}});
+    const auto base = planner_.end().base;
+    if (traitsOf(step).needs_base && !base) return refuse(frameUnknown());
+    auto planned = planner_.append(commandOf(step, base.value_or(arm::Pose::Identity())));
+    if (!planned) {
+      const motion::Refusal& refusal = planned.error();
+      Fault fault{{toFailure(refusal)}, {}};
+      if (hasPoint(refusal.reason)) fault.point = arm::toControllerPose(refusal.point);
+      return refuse(std::move(fault));
+    }
+    if (!planned->planned) return refuse(frameUnknown());
+    return std::move(*planned);
+  }
+
+  static Fault frameUnknown() {
+    return {{{own_error::kBaseUnknown, "named by the project, with a value that is not known here", ""}}, {}};
+  }
+
+  void keep(planning::PlannedStep planned) {
+    StepReport report;
+    report.start = planned.start;
+    report.duration = planned.duration;
+    outcome_.steps.push_back(std::move(report));
+    planned_.push_back(std::move(planned));
+  }
+
+  void fail(std::size_t step, const Fault& fault) {
+    const Outcome refusal = toRejection(blockOf(goal_.steps[step]), fault.failures);
+    outcome_.steps.resize(step + 1);
+    StepReport& report = outcome_.steps.back();
+    report.error_id = refusal.error_id;
+    report.error_description = refusal.error_description + ". " + refusal.remedy;
+    report.offending_point = fault.point;
+    const std::string found = fmt::format("step {} of {}: 16#{:X} {}", step + 1, goal_.steps.size(),
+                                          refusal.error_id, refusal.error_description);
+    const Outcome rejection =
+        toRejection(Block::CheckSequence, {{own_error::kStepRefused, found, refusal.remedy}});
+    outcome_.ending = rejection.ending;
+    outcome_.error_id = rejection.error_id;
+    outcome_.error_description = rejection.error_description;
+    outcome_.remedy = rejection.remedy;
+    outcome_.failed_step = static_cast<int>(step);
+  }
+
+  /// Each to where the next motion takes over, which is before its own end where they blend.
+  void addJointPaths() {
+    Duration until = Duration::max();
+    for (std::size_t i = planned_.size(); i-- > 0;) {
+      const planning::PlannedStep& step = planned_[i];
+      if (!step.trajectory) continue;
+      outcome_.steps[i].joint_path =
+          jointPath(*step.trajectory, until == Duration::max() ? until : until - step.start);
+      until = step.start;
+    }
+  }
+
+  const CheckSequenceGoal& goal_;
+  planning::ScriptPlanner planner_;
+  std::vector<planning::PlannedStep> planned_;
+  Outcome outcome_;
+};
+
+}  // namespace
+
+Outcome checkSequence(const CheckSequenceGoal& goal, const std::optional<arm::ArmModel>& arm,
+                      const std::optional<Origin>& origin) {
+  const Start start = startOf(goal, origin);
+  if (const auto failures = check(goal, start, arm.has_value()); !failures.empty()) {
+    return toRejection(Block::CheckSequence, failures);
+  }
+  return Sequence(goal, *arm, start).run();
+}
+
+}  // namespace cobot_command::blocks
