@@ -55,7 +55,8 @@ void Diagnostics::take(const link::RobotStatus& status) {
 
 void Diagnostics::tick() {
   const ros::SteadyTime now = ros::SteadyTime::now();
-  const bool due = (now - last_publication_).toSec() >= updater_.getPeriod();
+  // Half a look early, or the next one would be half a look late.
+  const bool due = (now - last_publication_).toSec() >= updater_.getPeriod() - kLookPeriod / 2;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!due && !changed_) return;

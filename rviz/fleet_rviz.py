@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Shows the robots of fleet.launch in one RViz: what cobot.rviz shows of one robot, for each of them."""
+import argparse
+import copy
+import os
+import sys
+import tempfile
+
+import rospkg
+import rospy
+import yaml
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("count", type=int, help="how many robots")
+    arguments = parser.parse_args(rospy.myargv()[1:])
+    folder = os.path.join(rospkg.RosPack().get_path("cobot_command"), "rviz")
+    with open(os.path.join(folder, "cobot.rviz"), encoding="utf-8") as file:
+        config = yaml.safe_load(file)
+    for_all(config["Visualization Manager"], arguments.count)
+    with tempfile.NamedTemporaryFile("w", suffix=".rviz", delete=False) as file:  # RViz reads it after this has ended
+        yaml.safe_dump(config, file)
+    os.execvp("rviz", ["rviz", "-d", file.name] + [a for a in sys.argv if ":=" in a])
+
+
+def for_all(manager, count):
+    """Turns the displays of one robot into a group of them for each, in the frame world."""
+    shared = [d for d in manager["Displays"] if d["Class"] == "rviz/Grid"]
+    own = [d for d in manager["Displays"] if d not in shared]
+    robots = [group_of(f"robot_{k}", own) for k in range(1, count + 1)]
+    manager["Displays"] = shared + robots
+    manager["Global Options"]["Fixed Frame"] = "world"
+
+
+def group_of(robot, displays):
+    displays = copy.deepcopy(displays)
+    for display in displays:
+        for key in ("Robot Description", "Topic", "Marker Topic"):
+            if key in display:
+                display[key] = f"{robot}/{display[key]}"
+        if display["Class"] == "rviz/TF":
+            display["Frames"] = {key if key == "All Enabled" else f"{robot}_{key}": value
+                                 for key, value in display["Frames"].items()}
+    return {"Class": "rviz/Group", "Name": robot, "Enabled": True, "Displays": displays}
+
+
+if __name__ == "__main__":
+    main()
