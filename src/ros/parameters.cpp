@@ -127,7 +127,7 @@ simulator::Settings readSettings(Reader& reader) {
   settings.project_running = reader.read("project_running", settings.project_running);
   settings.project_speed_percent =
       reader.readInRange("project_speed", settings.project_speed_percent, 5, 100);
-  settings.reports_stale_tags = reader.read("reports_stale_tags", settings.reports_stale_tags);
+  settings.faults.stale_tag.on = reader.read("reports_stale_tags", false);
   settings.status_period = reader.readSeconds("status_period", settings.status_period, 0.001, 1.0);
   const auto start = reader.read("start_posture_deg", std::vector<double>{});
   if (start.size() == arm::kJointCount) {

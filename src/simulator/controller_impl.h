@@ -9,6 +9,7 @@
 #include "listen_node.h"
 #include "motion_queue.h"
 #include "outbox.h"
+#include "outgoing.h"
 #include "status_server.h"
 
 #include "cobot_command/simulator/simulated_controller.h"
@@ -44,6 +45,9 @@ class SimulatedController::Impl {
   OperatorReply act(const RaiseError& action);
   OperatorReply act(const ClearError& action);
   OperatorReply act(const SetInput& action);
+  OperatorReply act(const SetFault& order);
+  OperatorReply act(const ClearFaults& action);
+  OperatorReply act(const DropConnections& action);
 
   void setTime(Instant now);
   void settle();
@@ -58,7 +62,9 @@ class SimulatedController::Impl {
   arm::ArmModel arm_;
   Settings settings_;
   Instant now_;
+  FaultSwitches faults_;
   Outbox outbox_;
+  Outgoing outgoing_;
   MotionQueue queue_;
   IoBoard io_;
   ListenNode node_;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <iterator>
+#include <sstream>
 #include <utility>
 #include <variant>
 
@@ -235,22 +237,38 @@ StatusItem make(const Entry& entry, const Values& values) {
   return std::visit(Maker{entry.name}, entry.value(values));
 }
 
+const Entry* find(std::string_view name) {
+  const auto* const entry = std::find_if(std::begin(kEntries), std::end(kEntries),
+                                         [&](const Entry& candidate) { return candidate.name == name; });
+  return entry == std::end(kEntries) ? nullptr : entry;
+}
+
+bool isHidden(std::string_view name, const FaultSwitch& hidden) {
+  if (!hidden.on) return false;
+  std::istringstream names(hidden.text);
+  const std::istream_iterator<std::string> first(names), last;
+  return std::find(first, last, name) != last;
+}
+
 }  // namespace
+
+bool isItem(std::string_view name) {
+  return find(name) != nullptr;
+}
 
 std::vector<StatusItem> streamedItems(const ItemSource& source) {
   const Values values(source);
   std::vector<StatusItem> items;
   items.reserve(std::size(kEntries));
   for (const Entry& entry : kEntries) {
-    if (entry.streamed) items.push_back(make(entry, values));
+    if (entry.streamed && !isHidden(entry.name, source.hidden)) items.push_back(make(entry, values));
   }
   return items;
 }
 
 std::optional<StatusItem> itemNamed(std::string_view name, const ItemSource& source) {
-  const auto* const entry = std::find_if(std::begin(kEntries), std::end(kEntries),
-                                         [&](const Entry& candidate) { return candidate.name == name; });
-  if (entry == std::end(kEntries)) return std::nullopt;
+  const Entry* entry = find(name);
+  if (entry == nullptr || isHidden(name, source.hidden)) return std::nullopt;
   return make(*entry, Values(source));
 }
 

@@ -1,6 +1,8 @@
 #include "listen_node.h"
 
 #include <algorithm>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include "communication_error.h"
@@ -22,17 +24,27 @@ const Command* firstPriority(const protocol::ParsedScript& script) {
   return nullptr;
 }
 
+bool isStop(const protocol::ParsedScript::Line& line) {
+  return std::holds_alternative<protocol::StopAndClearBuffer>(line.command);
+}
+
+bool stops(const protocol::ParsedScript& script) {
+  return std::any_of(script.lines.begin(), script.lines.end(), isStop);
+}
+
 }  // namespace
 
-ListenNode::ListenNode(const Settings& settings, MotionQueue& queue, IoBoard& io, Outbox& outbox)
+ListenNode::ListenNode(const Settings& settings, MotionQueue& queue, IoBoard& io, FaultSwitches& faults,
+                       Outgoing& outgoing, Outbox& outbox)
     : settings_(settings),
       queue_(queue),
+      faults_(faults),
       outbox_(outbox),
-      clients_({settings.accept_empty_length}, outbox),
-      interpreter_(settings, queue, io, tags_, clients_) {}
+      clients_({settings.accept_empty_length}, faults, outgoing, outbox),
+      interpreter_(settings, queue, io, tags_, faults, clients_) {}
 
 void ListenNode::connected(ClientId client) {
-  if (projectRuns()) {
+  if (port_open_) {
     clients_.connect(client);
   } else {
     outbox_.closeClient(Port::Script, client);
@@ -44,7 +56,7 @@ void ListenNode::connected(ClientId client) {
 void ListenNode::run() {
   flow_ = after(flow_, FlowEvent::Run);
   tags_ = TagTable();
-  outbox_.openPort(Port::Script);
+  updatePort();
   enter();
 }
 
@@ -53,9 +65,16 @@ void ListenNode::stop() {
   flow_ = after(flow_, FlowEvent::Stop);
   reenter_at_.reset();
   interpreter_.clear();
+  updatePort();
+  outbox_.log("project stopped");
+}
+
+void ListenNode::updatePort() {
+  const bool wanted = projectRuns() && !faults_.refuse_connections.on;
+  if (std::exchange(port_open_, wanted) == wanted) return;
+  if (wanted) return outbox_.openPort(Port::Script);
   clients_.closeAll();
   outbox_.closePort(Port::Script);
-  outbox_.log("project stopped");
 }
 
 void ListenNode::enter() {
@@ -113,8 +132,10 @@ Instant ListenNode::nextEvent() const {
 
 void ListenNode::on(const TagSettled& settled) {
   using protocol::TagState;
-  tags_.settle(settled.tag, settled.complete ? TagTable::Fate::Complete : TagTable::Fate::Failed);
-  const TagState state = settled.complete ? TagState::Complete : TagState::Incomplete;
+  const bool complete = settled.complete && !faults_.false_tag.take();
+  tags_.settle(settled.tag, complete ? TagTable::Fate::Complete : TagTable::Fate::Failed);
+  if (settled.tag.reported) return;
+  const TagState state = complete ? TagState::Complete : TagState::Incomplete;
   clients_.broadcast(protocol::TagReport{settled.tag.tag, state});
 }
 
@@ -166,13 +187,39 @@ void ListenNode::answer(ClientId client, const protocol::ListenNodeQuery&, Insta
 }
 
 void ListenNode::answer(ClientId client, const protocol::TagQuery& query, Instant) {
-  clients_.reply(client, protocol::TagReport{query.tag, tags_.query(query.tag)});
+  protocol::TagState state = tags_.query(query.tag);
+  if (faults_.query_none.take()) state = protocol::TagState::Unknown;
+  if (faults_.query_false.take()) state = protocol::TagState::Incomplete;
+  clients_.reply(client, protocol::TagReport{query.tag, state});
 }
 
 void ListenNode::answer(ClientId client, const protocol::ScriptRequest& request, Instant now) {
   if (!listening()) return refuseFrame(client, Code::NotListening);
+  if (faults_.ignore_script.take()) return outbox_.log("fault: the script is ignored");
+  const std::string code = faults_.cperr_script.text;
+  if (faults_.cperr_script.take())
+    return refuseFrame(client, static_cast<Code>(std::stoi(code, nullptr, 16)));
   PendingScript script{client, request.id, protocol::parseScript(request.script)};
+  spoil(script);
   if (!runPriorityCommand(script, now)) interpreter_.add(std::move(script));
+}
+
+/// A fault refuses what is right: the script becomes one with faulty lines.
+void ListenNode::spoil(PendingScript& script) {
+  std::vector<protocol::ScriptFault> lines;
+  if (script.parsed && stops(*script.parsed) && faults_.refuse_stop.take()) {
+    for (const auto& line : script.parsed->lines) {
+      if (isStop(line)) lines.push_back({line.number, "fault"});
+    }
+  }
+  const std::string chosen = faults_.refuse_script.text;
+  if (faults_.refuse_script.take()) {
+    lines.clear();
+    std::istringstream numbers(chosen);
+    for (std::string number; std::getline(numbers, number, ';');)
+      lines.push_back({std::stoi(number), "fault"});
+  }
+  if (!lines.empty()) script.parsed = refuse(std::move(lines));
 }
 
 // --- Priority commands ---------------------------------------------------------------------------------
@@ -198,6 +245,7 @@ void ListenNode::exit(const protocol::ScriptExit&, Instant now) {
 }
 
 void ListenNode::stopAndClear(const protocol::StopAndClearBuffer& command, Instant now) {
+  if (faults_.ignore_stop.take()) return;
   queue_.stop(now);
   switch (*command.mode) {
     case 0:

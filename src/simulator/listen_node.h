@@ -19,7 +19,8 @@ namespace cobot_command::simulator {
 
 class ListenNode {
  public:
-  ListenNode(const Settings& settings, MotionQueue& queue, IoBoard& io, Outbox& outbox);
+  ListenNode(const Settings& settings, MotionQueue& queue, IoBoard& io, FaultSwitches& faults,
+             Outgoing& outgoing, Outbox& outbox);
 
   // --- The wire.
   void connected(ClientId client);
@@ -27,6 +28,9 @@ class ListenNode {
   void feed(ClientId client, std::string_view bytes) { clients_.feed(client, bytes); }
   /// Takes the client's next frame; false when there is none.
   bool handleNext(ClientId client, Instant now);
+  void closeConnections() { clients_.closeAll(); }
+  /// Opens or closes the port as the project and the faults want it now.
+  void updatePort();
 
   // --- The project.
   void run();
@@ -57,6 +61,7 @@ class ListenNode {
   void answer(ClientId client, const protocol::ListenNodeQuery& query, Instant now);
   void answer(ClientId client, const protocol::TagQuery& query, Instant now);
   void refuseFrame(ClientId client, protocol::CommunicationErrorCode code);
+  void spoil(PendingScript& script);
   bool runPriorityCommand(const PendingScript& script, Instant now);
   void exit(const protocol::ScriptExit& command, Instant now);
   void stopAndClear(const protocol::StopAndClearBuffer& command, Instant now);
@@ -65,11 +70,13 @@ class ListenNode {
 
   const Settings& settings_;
   MotionQueue& queue_;
+  FaultSwitches& faults_;
   Outbox& outbox_;
   ScriptClients clients_;
   TagTable tags_;
   ScriptInterpreter interpreter_;
   FlowState flow_ = FlowState::Stopped;
+  bool port_open_ = false;
   std::optional<Duration> reentry_delay_;  // from the next leaving
   std::optional<Instant> reenter_at_;
 };

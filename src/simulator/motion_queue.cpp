@@ -7,8 +7,17 @@
 
 namespace cobot_command::simulator {
 
-MotionQueue::MotionQueue(const arm::ArmModel& arm, const arm::JointVector& posture, Options options)
-    : arm_(arm), options_(options), posture_(posture), clock_(options.stop_time) {
+namespace {
+
+bool isTag(const QueueItem& item) {
+  return std::holds_alternative<QueuedTag>(item);
+}
+
+}  // namespace
+
+MotionQueue::MotionQueue(const arm::ArmModel& arm, const arm::JointVector& posture, Options options,
+                         FaultSwitch& stale_tag)
+    : arm_(arm), options_(options), stale_tag_(stale_tag), posture_(posture), clock_(options.stop_time) {
   setting_.speed_override = options.speed_override;
   resetSetting();
 }
@@ -96,10 +105,11 @@ void MotionQueue::fail(RobotError error) {
 }
 
 void MotionQueue::dropQueue() {
+  const bool keeps_tags = std::any_of(items_.begin(), items_.end(), isTag) && stale_tag_.take();
   for (const QueueItem& item : std::exchange(items_, {})) {
     const auto* tag = std::get_if<QueuedTag>(&item);
     if (tag == nullptr) continue;
-    if (options_.reports_stale_tags) {
+    if (keeps_tags) {
       stale_tags_.push_back(*tag);
     } else {
       events_.emplace_back(TagDropped{*tag});

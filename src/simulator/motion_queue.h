@@ -5,6 +5,7 @@
 // all before it is done. Call run() at nextEvent() at the latest.
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@
 #include "cobot_command/motion/command.h"
 #include "cobot_command/motion/trajectory.h"
 #include "cobot_command/planning/script_motion.h"
+#include "cobot_command/simulator/fault_switches.h"
 
 namespace cobot_command::simulator {
 
@@ -59,12 +61,13 @@ using QueueEvent = std::variant<TagSettled, TagDropped, MotionStarted, MotionFai
 class MotionQueue {
  public:
   struct Options {
-    Duration stop_time{};             ///< from full motion to standstill by pause() and stop()
-    double speed_override = 1.0;      ///< project speed, (0, 1]
-    bool reports_stale_tags = false;  ///< see Settings
+    Duration stop_time{};         ///< from full motion to standstill by pause() and stop()
+    double speed_override = 1.0;  ///< project speed, (0, 1]
   };
 
-  MotionQueue(const arm::ArmModel& arm, const arm::JointVector& posture, Options options);
+  /// `stale_tag`: does a stop report the tags that it drops with the next motion?
+  MotionQueue(const arm::ArmModel& arm, const arm::JointVector& posture, Options options,
+              FaultSwitch& stale_tag);
 
   /// Takes an item; it acts at the next run(). A motion clears a robot error.
   void push(QueueItem item);
@@ -99,6 +102,8 @@ class MotionQueue {
   /// By the project; a safeguard may hold it all the same.
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] int motionCount() const;
+  /// All items that wait, of whatever kind.
+  [[nodiscard]] std::size_t size() const { return items_.size(); }
   [[nodiscard]] const motion::Setting& setting() const { return setting_; }
   [[nodiscard]] const std::string& baseName() const { return base_name_; }
   [[nodiscard]] const std::string& tcpName() const { return tcp_name_; }
@@ -123,6 +128,7 @@ class MotionQueue {
 
   const arm::ArmModel& arm_;
   Options options_;
+  FaultSwitch& stale_tag_;
   motion::Setting setting_;
   std::string base_name_, tcp_name_;
   double tcp_mass_ = 0.0;

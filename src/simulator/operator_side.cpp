@@ -126,4 +126,22 @@ OperatorReply SimulatedController::Impl::act(const SetInput& action) {
   return done(fmt::format("the input is {}", action.on ? "on" : "off"));
 }
 
+OperatorReply SimulatedController::Impl::act(const SetFault& order) {
+  OperatorReply reply = set(faults_, order);
+  node_.updatePort();
+  return reply;
+}
+
+OperatorReply SimulatedController::Impl::act(const ClearFaults&) {
+  faults_ = FaultSwitches{};
+  node_.updatePort();
+  return done("no fault is on");
+}
+
+OperatorReply SimulatedController::Impl::act(const DropConnections&) {
+  node_.closeConnections();
+  status_.closeAll();
+  return done("all connections are dropped");
+}
+
 }  // namespace cobot_command::simulator

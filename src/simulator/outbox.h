@@ -13,6 +13,7 @@ class Outbox {
  public:
   /// The time that the log lines carry from now on.
   void setTime(Instant now) { now_ = now; }
+  [[nodiscard]] Instant now() const { return now_; }
 
   void send(Port port, ClientId client, std::string bytes) {
     outputs_.emplace_back(Send{port, client, std::move(bytes)});

@@ -3,9 +3,10 @@
 
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 
-#include "outbox.h"
+#include "outgoing.h"
 
 #include "cobot_command/protocol/frame_decoder.h"
 #include "cobot_command/protocol/message.h"
@@ -14,8 +15,9 @@ namespace cobot_command::simulator {
 
 class ScriptClients {
  public:
-  ScriptClients(protocol::FrameDecoder::Options options, Outbox& outbox)
-      : options_(options), outbox_(outbox) {}
+  ScriptClients(protocol::FrameDecoder::Options options, FaultSwitches& faults, Outgoing& outgoing,
+                Outbox& outbox)
+      : options_(options), faults_(faults), outgoing_(outgoing), outbox_(outbox) {}
 
   void connect(ClientId client);
   void disconnect(ClientId client);
@@ -31,9 +33,16 @@ class ScriptClients {
   void broadcast(const protocol::ControllerMessage& message);
 
  private:
+  struct Client {
+    protocol::FrameDecoder decoder;
+    bool deaf = false;  ///< it was greeted by an impostor
+  };
+
   protocol::FrameDecoder::Options options_;
+  FaultSwitches& faults_;
+  Outgoing& outgoing_;
   Outbox& outbox_;
-  std::map<ClientId, protocol::FrameDecoder> decoders_;
+  std::map<ClientId, Client> clients_;
 };
 
 }  // namespace cobot_command::simulator

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/common/overloaded.h"
 
 namespace cobot_command::simulator {
 
@@ -15,6 +16,17 @@ std::optional<arm::Pose> named(const std::map<std::string, arm::Pose>& poses, co
   if (name == fixed) return arm::Pose::Identity();
   const auto found = poses.find(name);
   return found == poses.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Goes into the queue of motions.
+bool isQueued(const protocol::ScriptCommand& command) {
+  return std::visit(
+      Overloaded{[](const protocol::WriteOutput& write) { return !write.instant; },
+                 [](const protocol::WaitQueueTag&) { return false; },
+                 [](const protocol::StopAndClearBuffer&) { return false; },
+                 [](const protocol::Pause&) { return false; }, [](const protocol::Resume&) { return false; },
+                 [](const protocol::ScriptExit&) { return false; }, [](const auto&) { return true; }},
+      command);
 }
 
 }  // namespace
@@ -39,18 +51,31 @@ bool ScriptInterpreter::isExecutable(const protocol::ScriptCommand& command) con
   return true;
 }
 
+void ScriptInterpreter::add(PendingScript script) {
+  if (pending_.size() < kMostWaiting) return pending_.push_back(std::move(script));
+  clients_.reply(script.client, protocol::ScriptReply{script.id, false, {1}});
+}
+
+std::vector<int> ScriptInterpreter::faultyLines(const PendingScript& script) const {
+  std::vector<int> lines;
+  if (!script.parsed) {
+    for (const protocol::ScriptFault& fault : script.parsed.error()) lines.push_back(fault.line);
+    return lines;
+  }
+  std::size_t queued = queue_.size();
+  for (const auto& line : script.parsed->lines) {
+    if (!isExecutable(line.command) || (isQueued(line.command) && ++queued > kMostWaiting)) {
+      lines.push_back(line.number);
+    }
+  }
+  return lines;
+}
+
 // Checks the next script as a whole; one with an error is answered and nothing of it is executed.
 bool ScriptInterpreter::begin() {
   PendingScript script = std::move(pending_.front());
   pending_.pop_front();
-  std::vector<int> errors;
-  if (!script.parsed) {
-    for (const protocol::ScriptFault& fault : script.parsed.error()) errors.push_back(fault.line);
-  } else {
-    for (const auto& line : script.parsed->lines) {
-      if (!isExecutable(line.command)) errors.push_back(line.number);
-    }
-  }
+  std::vector<int> errors = faultyLines(script);
   if (!errors.empty()) {
     clients_.reply(script.client, protocol::ScriptReply{script.id, false, std::move(errors)});
     return false;
@@ -125,7 +150,9 @@ void ScriptInterpreter::execute(const protocol::ChangeLoad& change, Instant) {
 }
 
 void ScriptInterpreter::execute(const protocol::QueueTag& tag, Instant) {
-  const QueuedTag queued = tags_.add(tag.tag);
+  QueuedTag queued = tags_.add(tag.tag);
+  queued.reported = faults_.early_tag.take();
+  if (queued.reported) clients_.broadcast(protocol::TagReport{tag.tag, protocol::TagState::Complete});
   queue_.push(queued);
   if (tag.wait) wait_ = Wait{queued, Instant::max()};
 }
@@ -138,7 +165,7 @@ void ScriptInterpreter::execute(const protocol::WaitQueueTag& wait, Instant now)
 }
 
 void ScriptInterpreter::execute(const protocol::StopAndClearBuffer&, Instant now) {
-  queue_.stop(now);
+  if (!faults_.ignore_stop.take()) queue_.stop(now);
 }
 
 void ScriptInterpreter::execute(const protocol::Pause&, Instant now) {

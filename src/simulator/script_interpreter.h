@@ -29,10 +29,15 @@ struct PendingScript {
 class ScriptInterpreter {
  public:
   ScriptInterpreter(const Settings& settings, MotionQueue& queue, IoBoard& io, TagTable& tags,
-                    ScriptClients& clients)
-      : settings_(settings), queue_(queue), io_(io), tags_(tags), clients_(clients) {}
+                    FaultSwitches& faults, ScriptClients& clients)
+      : settings_(settings), queue_(queue), io_(io), tags_(tags), faults_(faults), clients_(clients) {}
 
-  void add(PendingScript script) { pending_.push_back(std::move(script)); }
+  /// What waits is bounded, so that no client can fill the memory: as many scripts, and as many items in the
+  /// queue of motions. A line that does not fit is a faulty line.
+  static constexpr std::size_t kMostWaiting = 1000;
+
+  /// Takes a script; when too many wait it is answered ERROR for its first line.
+  void add(PendingScript script);
 
   enum class Step { Waits, Ran, Exited };
   /// Runs one script as far as it goes. Waits: there is none, or its line has to wait. Exited: a ScriptExit
@@ -63,6 +68,7 @@ class ScriptInterpreter {
   };
 
   bool begin();
+  [[nodiscard]] std::vector<int> faultyLines(const PendingScript& script) const;
   [[nodiscard]] bool waits(Instant now) const;
   [[nodiscard]] bool isExecutable(const protocol::ScriptCommand& command) const;
   [[nodiscard]] std::optional<arm::Pose> baseNamed(const std::string& name) const;
@@ -87,6 +93,7 @@ class ScriptInterpreter {
   MotionQueue& queue_;
   IoBoard& io_;
   TagTable& tags_;
+  FaultSwitches& faults_;
   ScriptClients& clients_;
   std::deque<PendingScript> pending_;
   std::optional<Running> running_;

@@ -12,11 +12,13 @@ SimulatedController::Impl::Impl(arm::ArmModel arm, Settings settings, Instant no
     : arm_(std::move(arm)),
       settings_(std::move(settings)),
       now_(now),
-      queue_(arm_, settings_.start_posture,
-             {std::max(settings_.stop_time, Duration::zero()), 1.0, settings_.reports_stale_tags}),
+      faults_(settings_.faults),
+      outgoing_(faults_, outbox_),
+      queue_(arm_, settings_.start_posture, {std::max(settings_.stop_time, Duration::zero()), 1.0},
+             faults_.stale_tag),
       io_(outbox_),
-      node_(settings_, queue_, io_, outbox_),
-      status_(settings_.status_period, now, outbox_) {
+      node_(settings_, queue_, io_, faults_, outgoing_, outbox_),
+      status_(settings_.status_period, now, outgoing_, outbox_) {
   settings_.project_speed_percent = std::clamp(settings_.project_speed_percent, 1, 100);
   queue_.setSpeedOverride(settings_.project_speed_percent / 100.0);
   outbox_.setTime(now);
@@ -29,6 +31,7 @@ SimulatedController::Impl::Impl(arm::ArmModel arm, Settings settings, Instant no
 void SimulatedController::Impl::advance(Instant now) {
   for (Instant next = nextEvent(); next <= now; next = nextEvent()) {
     setTime(next);
+    outgoing_.deliver();
     settle();
     if (status_.nextEvent() <= now_) streamStatus();
   }
@@ -36,7 +39,7 @@ void SimulatedController::Impl::advance(Instant now) {
 }
 
 Instant SimulatedController::Impl::nextEvent() const {
-  return std::min({queue_.nextEvent(), node_.nextEvent(), status_.nextEvent()});
+  return std::min({queue_.nextEvent(), node_.nextEvent(), status_.nextEvent(), outgoing_.nextEvent()});
 }
 
 void SimulatedController::Impl::setTime(Instant now) {
@@ -75,7 +78,7 @@ void SimulatedController::Impl::on(const MotionFailed& failed) {
 
 void SimulatedController::Impl::streamStatus() {
   const RobotState robot = state();
-  status_.stream({arm_, settings_, robot});
+  status_.stream({arm_, settings_, robot, faults_.hide_items});
 }
 
 // --- The wire ----------------------------------------------------------------------------------------------
@@ -96,7 +99,7 @@ void SimulatedController::Impl::received(Port port, ClientId client, std::string
   advance(now);
   if (port == Port::Status) {
     const RobotState robot = state();
-    return status_.received(client, bytes, {arm_, settings_, robot});
+    return status_.received(client, bytes, {arm_, settings_, robot, faults_.hide_items});
   }
   node_.feed(client, bytes);
   // Frame by frame, so that frames in one piece do what they do in pieces of their own.

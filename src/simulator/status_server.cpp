@@ -22,6 +22,11 @@ StatusFrame reply(const StatusFrame& request, Code code, std::string item = {}) 
   return {request.id, static_cast<int>(StatusMode::Reply), protocol::toContent({code, std::move(item)})};
 }
 
+std::string described(const StatusFrame& frame) {
+  return protocol::describe(protocol::Frame{std::string(protocol::header::kItems),
+                                            fmt::format("{},{},{}", frame.id, frame.mode, frame.content)});
+}
+
 /// The names of a BINARY read request: repeated { u16 length, name }. Nothing when the lengths do not fit.
 std::optional<std::vector<std::string>> requestedNames(std::string_view content) {
   std::vector<std::string> names;
@@ -40,8 +45,11 @@ std::optional<std::vector<std::string>> requestedNames(std::string_view content)
 
 }  // namespace
 
-StatusServer::StatusServer(Duration period, Instant start, Outbox& outbox)
-    : period_(std::max<Duration>(period, std::chrono::milliseconds(1))), start_(start), outbox_(outbox) {}
+StatusServer::StatusServer(Duration period, Instant start, Outgoing& outgoing, Outbox& outbox)
+    : period_(std::max<Duration>(period, std::chrono::milliseconds(1))),
+      start_(start),
+      outgoing_(outgoing),
+      outbox_(outbox) {}
 
 void StatusServer::connected(ClientId client, Instant now) {
   if (decoders_.empty()) next_tick_ = (now - start_) / period_ + 1;
@@ -51,6 +59,15 @@ void StatusServer::connected(ClientId client, Instant now) {
 
 void StatusServer::disconnected(ClientId client) {
   if (decoders_.erase(client) > 0) outbox_.log(fmt::format("status client {} disconnected", client));
+  outgoing_.forget(client);
+}
+
+void StatusServer::closeAll() {
+  for (const auto& [client, decoder] : decoders_) {
+    outbox_.closeClient(Port::Status, client);
+    outgoing_.forget(client);
+  }
+  decoders_.clear();
 }
 
 Instant StatusServer::nextEvent() const {
@@ -60,8 +77,9 @@ Instant StatusServer::nextEvent() const {
 void StatusServer::stream(const ItemSource& source) {
   const StatusFrame frame{std::to_string(next_tick_++ % 10), static_cast<int>(StatusMode::WriteBinary),
                           protocol::encodeBinaryItems(streamedItems(source))};
-  const std::string bytes = protocol::encode(frame);
-  for (const auto& [client, decoder] : decoders_) outbox_.send(Port::Status, client, bytes);
+  std::vector<ClientId> all;
+  for (const auto& [client, decoder] : decoders_) all.push_back(client);
+  outgoing_.send({Port::Status, MessageKind::Stream, protocol::encode(frame), {}}, all);
 }
 
 void StatusServer::received(ClientId client, std::string_view bytes, const ItemSource& source) {
@@ -73,20 +91,26 @@ void StatusServer::received(ClientId client, std::string_view bytes, const ItemS
       answer(client, *frame, source);
       continue;
     }
-    const auto code = codeFor(std::get<protocol::DecodeFault>(*event).kind);
-    if (code) refuseFrame(client, *code);
+    const auto& fault = std::get<protocol::DecodeFault>(*event);
+    outbox_.log(fmt::format("from {}: {}: {}", client, protocol::toString(fault.kind), fault.message));
+    if (const auto code = codeFor(fault.kind)) refuseFrame(client, *code);
   }
 }
 
 void StatusServer::refuseFrame(ClientId client, CommunicationErrorCode code) {
-  outbox_.send(Port::Status, client, protocol::encode(protocol::CommunicationError{code}));
+  const protocol::ControllerMessage refusal = protocol::CommunicationError{code};
+  outgoing_.send({Port::Status, MessageKind::Cperr, protocol::encode(refusal), protocol::describe(refusal)},
+                 {client});
 }
 
 void StatusServer::answer(ClientId client, const protocol::Frame& frame, const ItemSource& source) {
+  outbox_.log(fmt::format("from {}: {}", client, protocol::describe(frame)));
   if (frame.header != protocol::header::kItems) return refuseFrame(client, CommunicationErrorCode::Header);
   const auto request = protocol::parseStatusFrame(frame);
   if (!request) return refuseFrame(client, CommunicationErrorCode::Data);
-  outbox_.send(Port::Status, client, protocol::encode(answerTo(*request, source)));
+  const StatusFrame answer = answerTo(*request, source);
+  outgoing_.send({Port::Status, MessageKind::ItemAnswer, protocol::encode(answer), described(answer)},
+                 {client});
 }
 
 // Checks in the controller's order: mode, permission, content, existence (fact sheet chapter 3). The data

@@ -1,13 +1,14 @@
 // The Ethernet Slave on the status port: a periodic BINARY frame for everybody, and answers to requests.
 //
-// The stream ticks at fixed times since the start; a tick that nobody listens to costs nothing.
+// The stream ticks at fixed times since the start; a tick that nobody listens to costs nothing. Requests and
+// their answers are in the log, the stream is not.
 #pragma once
 
 #include <map>
 #include <string_view>
 
 #include "item_table.h"
-#include "outbox.h"
+#include "outgoing.h"
 
 #include "cobot_command/protocol/frame_decoder.h"
 #include "cobot_command/protocol/status_items.h"
@@ -16,10 +17,11 @@ namespace cobot_command::simulator {
 
 class StatusServer {
  public:
-  StatusServer(Duration period, Instant start, Outbox& outbox);
+  StatusServer(Duration period, Instant start, Outgoing& outgoing, Outbox& outbox);
 
   void connected(ClientId client, Instant now);
   void disconnected(ClientId client);
+  void closeAll();
   /// Answers every request that is complete now.
   void received(ClientId client, std::string_view bytes, const ItemSource& source);
 
@@ -38,6 +40,7 @@ class StatusServer {
 
   Duration period_;
   Instant start_;
+  Outgoing& outgoing_;
   Outbox& outbox_;
   std::map<ClientId, protocol::FrameDecoder> decoders_;
   Duration::rep next_tick_ = 1;

@@ -14,6 +14,7 @@ namespace cobot_command::simulator {
 struct QueuedTag {
   std::uint64_t serial = 0;
   int tag = 0;
+  bool reported = false;  ///< too early (a fault), and not once more
 };
 
 class TagTable {

@@ -1,11 +1,12 @@
 // What the operator of a simulated controller can do, as values: keys of the pendant, switches of the cell,
-// and wires of the control box.
+// wires of the control box; and the faults of the world, which no operator has at hand.
 #pragma once
 
 #include <string>
 #include <variant>
 
 #include "cobot_command/protocol/script_command.h"
+#include "cobot_command/simulator/fault_switches.h"
 #include "cobot_command/simulator/robot_state.h"
 
 namespace cobot_command::simulator {
@@ -49,14 +50,14 @@ struct SetInput {
   bool on = true;
 };
 
-using OperatorAction = std::variant<RunProject, StopProject, PauseProject, ResumeProject, LeaveListenNode,
-                                    EnterListenNode, SetEmergencyStop, SetSafeguard, SetOperatingMode,
-                                    SetProjectSpeed, RaiseError, ClearError, SetInput>;
+/// SetFault: see fault_switches.h.
+struct ClearFaults {};
+/// Drops every client; the ports stay as they are.
+struct DropConnections {};
 
-/// What became of an action.
-struct OperatorReply {
-  bool done = true;
-  std::string text;  ///< how things are now; or why it was not done, and what to do
-};
+using OperatorAction =
+    std::variant<RunProject, StopProject, PauseProject, ResumeProject, LeaveListenNode, EnterListenNode,
+                 SetEmergencyStop, SetSafeguard, SetOperatingMode, SetProjectSpeed, RaiseError, ClearError,
+                 SetInput, SetFault, ClearFaults, DropConnections>;
 
 }  // namespace cobot_command::simulator

@@ -9,6 +9,7 @@
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/simulator/fault_switches.h"
 
 namespace cobot_command::simulator {
 
@@ -27,9 +28,7 @@ struct Settings {
   Duration status_period = std::chrono::milliseconds(15);  ///< of the status stream (fact sheet chapter 3)
   int project_speed_percent = 100;                         ///< 5..100, multiples of 5
   bool accept_empty_length = false;                        ///< see FrameDecoder::Options
-  /// After StopAndClearBuffer a real controller was seen to report the tags of dropped motions later
-  /// (tmr_ros2 #15).
-  bool reports_stale_tags = false;
+  FaultSwitches faults;                                    ///< at the start
   MotionErrorPolicy on_motion_error = MotionErrorPolicy::ReportFalse;
   /// From full motion to standstill, on the path, by Pause and StopAndClearBuffer; and back by Resume.
   Duration stop_time = std::chrono::milliseconds(200);

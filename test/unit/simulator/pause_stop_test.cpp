@@ -156,7 +156,7 @@ TEST_F(PauseStopTest, stopWaitsForItsTurnBehindAScriptThatWaits) {
 
 TEST_F(PauseStopTest, staleTagsComeWithTheNextMotionWhenTheFlagIsSet) {
   Settings settings;
-  settings.reports_stale_tags = true;
+  settings.faults.stale_tag.on = true;
   SimulatedRobot vendor(settings);
   const ClientId one = vendor.connect();
   vendor.script(one, "1", kMove);

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "simulated_robot.h"
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace cobot_command::simulator::test {
 namespace {
@@ -112,6 +112,43 @@ TEST(Robustness, takesClientsThatItDoesNotKnowAndThoseThatLeaveTwice) {
   robot.disconnect(99, Port::Status);
   robot.send(99, kQuery, Port::Status);
   EXPECT_EQ(robot.heard(99), "");
+}
+
+std::string lines(const std::string& line, int count) {
+  std::string script = line;
+  for (int i = 1; i < count; ++i) script += "\r\n" + line;
+  return script;
+}
+
+TEST(Robustness, takesAThousandItemsIntoTheQueueAndNamesTheLinesThatDoNotFit) {
+  SimulatedRobot robot;
+  const ClientId client = robot.connect();
+  robot.script(client, "1", "Pause()");
+  robot.script(client, "2", lines("Move_PTP(\"JPP\",1,0,0,0,0,0,100,200,0,false)", 998));
+  EXPECT_EQ(robot.heard(client), ok("1") + ok("2"));
+  robot.script(client, "3",
+               "QueueTag(1)\r\nResume()\r\nChangeLoad(1)\r\nChangeLoad(2)\r\nIO[\"EndModule\"].DO[0]=1");
+  EXPECT_EQ(robot.heard(client), error("3", "4;5"));
+  EXPECT_TRUE(robot.state().project_paused);
+  robot.script(client, "4", "QueueTag(1)\r\nChangeLoad(1)\r\nIO[\"EndModule\"].InstantDO[0]=1");
+  EXPECT_EQ(robot.heard(client), ok("4")) << "what is done at once needs no room";
+  robot.script(client, "5", "QueueTag(2)");
+  EXPECT_EQ(robot.heard(client), error("5", "1"));
+  robot.script(client, "6", "StopAndClearBuffer()\r\nResume()");
+  robot.script(client, "7", "QueueTag(2)");
+  EXPECT_EQ(robot.heard(client), ok("6") + ok("7") + tag("02,true"));
+}
+
+TEST(Robustness, letsAThousandScriptsWaitAndRefusesFurtherOnes) {
+  SimulatedRobot robot;
+  const ClientId client = robot.connect();
+  robot.script(client, "0", "Pause()\r\nMove_PTP(\"JPP\",1,0,0,0,0,0,100,200,0,false)\r\nQueueTag(1,1)");
+  for (int i = 1; i <= 1000; ++i) robot.script(client, "a" + std::to_string(i), "Resume()");
+  EXPECT_EQ(robot.heard(client), "");
+  robot.script(client, "b", "Resume()");
+  EXPECT_EQ(robot.heard(client), error("b", "1"));
+  robot.script(client, "c", "StopAndClearBuffer(1)");
+  EXPECT_THAT(robot.heard(client), testing::EndsWith(ok("a1000"))) << "a priority command does not wait";
 }
 
 TEST(Robustness, takesSettingsOutOfRange) {
