@@ -77,14 +77,19 @@ Result<void, runtime::SimulatorError> SimulatedControllerNode::start() {
 }
 
 simulator::OperatorReply SimulatedControllerNode::operate(const simulator::OperatorAction& action) {
-  auto reply = std::make_shared<std::promise<simulator::OperatorReply>>();
-  auto future = reply->get_future();
-  const bool posted = runtime_.post([action, reply](simulator::SimulatedController& controller, Instant now) {
-    reply->set_value(controller.operate(action, now));
-  });
+  struct Answer {
+    simulator::OperatorReply reply;
+    std::promise<simulator::OperatorReply> promise;
+  };
+  auto answer = std::make_shared<Answer>();
+  auto future = answer->promise.get_future();
+  const bool posted =
+      runtime_.post([action, answer](simulator::SimulatedController& controller,
+                                     Instant now) { answer->reply = controller.operate(action, now); },
+                    [answer] { answer->promise.set_value(answer->reply); });
   const simulator::OperatorReply shut_down{false, "the simulator is shutting down"};
   if (!posted) return shut_down;
-  reply.reset();  // so that an operation that is never come to breaks the promise
+  answer.reset();  // so that an action that is never come to breaks the promise
   try {
     return future.get();
   } catch (const std::future_error&) {

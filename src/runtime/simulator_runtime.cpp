@@ -98,8 +98,11 @@ class SimulatorRuntime::Impl {
     closePorts();  // when it never ran
   }
 
-  bool post(Operation operation) {
-    return thread_.post([this, operation = std::move(operation)] { handle(operation); });
+  bool post(Operation operation, std::function<void()> finished) {
+    return thread_.post([this, operation = std::move(operation), finished = std::move(finished)] {
+      handle(operation);
+      if (finished) finished();
+    });
   }
 
  private:
@@ -235,8 +238,8 @@ void SimulatorRuntime::stop() {
   impl_->stop();
 }
 
-bool SimulatorRuntime::post(Operation operation) {
-  return impl_->post(std::move(operation));
+bool SimulatorRuntime::post(Operation operation, std::function<void()> finished) {
+  return impl_->post(std::move(operation), std::move(finished));
 }
 
 }  // namespace cobot_command::runtime

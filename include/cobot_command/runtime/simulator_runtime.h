@@ -71,8 +71,9 @@ class SimulatorRuntime {
   void stop();
 
   /// An operator's action, for instance `controller.operate(StopProject{}, now)`. False, and it is not done, once stop()
-  /// has begun.
-  bool post(Operation operation);
+  /// has begun. `finished` is called on the simulator's thread when all that comes of it is done: bytes are on
+  /// their way, ports are open or closed.
+  bool post(Operation operation, std::function<void()> finished = {});
 
  private:
   class Impl;

@@ -3,16 +3,21 @@
 // Exit status: 0 after SIGINT or SIGTERM, 1 when the ports cannot be served, 2 on bad usage.
 #include <csignal>
 #include <cstdio>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "line_reader.h"
 #include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/runtime/simulator_runtime.h"
+#include "cobot_command/simulator/control_line.h"
 
 namespace {
 
@@ -24,13 +29,17 @@ struct Options {
   std::string model = "tm5-900";
   runtime::SimulatorOptions simulator;
   simulator::Settings settings;
-  bool verbose = false;
+  bool log_traffic = false;
+  bool control = false;
 };
 
 void describe(CLI::App& app, Options& options) {
   app.description(
       "A simulated TM controller: any client of the TM protocol can use it in place of a robot.\n"
       "Prints `listening script=PORT status=PORT` once it serves; Ctrl-C ends it.");
+  app.footer(
+      "Commands that --control takes, one a line, each answered with a line `ok: ...` or `error: ...`:\n" +
+      simulator::controlHelp());
   app.add_option("--model", options.model, "arm to simulate")
       ->check(CLI::IsMember(arm::ArmModel::knownNames()))
       ->capture_default_str();
@@ -49,11 +58,24 @@ void describe(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--listen-node", options.settings.listen_node_message, "message of the Listen node")
       ->capture_default_str();
-  app.add_flag("--verbose", options.verbose, "print what is sent and received");
+  app.add_flag("--log-traffic,--verbose", options.log_traffic,
+               "print what is sent and received, in words; but the status stream");
+  app.add_flag("--control", options.control, "take the operator's commands from standard input, see below");
 }
 
 void printLog(const simulator::LogLine& line) {
   fmt::print("{:10.3f} {}\n", toSeconds(line.time.time_since_epoch()), line.text);
+}
+
+void obey(runtime::SimulatorRuntime& simulator, std::string line) {
+  auto reply = std::make_shared<simulator::OperatorReply>();
+  simulator.post(
+      [line = std::move(line), reply](simulator::SimulatedController& controller, Instant now) {
+        *reply = simulator::control(controller, line, now);
+      },
+      [reply] {
+        if (!reply->text.empty()) fmt::print("{}: {}\n", reply->done ? "ok" : "error", reply->text);
+      });
 }
 
 int serve(Options options) {
@@ -67,7 +89,7 @@ int serve(Options options) {
   end.async_wait([](const boost::system::error_code&, int) {});
 
   runtime::SimulatorRuntime::Observer observer;
-  if (options.verbose) {
+  if (options.log_traffic) {
     observer.log = printLog;
   }
   runtime::SimulatorRuntime simulator(std::move(*arm), std::move(options.settings),
@@ -78,7 +100,11 @@ int serve(Options options) {
     return ports.error().kind == runtime::SimulatorError::Kind::BadOption ? BadUsage : CannotServe;
   }
   fmt::print("listening script={} status={}\n", ports->script, ports->status);
+  std::optional<tools::LineReader> control;
+  if (options.control)
+    control.emplace(STDIN_FILENO, [&](std::string line) { obey(simulator, std::move(line)); });
   context.run();  // until the signal
+  control.reset();
   simulator.stop();
   return Ended;
 }

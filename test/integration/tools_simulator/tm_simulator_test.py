@@ -32,7 +32,8 @@ class Simulator:
 
     def __init__(self, *options):
         self.process = subprocess.Popen([PROGRAM, '--script-port', '0', '--status-port', '0', *options],
-                                        stdout=subprocess.PIPE, universal_newlines=True)
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        universal_newlines=True)
         self.lines = []
         for line in self.process.stdout:
             self.lines.append(line)
@@ -49,6 +50,12 @@ class Simulator:
         if self.process.poll() is None:
             self.process.kill()
         self.process.communicate()
+
+    def say(self, command):
+        """The answer to a line of --control."""
+        self.process.stdin.write(command + '\n')
+        self.process.stdin.flush()
+        return self.process.stdout.readline().rstrip('\n')
 
     def end(self, signal_number):
         self.process.send_signal(signal_number)
@@ -105,7 +112,7 @@ class Serving(unittest.TestCase):
                 client.read_until(frame('TMSTA', '01,08,true'))
 
     def test_prints_the_traffic_when_asked_to(self):
-        with Simulator('--verbose') as simulator:
+        with Simulator('--log-traffic') as simulator:
             with Client(simulator.script) as client:
                 client.send('TMSTA', '00')
                 client.read_until(frame('TMSTA', '00,true,Listen1'))
@@ -119,6 +126,54 @@ class Serving(unittest.TestCase):
                 client.read_until(frame('TMSTA', '00,true,Listen1'))
             simulator.end(signal.SIGINT)
             self.assertEqual(len(simulator.lines), 1)
+
+
+class Controlling(unittest.TestCase):
+    def test_does_what_the_operator_says_and_answers_each_line(self):
+        with Simulator('--control') as simulator, Client(simulator.script) as client:
+            self.assertEqual(simulator.say('leave'), 'ok: the flow is in another node')
+            client.send('TMSTA', '00')
+            client.read_until(frame('TMSTA', '00,false,'))
+            self.assertEqual(simulator.say('enter'), 'ok: the flow is in the Listen node')
+            client.read_until(frame('TMSCT', '0,Listen1'))
+            self.assertRegex(simulator.say('dance'), '^error: unknown command "dance"')
+            self.assertEqual(simulator.say('fault refuse_script 1 2;3'), 'ok: refuse_script is on for the next 1')
+            client.send('TMSCT', '7,Pause()')
+            client.read_until(frame('TMSCT', '7,ERROR;2;3'))
+
+    def test_opens_and_closes_its_port_with_the_project(self):
+        with Simulator('--control') as simulator:
+            self.assertEqual(simulator.say('stop'), 'ok: the project is stopped')
+            with self.assertRaises(ConnectionRefusedError):
+                Client(simulator.script)
+            self.assertEqual(simulator.say('run'), 'ok: the project runs')
+            with Client(simulator.script) as client:
+                client.send('TMSTA', '00')
+                client.read_until(frame('TMSTA', '00,true,Listen1'))
+
+    def test_goes_on_when_the_operator_has_nothing_more_to_say(self):
+        with Simulator('--control') as simulator:
+            simulator.process.stdin.write('speed 50')  # a last line without an end
+            simulator.process.stdin.close()
+            self.assertEqual(simulator.process.stdout.readline(), 'ok: the project speed is 50 %\n')
+            with Client(simulator.script) as client:
+                client.send('TMSTA', '00')
+                client.read_until(frame('TMSTA', '00,true,Listen1'))
+            simulator.process.stdin = None  # so that communicate() does not look at it
+            self.assertEqual(simulator.end(signal.SIGINT), 0)
+
+    def test_lists_its_commands(self):
+        self.assertIn('drop_connections', run('--help').stdout)
+        with Simulator('--control') as simulator:
+            self.assertRegex(simulator.say('help'), '^ok: run')
+
+    def test_does_not_listen_to_standard_input_unless_asked_to(self):
+        with Simulator() as simulator:
+            simulator.process.stdin.write('stop\n')
+            simulator.process.stdin.flush()
+            with Client(simulator.script) as client:
+                client.send('TMSTA', '00')
+                client.read_until(frame('TMSTA', '00,true,Listen1'))
 
 
 class Ending(unittest.TestCase):
@@ -159,7 +214,8 @@ class Refusing(unittest.TestCase):
     def test_helps(self):
         helped = run('--help')
         self.assertEqual(helped.returncode, 0)
-        for option in ('--model', '--script-port', '--status-port', '--time-scale', '--listen-node', '--bind'):
+        for option in ('--model', '--script-port', '--status-port', '--time-scale', '--listen-node', '--bind', '--control',
+                       '--log-traffic'):
             self.assertIn(option, helped.stdout)
 
 

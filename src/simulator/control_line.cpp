@@ -1,0 +1,212 @@
+#include "cobot_command/simulator/control_line.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <locale>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/common/result.h"
+
+namespace cobot_command::simulator {
+
+namespace {
+
+using Read = Result<OperatorAction, std::string>;
+
+/// The words of a line behind the command.
+class Words {
+ public:
+  explicit Words(const std::string& line) : stream_(line) { stream_.imbue(std::locale::classic()); }
+
+  /// Empty at the end.
+  std::string next() {
+    std::string word;
+    stream_ >> word;
+    return word;
+  }
+  /// All that is left, without the blanks around it.
+  std::string rest() {
+    std::string text;
+    std::getline(stream_ >> std::ws, text);
+    text.erase(text.find_last_not_of(" \t\r") + 1);
+    return text;
+  }
+
+ private:
+  std::istringstream stream_;
+};
+
+/// 12, or 0x0C.
+std::optional<int> toInt(std::string word) {
+  int base = 10;
+  if (word.size() > 2 && (word.compare(0, 2, "0x") == 0 || word.compare(0, 2, "0X") == 0)) {
+    word.erase(0, 2);
+    base = 16;
+  }
+  int value = 0;
+  const auto* const end = word.data() + word.size();
+  const auto parsed = std::from_chars(word.data(), end, value, base);
+  if (word.empty() || parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
+  return value;
+}
+
+std::optional<double> toDouble(const std::string& word) {
+  std::istringstream stream(word);
+  stream.imbue(std::locale::classic());
+  double value = 0;
+  if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
+  return value;
+}
+
+template <class Action>
+Read plain(Words&) {
+  return Action{};
+}
+
+/// An action with one flag, chosen by one of two words.
+template <class Action>
+Read eitherOr(Words& words, const char* yes, const char* no) {
+  const std::string word = words.next();
+  if (word == yes) return Action{true};
+  if (word == no) return Action{false};
+  return refuse(fmt::format("\"{}\": say {} or {}", word, yes, no));
+}
+
+Read readSpeed(Words& words) {
+  const std::string word = words.next();
+  const auto percent = toInt(word);
+  if (!percent) return refuse(fmt::format("\"{}\": give the speed in %, 5 to 100", word));
+  return SetProjectSpeed{*percent};
+}
+
+Read readError(Words& words) {
+  const std::string word = words.next();
+  const auto code = toInt(word);
+  if (!code) return refuse(fmt::format("\"{}\": give a code such as 0x14058, and a text", word));
+  return RaiseError{*code, words.rest()};
+}
+
+Read readInput(Words& words) {
+  const std::string module = words.next();
+  const bool box = module == "ControlBox";
+  if (!box && module != "EndModule") {
+    return refuse(fmt::format("\"{}\": the modules are ControlBox and EndModule", module));
+  }
+  const auto index = toInt(words.next());
+  const auto value = toInt(words.next());
+  if (!index || !value || (*value != 0 && *value != 1)) {
+    return refuse(std::string("give the number of the input, and 0 or 1"));
+  }
+  return SetInput{box ? protocol::IoModule::ControlBox : protocol::IoModule::EndModule, *index, *value == 1};
+}
+
+bool isDelay(const std::string& fault) {
+  return fault.compare(0, 6, "delay_") == 0;
+}
+
+Read readFault(Words& words) {
+  SetFault order;
+  order.name = words.next();
+  const std::string count = words.next();
+  if (count == "off") {
+    order.active = false;
+    return order;
+  }
+  if (count.empty()) return order;
+  const auto number = toInt(count);
+  if (!number)
+    return refuse(fmt::format("\"{}\": give a count, 0 for until it is turned off; or off", count));
+  order.count = *number;
+  const std::string value = words.rest();
+  if (!isDelay(order.name)) {
+    order.text = value;
+    return order;
+  }
+  const auto seconds = toDouble(value);
+  if (!seconds) return refuse(fmt::format("\"{}\": give the delay in seconds", value));
+  order.seconds = *seconds;
+  return order;
+}
+
+struct Command {
+  const char* name;
+  const char* arguments;
+  const char* meaning;
+  Read (*read)(Words&);
+};
+
+constexpr Command kCommands[] = {
+    {"run", "", "run the project", plain<RunProject>},
+    {"stop", "", "stop the project", plain<StopProject>},
+    {"pause", "", "pause the project", plain<PauseProject>},
+    {"resume", "", "let it go on", plain<ResumeProject>},
+    {"leave", "", "let the flow leave the Listen node", plain<LeaveListenNode>},
+    {"enter", "", "let it come back", plain<EnterListenNode>},
+    {"estop", "press|release", "the emergency stop",
+     [](Words& words) { return eitherOr<SetEmergencyStop>(words, "press", "release"); }},
+    {"safeguard", "open|close", "the safeguard",
+     [](Words& words) { return eitherOr<SetSafeguard>(words, "open", "close"); }},
+    {"manual", "", "manual mode", [](Words&) -> Read { return SetOperatingMode{OperatingMode::Manual}; }},
+    {"auto", "", "automatic mode", [](Words&) -> Read { return SetOperatingMode{OperatingMode::Automatic}; }},
+    {"speed", "PERCENT", "the project speed, 5 to 100 in steps of 5", readSpeed},
+    {"error", "CODE [TEXT]", "let the robot fail", readError},
+    {"clear", "", "clear the robot error", plain<ClearError>},
+    {"input", "MODULE N 0|1", "set an input of ControlBox or EndModule", readInput},
+    {"drop_connections", "", "drop all clients", plain<DropConnections>},
+    {"fault", "NAME [COUNT [VALUE]]", "turn a fault on: until it is turned off, or COUNT times", readFault},
+    {"fault", "NAME off", "turn it off", readFault},
+    {"no_faults", "", "turn all faults off", plain<ClearFaults>},
+};
+
+std::string faultList() {
+  std::string list;
+  for (const KnownFault& fault : knownFaults()) {
+    const std::string value = fault.needs.empty() ? std::string() : " VALUE: " + fault.needs + ".";
+    list += fmt::format("{}{:<22} {}.{}", list.empty() ? "" : "\n", fault.name, fault.meaning, value);
+  }
+  return list;
+}
+
+Read read(const std::string& name, Words& words) {
+  const auto* const command = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                           [&](const Command& known) { return name == known.name; });
+  if (command == std::end(kCommands)) {
+    return refuse(fmt::format("unknown command \"{}\": help lists them", name));
+  }
+  Read action = command->read(words);
+  if (!action) return action;
+  const std::string left = words.rest();
+  if (!left.empty()) return refuse(fmt::format("{} takes no \"{}\": help lists the arguments", name, left));
+  return action;
+}
+
+}  // namespace
+
+std::string controlHelp() {
+  std::string help;
+  const auto add = [&](const char* name, const char* arguments, const char* meaning) {
+    help += fmt::format("{:<32} {}\n", fmt::format("{} {}", name, arguments), meaning);
+  };
+  for (const Command& command : kCommands) add(command.name, command.arguments, command.meaning);
+  add("faults", "", "list the faults");
+  help += fmt::format("{:<32} {}", "help", "list the commands");
+  return help;
+}
+
+OperatorReply control(SimulatedController& controller, std::string_view line, Instant now) {
+  Words words{std::string(line)};
+  const std::string name = words.next();
+  if (name.empty()) return {};
+  if (name == "help") return {true, controlHelp()};
+  if (name == "faults") return {true, faultList()};
+  Read action = read(name, words);
+  if (!action) return {false, std::move(action.error())};
+  return controller.operate(*action, now);
+}
+
+}  // namespace cobot_command::simulator
