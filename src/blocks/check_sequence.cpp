@@ -54,7 +54,9 @@ std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, bo
                         ""});
   }
   if (!has_model) failures.push_back({own_error::kNoModel, "", ""});
-  if (goal.steps.empty() || goal.steps.size() > kMaxSteps) {
+  if (!goal.steps_fault.empty()) {
+    failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, ""});
+  } else if (goal.steps.empty() || goal.steps.size() > kMaxSteps) {
     failures.push_back({own_error::kStepCount, fmt::format("{} steps", goal.steps.size()), ""});
   }
   return failures;

@@ -15,6 +15,8 @@ std::vector<ErrorEntry> checkSequenceErrors() {
       .shared({own_error::kShutDown})
       .shared(own_error::kStepCount, "there are no steps, or more than 200")
       .shared({own_error::kStepRefused})
+      .row(own_error::kStepsUnreadable, "Steps cannot be read",
+           "Set the kind of each step to one that SequenceStep lists", "a step has a kind that is none")
       .rows();
 }
 

@@ -25,9 +25,9 @@ struct Origin {
 
 struct Plan {
   Duration duration{};
-  Duration start_delay{};  ///< of the origin
-  Origin end;              ///< where the next command starts; its delay is not counted
-  arm::Pose tcp = arm::Pose::Identity();  ///< of the motions, in the flange [m]
+  Duration start_delay{};                      ///< of the origin
+  Origin end;                                  ///< where the next command starts; its delay is not counted
+  arm::Pose tcp = arm::Pose::Identity();       ///< of the motions, in the flange [m]
   std::vector<motion::TrajectoryPtr> motions;  ///< of a command that moves: one, of a raw script: several
 };
 

@@ -59,6 +59,12 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), parameters.link,
       [this](const blocks::Action& action, Instant now) { onAction(action, now); });
+  if (parameters.auto_connect) {
+    blocks::ConnectGoal target;
+    target.host = default_host_;
+    target.port = default_port_;
+    runtime_->keepConnected(std::move(target));
+  }
 }
 
 CommandNode::~CommandNode() {

@@ -70,9 +70,9 @@ class SimulatorRuntime {
   /// any more once this returns. It never waits for the network. Not from the observer.
   void stop();
 
-  /// An operator's action, for instance `controller.operate(StopProject{}, now)`. False, and it is not done, once stop()
-  /// has begun. `finished` is called on the simulator's thread when all that comes of it is done: bytes are on
-  /// their way, ports are open or closed.
+  /// An operator's action, for instance `controller.operate(StopProject{}, now)`. False, and it is not done,
+  /// once stop() has begun. `finished` is called on the simulator's thread when all that comes of it is done:
+  /// bytes are on their way, ports are open or closed.
   bool post(Operation operation, std::function<void()> finished = {});
 
  private:

@@ -181,10 +181,11 @@ TEST(SimulatorRuntime, doesNotTakeOnePortForBoth) {
 }
 
 TEST(SimulatorRuntime, refusesOptionsThatMeanNothing) {
-  const auto refused = [](auto change) {
+  const simulator::Settings settings;
+  const auto refused = [&settings](auto change) {
     SimulatorOptions options = anyPorts();
     change(options);
-    SimulatorRuntime simulator(arm900(), simulator::Settings{}, options);
+    SimulatorRuntime simulator(arm900(), settings, options);
     const auto started = simulator.start();
     return !started.has_value() && started.error().kind == SimulatorError::Kind::BadOption &&
            !started.error().message.empty();
