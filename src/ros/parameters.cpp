@@ -175,6 +175,7 @@ Result<SimulatorParameters, ParameterError> readSimulatorParameters(const ros::N
   parameters.status_port = reader.readInRange("status_port", parameters.status_port, 0, 65535);
   parameters.time_scale = reader.readInRange("time_scale", parameters.time_scale, runtime::kSlowestTimeScale,
                                              runtime::kFastestTimeScale);
+  parameters.log_traffic = reader.read("log_traffic", parameters.log_traffic);
   parameters.publish_rate = reader.readInRange("publish_rate", parameters.publish_rate, 0.1, 1000.0);
   if (const int outside = parameters.arm.firstJointOutsideLimits(parameters.settings.start_posture);
       outside >= 0) {

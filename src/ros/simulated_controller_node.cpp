@@ -5,9 +5,17 @@
 #include <memory>
 #include <utility>
 
+#include <boost/function.hpp>
+#include <fmt/format.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/console.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 
+#include "cobot_command/RaiseError.h"
+#include "cobot_command/SetFault.h"
+#include "cobot_command/SetInput.h"
+#include "cobot_command/SetProjectSpeed.h"
 #include "cobot_command/ros/status_messages.h"
 
 namespace cobot_command::ros_adapter {
@@ -43,11 +51,21 @@ link::RobotStatus asStreamed(const simulator::RobotState& state) {
   return status;
 }
 
-template <class Response>
-bool answer(simulator::OperatorReply reply, Response& response) {
-  response.success = reply.done;
-  response.message = std::move(reply.text);
-  return true;
+Result<simulator::OperatorAction, std::string> inputOf(const SetInput::Request& request) {
+  const bool box = request.module == "ControlBox";
+  if (!box && request.module != "EndModule") {
+    return refuse("module \"" + request.module + "\": the modules are ControlBox and EndModule");
+  }
+  return simulator::SetInput{box ? protocol::IoModule::ControlBox : protocol::IoModule::EndModule,
+                             request.input, request.value != 0};
+}
+
+void logTraffic(const simulator::LogLine& line) {
+  ROS_INFO_STREAM_NAMED("traffic",
+                        fmt::format("{:.3f} {}", toSeconds(line.time.time_since_epoch()), line.text));
+}
+void noteTraffic(const simulator::LogLine& line) {
+  ROS_DEBUG_STREAM_NAMED("traffic", line.text);
 }
 
 }  // namespace
@@ -59,13 +77,11 @@ SimulatedControllerNode::SimulatedControllerNode(const ros::NodeHandle& self, Si
       joint_states_(self_.advertise<sensor_msgs::JointState>("joint_states", kQueueSize)),
       tool_pose_(self_.advertise<geometry_msgs::PoseStamped>("tool_pose", kQueueSize)),
       status_(self_.advertise<cobot_command::RobotStatus>("status", kQueueSize)),
-      run_project_(self_.advertiseService("run_project", &SimulatedControllerNode::runProject, this)),
-      stop_project_(self_.advertiseService("stop_project", &SimulatedControllerNode::stopProject, this)),
-      set_emergency_stop_(
-          self_.advertiseService("set_emergency_stop", &SimulatedControllerNode::setEmergencyStop, this)),
       runtime_(std::move(parameters.arm), parameters.settings, optionsOf(parameters),
                {[this](const simulator::RobotState& state) { publish(state); },
-                [](const simulator::LogLine& line) { ROS_DEBUG_STREAM_NAMED("traffic", line.text); }}) {}
+                parameters.log_traffic ? logTraffic : noteTraffic}) {
+  offerServices();
+}
 
 Result<void, runtime::SimulatorError> SimulatedControllerNode::start() {
   const auto ports = runtime_.start();
@@ -97,16 +113,58 @@ simulator::OperatorReply SimulatedControllerNode::operate(const simulator::Opera
   }
 }
 
-bool SimulatedControllerNode::runProject(Trigger::Request& /*request*/, Trigger::Response& response) {
-  return answer(operate(simulator::RunProject{}), response);
+template <class Service, class ToAction>
+void SimulatedControllerNode::offer(const std::string& name, ToAction toAction) {
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  const boost::function<bool(Request&, Response&)> serve = [this, toAction](Request& request,
+                                                                            Response& response) {
+    const Result<simulator::OperatorAction, std::string> action = toAction(request);
+    simulator::OperatorReply reply =
+        action ? operate(*action) : simulator::OperatorReply{false, action.error()};
+    response.success = reply.done;
+    response.message = std::move(reply.text);
+    return true;
+  };
+  services_.push_back(self_.advertiseService(name, serve));
 }
 
-bool SimulatedControllerNode::stopProject(Trigger::Request& /*request*/, Trigger::Response& response) {
-  return answer(operate(simulator::StopProject{}), response);
+template <class Action>
+void SimulatedControllerNode::offerTrigger(const std::string& name) {
+  offer<std_srvs::Trigger>(name, [](const auto&) { return Action{}; });
 }
 
-bool SimulatedControllerNode::setEmergencyStop(SetBool::Request& request, SetBool::Response& response) {
-  return answer(operate(simulator::SetEmergencyStop{request.data != 0}), response);
+template <class Action>
+void SimulatedControllerNode::offerSwitch(const std::string& name) {
+  offer<std_srvs::SetBool>(name, [](const auto& request) { return Action{request.data != 0}; });
+}
+
+void SimulatedControllerNode::offerServices() {
+  offerTrigger<simulator::RunProject>("run_project");
+  offerTrigger<simulator::StopProject>("stop_project");
+  offerTrigger<simulator::PauseProject>("pause_project");
+  offerTrigger<simulator::ResumeProject>("resume_project");
+  offerTrigger<simulator::LeaveListenNode>("leave_listen_node");
+  offerTrigger<simulator::EnterListenNode>("enter_listen_node");
+  offerTrigger<simulator::ClearError>("clear_error");
+  offerTrigger<simulator::ClearFaults>("clear_faults");
+  offerTrigger<simulator::DropConnections>("drop_connections");
+  offerSwitch<simulator::SetEmergencyStop>("set_emergency_stop");
+  offerSwitch<simulator::SetSafeguard>("set_safeguard");
+  offer<std_srvs::SetBool>("set_manual_mode", [](const auto& request) {
+    using Mode = simulator::OperatingMode;
+    return simulator::SetOperatingMode{request.data != 0 ? Mode::Manual : Mode::Automatic};
+  });
+  offer<SetProjectSpeed>("set_project_speed",
+                         [](const auto& request) { return simulator::SetProjectSpeed{request.percent}; });
+  offer<RaiseError>("raise_error", [](const auto& request) {
+    return simulator::RaiseError{request.code, request.text};
+  });
+  offer<SetInput>("set_input", [](const auto& request) { return inputOf(request); });
+  offer<SetFault>("set_fault", [](const auto& request) {
+    return simulator::SetFault{request.fault, request.active != 0, request.count, request.value,
+                               request.text};
+  });
 }
 
 void SimulatedControllerNode::publish(const simulator::RobotState& state) {

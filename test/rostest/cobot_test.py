@@ -14,9 +14,13 @@ from std_srvs.srv import SetBool, Trigger
 
 from cobot_command.msg import (CommandStatus, ConnectAction, ConnectGoal, MoveAbsoluteAction, MoveAbsoluteGoal,
                                RobotStatus, Transformation)
+from cobot_command.srv import RaiseError, SetFault, SetInput, SetProjectSpeed
 
 DEADLINE = 30.0  # [s] of wall time; far beyond what anything here takes
 CONTROLLER = "simulated_controller"
+OPERATOR_SERVICES = {  # all others are Triggers
+    "raise_error": RaiseError, "set_emergency_stop": SetBool, "set_fault": SetFault, "set_input": SetInput,
+    "set_manual_mode": SetBool, "set_project_speed": SetProjectSpeed, "set_safeguard": SetBool}
 
 
 class Latest:
@@ -61,11 +65,34 @@ class Robot:
         return rospy.get_param(f"{CONTROLLER}/listening/{name}")
 
     def operate(self, service, *arguments):
-        name = f"{CONTROLLER}/{service}"
-        rospy.wait_for_service(name, DEADLINE)
-        answer = rospy.ServiceProxy(name, SetBool if arguments else Trigger)(*arguments)
+        """Calls a service of the simulated controller; returns what it says."""
+        answer = self.try_to(service, *arguments)
         if not answer.success:
             raise AssertionError(f"{service} failed: {answer.message}")
+        return answer.message
+
+    def try_to(self, service, *arguments):
+        """The same, and returns its whole answer."""
+        name = f"{CONTROLLER}/{service}"
+        rospy.wait_for_service(name, DEADLINE)
+        return rospy.ServiceProxy(name, OPERATOR_SERVICES.get(service, Trigger))(*arguments)
+
+    def fault(self, name, active=True, count=0, seconds=0.0, text=""):
+        """Turns a fault of the world on (standing, or for the next `count` times) or off; see doc/simulator.md."""
+        return self.operate("set_fault", name, active, count, seconds, text)
+
+    def reset(self):
+        """The controller as it was at the start, but for where its arm is; without a link."""
+        self.operate("clear_faults")
+        self.operate("set_emergency_stop", False)
+        self.operate("set_safeguard", False)
+        self.operate("set_manual_mode", False)
+        self.operate("set_project_speed", 100)
+        self.operate("run_project")
+        self.operate("clear_error")
+        self.operate("resume_project")
+        self.operate("enter_listen_node")
+        self.close()
 
     # --- Connect.
     def send_connect(self, **changes):
@@ -134,16 +161,14 @@ def wait_until(condition, what):
 
 
 class CobotTestCase(unittest.TestCase):
-    """Each test starts with a running project, no emergency stop and no link, and leaves it so."""
+    """Each test starts with a running project in its Listen node, nothing that holds the arm, no fault and no link."""
 
     @classmethod
     def setUpClass(cls):
         cls.robot = Robot()
 
     def setUp(self):
-        self.robot.operate("set_emergency_stop", False)
-        self.robot.operate("run_project")
-        self.robot.close()
+        self.robot.reset()
 
     def assert_rejected(self, outcome, error_id, words=""):
         self._assert_error(GoalStatus.REJECTED, outcome, error_id, words)

@@ -38,6 +38,7 @@ struct SimulatorParameters {
   int status_port = 5891;
   double time_scale = 1.0;
   double publish_rate = 50.0;  ///< [Hz]
+  bool log_traffic = false;    ///< what is sent and received, in words
 };
 
 /// `node` gives the namespace for `robot_description` and for the node of a simulated controller, `self` the

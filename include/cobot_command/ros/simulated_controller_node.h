@@ -4,12 +4,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/service_server.h>
-#include <std_srvs/SetBool.h>
-#include <std_srvs/Trigger.h>
 
 #include "cobot_command/common/result.h"
 #include "cobot_command/ros/conversions.h"
@@ -29,12 +28,16 @@ class SimulatedControllerNode {
   [[nodiscard]] Result<void, runtime::SimulatorError> start();
 
  private:
-  using Trigger = std_srvs::Trigger;
-  using SetBool = std_srvs::SetBool;
-
-  bool runProject(Trigger::Request& request, Trigger::Response& response);
-  bool stopProject(Trigger::Request& request, Trigger::Response& response);
-  bool setEmergencyStop(SetBool::Request& request, SetBool::Response& response);
+  void offerServices();
+  /// A service that does what `toAction` makes of its request.
+  template <class Service, class ToAction>
+  void offer(const std::string& name, ToAction toAction);
+  /// A service of std_srvs/Trigger.
+  template <class Action>
+  void offerTrigger(const std::string& name);
+  /// A service of std_srvs/SetBool.
+  template <class Action>
+  void offerSwitch(const std::string& name);
   /// Returns when it is done, so that who called sees its effect.
   simulator::OperatorReply operate(const simulator::OperatorAction& action);
   void publish(const simulator::RobotState& state);  // on the simulator's thread
@@ -45,9 +48,7 @@ class SimulatedControllerNode {
   ros::Publisher joint_states_;
   ros::Publisher tool_pose_;
   ros::Publisher status_;
-  ros::ServiceServer run_project_;
-  ros::ServiceServer stop_project_;
-  ros::ServiceServer set_emergency_stop_;
+  std::vector<ros::ServiceServer> services_;
   runtime::SimulatorRuntime runtime_;  // last: its thread uses the publishers
 };
 
