@@ -11,6 +11,9 @@ namespace cobot_command::motion {
 class RestToRest : public Trajectory {
  public:
   [[nodiscard]] Duration duration() const final { return duration_; }
+  [[nodiscard]] Duration rampTime() const final {
+    return std::chrono::floor<Duration>(std::chrono::duration<double>(profile_.rampTime()));
+  }
 
   [[nodiscard]] JointState at(Duration time) const final {
     if (time >= duration_) {

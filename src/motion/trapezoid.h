@@ -16,6 +16,8 @@ class Trapezoid {
 
   /// [s]
   [[nodiscard]] double duration() const { return duration_; }
+  /// From rest to its highest speed, and back [s]; at most half of the duration.
+  [[nodiscard]] double rampTime() const { return ramp_used_; }
   /// Precondition of the next three: 0 <= time <= duration() [s], travel >= kNoTravel.
   [[nodiscard]] double progress(double time) const;
   /// [1/s]

@@ -22,9 +22,13 @@ class Trajectory {
   /// Zero for a motion that starts where it ends.
   [[nodiscard]] virtual Duration duration() const = 0;
 
-  /// The state at `time` since the start; before it the start, after the duration the end, both at rest. The
-  /// same time always gives the bit-identical state, in whatever order it is asked.
+  /// The state at `time` since the start; before it the start, after the duration the end. At rest at the
+  /// end, and at the start too unless it is blended. The same time always gives the bit-identical state, in
+  /// whatever order it is asked.
   [[nodiscard]] virtual JointState at(Duration time) const = 0;
+
+  /// How long it slows down before its end; as planned from rest it speeds up as long.
+  [[nodiscard]] virtual Duration rampTime() const = 0;
 
   [[nodiscard]] JointState end() const { return at(duration()); }
 };

@@ -1,0 +1,45 @@
+// How a motion passes into the next one without a stop at the corner between them.
+//
+// The next motion starts while the one before it still slows down, and for that time the two add up in joint
+// space: q(t) = before(t) + next(t - start) - corner. Both are continuous in position and speed, so their sum
+// is. See doc/motion.md.
+#pragma once
+
+#include <variant>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/motion/trajectory.h"
+
+namespace cobot_command::motion {
+
+/// Of the time for which both motions are on their ramps, this share: 0 (a stop) .. 1.
+struct BlendShare {
+  double value = 0.0;
+};
+/// The TCP leaves the path of the one motion, and is on the path of the other, within this distance of the
+/// corner [m]; 0: a stop.
+struct BlendRadius {
+  double metres = 0.0;
+};
+using Blend = std::variant<BlendShare, BlendRadius>;
+
+/// Two motions, each planned from rest to rest, the next one from the end of the one before it.
+struct Corner {
+  const Trajectory& before;
+  const Trajectory& next;
+  arm::Pose tcp = arm::Pose::Identity();  ///< in the flange [m]
+};
+
+/// How long before the end of the first motion the next one can start. Never longer than the ramps of both
+/// and than half of each, so that three in a row do not overlap; than the blend asks for; nor than `left`,
+/// the time to the end when the next motion becomes known. Shorter, down to zero, where a joint would
+/// otherwise leave its limits or be faster than rated, or the TCP leave the radius.
+[[nodiscard]] Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend,
+                                 Duration left = Duration::max());
+
+/// The next motion as the arm makes it: over its first `overlap` the end of the one before it fades out.
+/// `next` itself where `overlap` is zero.
+[[nodiscard]] TrajectoryPtr blended(const TrajectoryPtr& before, const TrajectoryPtr& next, Duration overlap);
+
+}  // namespace cobot_command::motion

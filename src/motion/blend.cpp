@@ -1,0 +1,139 @@
+#include "cobot_command/motion/blend.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "path_check.h"
+
+#include "cobot_command/arm/forward_kinematics.h"
+
+namespace cobot_command::motion {
+namespace {
+
+/// Room for rounding where the TCP is compared to the radius [m].
+constexpr double kRadiusTolerance = 1e-9;
+/// A shorter overlap is not worth looking for.
+constexpr Duration kShortest = std::chrono::milliseconds(1);
+
+/// `next` begins `overlap` before the end of `before`; `time` counts from there.
+JointState sumOf(const Trajectory& before, const Trajectory& next, Duration overlap, Duration time) {
+  const Duration clamped = std::max(time, Duration::zero());
+  JointState state = next.at(clamped);
+  if (clamped < overlap) {
+    const JointState fading = before.at(before.duration() - overlap + clamped);
+    state.position += fading.position - before.end().position;
+    state.velocity += fading.velocity;
+  }
+  return state;
+}
+
+class BlendedTrajectory final : public Trajectory {
+ public:
+  BlendedTrajectory(TrajectoryPtr before, TrajectoryPtr next, Duration overlap)
+      : before_(std::move(before)), next_(std::move(next)), overlap_(overlap) {}
+
+  [[nodiscard]] Duration duration() const override { return next_->duration(); }
+  [[nodiscard]] Duration rampTime() const override { return next_->rampTime(); }
+  [[nodiscard]] JointState at(Duration time) const override {
+    return sumOf(*before_, *next_, overlap_, time);
+  }
+
+ private:
+  TrajectoryPtr before_;
+  TrajectoryPtr next_;
+  Duration overlap_;
+};
+
+class CornerCheck {
+ public:
+  CornerCheck(const arm::ArmModel& arm, const Corner& corner, double radius)
+      : arm_(arm), corner_(corner), point_(tcpAt(corner.before.end().position)), radius_(radius) {}
+
+  /// The longest overlap up to `most` over which both motions are within the radius.
+  [[nodiscard]] Duration longestWithinRadius(Duration most) const {
+    Duration within{};
+    Duration beyond = most + Duration(1);
+    while (beyond - within > Duration(1)) {
+      const Duration middle = within + (beyond - within) / 2;
+      (areWithinRadius(middle) ? within : beyond) = middle;
+    }
+    return within;
+  }
+
+  /// Whether the arm can follow the sum, at samples at most kSamplePeriod apart.
+  [[nodiscard]] bool canBeMade(Duration overlap) const {
+    const auto steps = static_cast<Duration::rep>(std::ceil(toSeconds(overlap) / kSamplePeriod));
+    for (Duration::rep i = 0; i <= steps; ++i) {
+      const JointState state = sumOf(corner_.before, corner_.next, overlap, overlap * i / steps);
+      if (arm_.firstJointOutsideLimits(state.position) >= 0 || isTooFast(state.velocity) ||
+          !isWithinRadius(state.position)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Vector3d tcpAt(const arm::JointVector& joints) const {
+    return (arm::forwardKinematics(arm_, joints) * corner_.tcp).translation();
+  }
+  [[nodiscard]] double fromPoint(const arm::JointVector& joints) const {
+    return (tcpAt(joints) - point_).norm();
+  }
+  [[nodiscard]] bool isWithinRadius(const arm::JointVector& joints) const {
+    return std::isinf(radius_) || fromPoint(joints) <= radius_ + kRadiusTolerance;
+  }
+  [[nodiscard]] bool areWithinRadius(Duration overlap) const {
+    const Trajectory& before = corner_.before;
+    return fromPoint(before.at(before.duration() - overlap).position) <= radius_ &&
+           fromPoint(corner_.next.at(overlap).position) <= radius_;
+  }
+  [[nodiscard]] bool isTooFast(const arm::JointVector& velocity) const {
+    for (std::size_t i = 0; i < arm::kJointCount; ++i) {
+      const double rated = arm_.limits()[i].max_velocity;
+      if (std::abs(velocity[static_cast<Eigen::Index>(i)]) > rated * (1.0 + kSpeedTolerance)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const arm::ArmModel& arm_;
+  const Corner& corner_;
+  Eigen::Vector3d point_;
+  double radius_;
+};
+
+}  // namespace
+
+Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend, Duration left) {
+  const Duration most = std::min({corner.before.rampTime(), corner.next.rampTime(),
+                                  corner.before.duration() / 2, corner.next.duration() / 2});
+  const auto* share = std::get_if<BlendShare>(&blend);
+  const double radius = share ? std::numeric_limits<double>::infinity() : std::get<BlendRadius>(blend).metres;
+  const CornerCheck check(arm, corner, radius);
+
+  Duration overlap{};
+  if (share) {
+    const double part = std::clamp(share->value, 0.0, 1.0) * static_cast<double>(most.count());
+    overlap = Duration(static_cast<Duration::rep>(part));
+  } else if (radius > 0.0) {
+    overlap = check.longestWithinRadius(most);
+  }
+  overlap = std::min(overlap, left);
+  while (overlap > Duration::zero() && !check.canBeMade(overlap)) {
+    overlap = overlap < kShortest ? Duration::zero() : overlap / 2;
+  }
+  return std::max(overlap, Duration::zero());
+}
+
+TrajectoryPtr blended(const TrajectoryPtr& before, const TrajectoryPtr& next, Duration overlap) {
+  if (overlap <= Duration::zero()) {
+    return next;
+  }
+  return std::make_shared<BlendedTrajectory>(before, next, overlap);
+}
+
+}  // namespace cobot_command::motion
