@@ -1,8 +1,10 @@
 #include "cobot_command/planning/script_motion.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -85,6 +87,14 @@ Made toMotion(const protocol::MoveLine& move) {
 
 Made toMotion(const ScriptMotion& any) {
   return std::visit([](const auto& one) { return toMotion(one); }, any);
+}
+
+std::optional<motion::Blend> blendOf(const ScriptMotion& motion) {
+  const auto& [format, options] =
+      std::visit([](const auto& one) { return std::pair(one.format, one.options); }, motion);
+  if (options.blending <= 0) return std::nullopt;
+  if (format.blending == DataFormat::Blending::Radius) return motion::BlendRadius{mmToM(options.blending)};
+  return motion::BlendShare{std::min(options.blending / 100.0, 1.0)};
 }
 
 }  // namespace cobot_command::planning

@@ -1,11 +1,14 @@
 #include "cobot_command/planning/script_planner.h"
 
+#include <algorithm>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/common/overloaded.h"
 #include "cobot_command/motion/planner.h"
+#include "cobot_command/planning/sampling.h"
 
 namespace cobot_command::planning {
 namespace {
@@ -29,6 +32,26 @@ bool isInJointSpace(const motion::Command& command) {
   return jointTarget(command) || (move && std::holds_alternative<arm::JointVector>(move->offset));
 }
 
+/// [m]; 0: no blend, or none by radius.
+double radiusOf(const std::optional<motion::Blend>& blend) {
+  const auto* radius = blend ? std::get_if<motion::BlendRadius>(&*blend) : nullptr;
+  return radius ? radius->metres : 0.0;
+}
+
+/// Room for rounding where lengths are compared [m].
+constexpr double kRounding = 1e-6;
+
+/// How far the TCP travels [m]: exact on a line, to a thousandth on a circle.
+double toolWay(const arm::ArmModel& arm, const motion::Trajectory& trajectory, const arm::Pose& tcp) {
+  constexpr std::size_t kPoints = 65;
+  const std::vector<arm::Pose> poses = toolPath(arm, trajectory, tcp, kPoints);
+  double way = 0.0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    way += (poses[i].translation() - poses[i - 1].translation()).norm();
+  }
+  return way;
+}
+
 }  // namespace
 
 ScriptPlanner::ScriptPlanner(arm::ArmModel arm, const Start& start)
@@ -42,40 +65,71 @@ motion::Setting ScriptPlanner::setting() const {
   return {base_.value_or(arm::Pose::Identity()), tcp_.value_or(arm::Pose::Identity()), speed_override_};
 }
 
-Result<PlannedStep, motion::Refusal> ScriptPlanner::append(const protocol::ScriptCommand& command) {
-  PlannedStep nothing;
-  nothing.start = duration_;
-  return std::visit(Overloaded{[&](const protocol::Ptp& ptp) { return append(ScriptMotion(ptp)); },
-                               [&](const protocol::Line& line) { return append(ScriptMotion(line)); },
-                               [&](const protocol::Circle& circle) { return append(ScriptMotion(circle)); },
-                               [&](const protocol::MovePtp& move) { return append(ScriptMotion(move)); },
-                               [&](const protocol::MoveLine& move) { return append(ScriptMotion(move)); },
-                               [&](const protocol::ChangeBase& change) -> Appended {
-                                 base_ = frameOf(change.base, "RobotBase");
-                                 return nothing;
-                               },
-                               [&](const protocol::ChangeTcp& change) -> Appended {
-                                 tcp_ = frameOf(change.tcp, "NOTOOL");
-                                 return nothing;
-                               },
-                               [&](const auto&) -> Appended { return nothing; }},
-                    command);
+Result<PlannedStep, motion::Refusal> ScriptPlanner::append(const protocol::ScriptCommand& command,
+                                                           Duration arrival) {
+  return std::visit(
+      [&](const auto& one) -> Appended {
+        if constexpr (std::is_constructible_v<ScriptMotion, decltype(one)>) {
+          return append(ScriptMotion(one), arrival);
+        } else {
+          note(one);
+          PlannedStep no_motion;
+          no_motion.start = duration_;
+          return no_motion;
+        }
+      },
+      command);
 }
 
-ScriptPlanner::Appended ScriptPlanner::append(const ScriptMotion& motion) {
+void ScriptPlanner::note(const protocol::ChangeBase& change) {
+  base_ = frameOf(change.base, "RobotBase");
+}
+
+void ScriptPlanner::note(const protocol::ChangeTcp& change) {
+  tcp_ = frameOf(change.tcp, "NOTOOL");
+  blend_.reset();
+}
+
+void ScriptPlanner::note(const protocol::QueueTag& tag) {
+  if (tag.wait) blend_.reset();
+}
+
+void ScriptPlanner::note(const protocol::WaitQueueTag&) {
+  blend_.reset();
+}
+
+ScriptPlanner::Appended ScriptPlanner::append(const ScriptMotion& motion, Duration arrival) {
   const auto command = toMotion(motion);
   if (!command) return refuse(command.error());
   if (!end_ || !(framesKnown() || isInJointSpace(*command))) return appendUnplanned(*command);
 
   auto planned = motion::plan(arm_, *end_, *command, setting());
   if (!planned) return refuse(std::move(planned.error()));
+  const std::optional<motion::Blend> blend = blendOf(motion);
   PlannedStep step;
-  step.trajectory = std::move(*planned);
-  step.start = duration_;
+  step.misfit = misfitOf(**planned, blend);
+  Duration overlap{};
+  if (blend_ && arrival < duration_) {
+    overlap = motion::overlapAt(arm_, {*last_, **planned, setting().tcp}, *blend_, duration_ - arrival);
+  }
+  step.trajectory = motion::blended(last_, *planned, overlap);
+  step.start = std::max(arrival, duration_ - overlap);
   step.duration = step.trajectory->duration();
   end_ = step.trajectory->end().position;
-  duration_ += step.duration;
+  duration_ = step.start + step.duration;
+  last_ = std::move(*planned);
+  blend_ = blend;
   return step;
+}
+
+std::optional<BlendMisfit> ScriptPlanner::misfitOf(const motion::Trajectory& trajectory,
+                                                   const std::optional<motion::Blend>& blend) const {
+  const double before = radiusOf(blend_);
+  const double behind = radiusOf(blend);
+  if (before <= 0.0 && behind <= 0.0) return std::nullopt;
+  const double allowed = 0.5 * toolWay(arm_, trajectory, setting().tcp);
+  const BlendMisfit misfit{std::max(before, behind), allowed, before > behind};
+  return misfit.radius > allowed + kRounding ? std::optional(misfit) : std::nullopt;
 }
 
 ScriptPlanner::Appended ScriptPlanner::appendUnplanned(const motion::Command& command) {
@@ -85,12 +139,14 @@ ScriptPlanner::Appended ScriptPlanner::appendUnplanned(const motion::Command& co
   const arm::JointVector* target = jointTarget(command);
   if (!target) {
     end_.reset();
+    blend_.reset();
     return step;
   }
   // Planned from its own target it says all that can be said without the start.
   auto checked = motion::plan(arm_, *target, command, setting());
   if (!checked) return refuse(std::move(checked.error()));
   end_ = *target;
+  blend_.reset();
   return step;
 }
 

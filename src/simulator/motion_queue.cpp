@@ -6,8 +6,19 @@
 #include "cobot_command/motion/planner.h"
 
 namespace cobot_command::simulator {
-
 namespace {
+
+Result<motion::TrajectoryPtr, motion::Refusal> plan(const arm::ArmModel& arm, const arm::JointVector& start,
+                                                    const MotionRequest& request,
+                                                    const motion::Setting& setting) {
+  const auto command = planning::toMotion(request);
+  if (!command) return refuse(command.error());
+  return motion::plan(arm, start, *command, setting);
+}
+
+bool isMotionOrTcpChange(const QueueItem& item) {
+  return std::holds_alternative<MotionRequest>(item) || std::holds_alternative<TcpChange>(item);
+}
 
 bool isTag(const QueueItem& item) {
   return std::holds_alternative<QueuedTag>(item);
@@ -41,8 +52,14 @@ bool MotionQueue::run(Instant now) {
   bool ran = false;
   for (;; ran = true) {
     if (active_) {
-      if (!end_at_ || *end_at_ > now) return ran;
-      endActive();
+      lookAhead(now);
+      if (next_ && next_->takes_over_at && *next_->takes_over_at <= now) {
+        takeOver(now);
+      } else if (end_at_ && *end_at_ <= now) {
+        endActive();
+      } else {
+        return ran;
+      }
       continue;
     }
     if (items_.empty()) return ran;
@@ -54,23 +71,76 @@ bool MotionQueue::run(Instant now) {
 }
 
 void MotionQueue::endActive() {
-  posture_ = stopping_ ? at(*end_at_).position : active_->end().position;
+  posture_ = stopping_ ? at(*end_at_).position : active_->path->end().position;
   active_.reset();
   end_at_.reset();
-  if (std::exchange(stopping_, false)) return;
+  if (!std::exchange(stopping_, false)) settleStaleTags();
+}
+
+void MotionQueue::settleStaleTags() {
   for (const QueuedTag& tag : std::exchange(stale_tags_, {})) settle(tag, true);
+}
+
+// What comes behind a motion that blends is planned as soon as it is known: it takes over before the end.
+void MotionQueue::lookAhead(Instant now) {
+  if (active_->looked_ahead || !active_->blend || stopping_) return;
+  const auto behind = std::find_if(items_.begin(), items_.end(), isMotionOrTcpChange);
+  if (behind == items_.end()) return;
+  active_->looked_ahead = true;
+  const auto* request = std::get_if<MotionRequest>(&*behind);
+  if (request == nullptr) return;  // at a change of the TCP the arm stops
+
+  motion::Setting setting = setting_;
+  for (auto item = items_.begin(); item != behind; ++item) {
+    if (const auto* change = std::get_if<BaseChange>(&*item)) setting.base = change->pose;
+  }
+  const auto planned = plan(arm_, active_->planned->end().position, *request, setting);
+  if (!planned) return;  // it fails when its turn comes
+  const Duration overlap = motion::overlapAt(arm_, {*active_->planned, **planned, setting.tcp},
+                                             *active_->blend, pathEnd() - clock_.pathTime(now));
+  if (overlap <= Duration::zero()) return;
+  next_ = Next{*planned, overlap, std::nullopt};
+  schedule(now);
+}
+
+void MotionQueue::takeOver(Instant now) {
+  const Next next = *std::exchange(next_, std::nullopt);
+  settleStaleTags();
+  for (;;) {
+    const QueueItem item = std::move(items_.front());
+    items_.pop_front();
+    if (const auto* request = std::get_if<MotionRequest>(&item)) {
+      return begin(*request, next.planned, next.overlap, now);
+    }
+    std::visit([&](const auto& what) { apply(what, now); }, item);
+  }
+}
+
+void MotionQueue::begin(const MotionRequest& request, const motion::TrajectoryPtr& planned, Duration overlap,
+                        Instant now) {
+  Active active{planned, planned, planning::blendOf(request), Duration::zero(), false};
+  if (active_) {
+    active.path = motion::blended(active_->planned, planned, overlap);
+    active.start = pathEnd() - overlap;
+  }
+  active_ = std::move(active);
+  schedule(now);
+  events_.emplace_back(MotionStarted{planned->duration()});
+}
+
+void MotionQueue::schedule(Instant now) {
+  end_at_ = clock_.reaches(pathEnd());
+  if (!next_) return;
+  const bool stands = held() && clock_.rate(now) <= 0.0;
+  next_->takes_over_at = stands ? std::nullopt : clock_.reaches(pathEnd() - next_->overlap);
 }
 
 void MotionQueue::apply(const MotionRequest& request, Instant now) {
   if (error_stands_) return fail(*error_);
-  const auto command = planning::toMotion(request);
-  if (!command) return fail(robotErrorFor(command.error()));
-  auto planned = motion::plan(arm_, posture_, *command, setting_);
+  const auto planned = plan(arm_, posture_, request, setting_);
   if (!planned) return fail(robotErrorFor(planned.error()));
-  active_ = std::move(*planned);
   clock_.start(now);
-  end_at_ = clock_.reaches(active_->duration());
-  events_.emplace_back(MotionStarted{active_->duration()});
+  begin(request, *planned, Duration::zero(), now);
 }
 
 void MotionQueue::apply(const BaseChange& change, Instant) {
@@ -106,6 +176,7 @@ void MotionQueue::fail(RobotError error) {
 
 void MotionQueue::dropQueue() {
   const bool keeps_tags = std::any_of(items_.begin(), items_.end(), isTag) && stale_tag_.take();
+  next_.reset();
   for (const QueueItem& item : std::exchange(items_, {})) {
     const auto* tag = std::get_if<QueuedTag>(&item);
     if (tag == nullptr) continue;
@@ -118,7 +189,8 @@ void MotionQueue::dropQueue() {
 }
 
 Instant MotionQueue::nextEvent() const {
-  return end_at_.value_or(Instant::max());
+  const Instant end = end_at_.value_or(Instant::max());
+  return next_ ? std::min(end, next_->takes_over_at.value_or(Instant::max())) : end;
 }
 
 std::vector<QueueEvent> MotionQueue::takeEvents() {
@@ -130,7 +202,7 @@ void MotionQueue::pause(Instant now, Holder holder) {
   (holder == Holder::Project ? paused_ : safeguarded_) = true;
   if (stood || !active_ || stopping_) return;
   clock_.slowDown(now);
-  end_at_ = clock_.reaches(active_->duration());
+  schedule(now);
 }
 
 void MotionQueue::resume(Instant now, Holder holder) {
@@ -138,7 +210,7 @@ void MotionQueue::resume(Instant now, Holder holder) {
   (holder == Holder::Project ? paused_ : safeguarded_) = false;
   if (!stood || held() || !active_ || stopping_) return;
   clock_.speedUp(now);
-  end_at_ = clock_.reaches(active_->duration());
+  schedule(now);
 }
 
 void MotionQueue::stop(Instant now) {
@@ -158,12 +230,12 @@ void MotionQueue::clearError() {
 }
 
 void MotionQueue::brake(Instant now) {
+  next_.reset();
   if (!active_ || stopping_) return;
   stopping_ = true;
   if (!held()) clock_.slowDown(now);
   // A motion that comes to its end while it slows down ends there.
-  end_at_ =
-      std::max(now, std::min(clock_.settled(), clock_.reaches(active_->duration()).value_or(Instant::max())));
+  end_at_ = std::max(now, std::min(clock_.settled(), clock_.reaches(pathEnd()).value_or(Instant::max())));
 }
 
 void MotionQueue::halt(Instant now) {
@@ -176,7 +248,7 @@ void MotionQueue::halt(Instant now) {
 
 motion::JointState MotionQueue::at(Instant now) const {
   if (!active_) return {posture_, arm::JointVector::Zero()};
-  motion::JointState state = active_->at(clock_.pathTime(now));
+  motion::JointState state = active_->path->at(clock_.pathTime(now) - active_->start);
   state.velocity *= clock_.rate(now);
   return state;
 }

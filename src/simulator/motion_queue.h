@@ -1,8 +1,9 @@
 // The queue of the robot: motions one after the other, and the changes, outputs and tags between them.
 //
-// Everything happens in order and at its exact time: a motion starts, and is planned, at the instant at which
-// the one before it ends; a change of base, TCP or load acts on the motions behind it; a tag is settled when
-// all before it is done. Call run() at nextEvent() at the latest.
+// Everything happens in order and at its exact time: a motion starts where the one before it ends, or,
+// blended, where it is to take over; that is where the one before it is done. A change of base, TCP or load
+// acts on the motions behind it; a tag is settled when all before it is done. Call run() at nextEvent() at
+// the latest.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +18,7 @@
 #include "tag_table.h"
 
 #include "cobot_command/arm/arm_model.h"
+#include "cobot_command/motion/blend.h"
 #include "cobot_command/motion/command.h"
 #include "cobot_command/motion/trajectory.h"
 #include "cobot_command/planning/script_motion.h"
@@ -113,6 +115,27 @@ class MotionQueue {
   [[nodiscard]] const std::optional<RobotError>& error() const { return error_; }
 
  private:
+  struct Active {
+    motion::TrajectoryPtr path;          // as the arm makes it
+    motion::TrajectoryPtr planned;       // the same without the blend into it
+    std::optional<motion::Blend> blend;  // into the motion behind it
+    Duration start{};                    // path time; it runs on through blends
+    bool looked_ahead = false;           // whether it blends is settled
+  };
+  /// The motion that will take over from the active one.
+  struct Next {
+    motion::TrajectoryPtr planned;
+    Duration overlap{};
+    std::optional<Instant> takes_over_at;  // nothing while a pause holds the arm before
+  };
+
+  void begin(const MotionRequest& request, const motion::TrajectoryPtr& planned, Duration overlap,
+             Instant now);
+  void lookAhead(Instant now);
+  void takeOver(Instant now);
+  void schedule(Instant now);
+  [[nodiscard]] Duration pathEnd() const { return active_->start + active_->planned->duration(); }
+  void settleStaleTags();
   void endActive();
   void apply(const MotionRequest& request, Instant now);
   void apply(const BaseChange& change, Instant now);
@@ -135,7 +158,8 @@ class MotionQueue {
   double load_ = 0.0;
 
   arm::JointVector posture_;  // where the arm stands, while nothing is active
-  motion::TrajectoryPtr active_;
+  std::optional<Active> active_;
+  std::optional<Next> next_;
   PathClock clock_;
   std::optional<Instant> end_at_;  // of the active motion; nothing while a pause holds it
   bool stopping_ = false;

@@ -1,9 +1,11 @@
 // What a motion line of a script (mm, degrees, ms, %) means for the arm: a command of motion/ (SI).
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "cobot_command/common/result.h"
+#include "cobot_command/motion/blend.h"
 #include "cobot_command/motion/command.h"
 #include "cobot_command/motion/refusal.h"
 #include "cobot_command/protocol/script_command.h"
@@ -21,5 +23,10 @@ using ScriptMotion =
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MovePtp& move);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MoveLine& move);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const ScriptMotion& any);
+
+/// How the motion passes into the one behind it; nothing when it stops: a blend value of 0 or below. Above
+/// 100 % is 100 %. With a blend value it does not matter whether precise positioning is on: nothing settles
+/// at a corner that is passed.
+[[nodiscard]] std::optional<motion::Blend> blendOf(const ScriptMotion& motion);
 
 }  // namespace cobot_command::planning

@@ -8,6 +8,7 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/motion/blend.h"
 #include "cobot_command/motion/command.h"
 #include "cobot_command/motion/refusal.h"
 #include "cobot_command/motion/trajectory.h"
@@ -16,12 +17,22 @@
 
 namespace cobot_command::planning {
 
+/// A blend radius for which the path on one side of the corner is too short.
+struct BlendMisfit {
+  double radius = 0.0;     ///< as it was asked for [m]
+  double allowed = 0.0;    ///< half of the length of the TCP's path in this step [m]
+  bool of_before = false;  ///< the radius is that of the motion before, this step's path is the one behind it
+};
+
 struct PlannedStep {
   /// False: a motion of which nobody can say more, as its start, base or TCP is not known.
   bool planned = true;
-  motion::TrajectoryPtr trajectory;  ///< null for what is no motion, and for what is not planned
-  Duration start{};                  ///< since the sequence began
-  Duration duration{};
+  /// As the arm makes it if nothing comes behind; null for what is no motion, and for what is not planned.
+  motion::TrajectoryPtr trajectory;
+  Duration start{};     ///< since the sequence began; before the end of the step before it, where it blends
+  Duration duration{};  ///< from there to a stop at its own end
+  /// The motion is planned all the same, with as much of the blend as there is room for.
+  std::optional<BlendMisfit> misfit;
 };
 
 /// A value: a copy can be tried out and thrown away.
@@ -44,8 +55,14 @@ class ScriptPlanner {
   /// A change of base or TCP counts for what follows: by value, or by the names RobotBase and NOTOOL. After
   /// any other name that frame is unknown, and only motions in joint space are planned. After a motion that
   /// was not planned nothing is, until the next joint target says where the arm is again. Everything else
-  /// takes no time and changes nothing.
-  [[nodiscard]] Result<PlannedStep, motion::Refusal> append(const protocol::ScriptCommand& command);
+  /// takes no time. A motion with a blend value passes into the next one, unless the TCP changes or the
+  /// script waits for a tag between them.
+  ///
+  /// `arrival`: when the robot gets the command, since the sequence began. One that arrives after the motion
+  /// before it has ended starts from rest then; one that arrives after the place where it could have blended
+  /// blends with what is left.
+  [[nodiscard]] Result<PlannedStep, motion::Refusal> append(const protocol::ScriptCommand& command,
+                                                            Duration arrival = Duration::zero());
 
   /// False: nobody knows where the last motion ends.
   [[nodiscard]] bool jointsKnown() const { return end_.has_value(); }
@@ -56,13 +73,21 @@ class ScriptPlanner {
   [[nodiscard]] bool framesKnown() const { return base_ && tcp_; }
   /// Where a sequence would start that comes behind this one.
   [[nodiscard]] Start end() const { return {end_, base_, tcp_, speed_override_}; }
-  /// Of all motions that were planned.
+  /// When the last motion that was planned comes to a stop.
   [[nodiscard]] Duration duration() const { return duration_; }
 
  private:
   using Appended = Result<PlannedStep, motion::Refusal>;
 
-  [[nodiscard]] Appended append(const ScriptMotion& motion);
+  [[nodiscard]] Appended append(const ScriptMotion& motion, Duration arrival);
+  void note(const protocol::ChangeBase& change);
+  void note(const protocol::ChangeTcp& change);
+  void note(const protocol::QueueTag& tag);
+  void note(const protocol::WaitQueueTag& wait);
+  template <class Other>
+  void note(const Other& /*changes nothing*/) {}
+  [[nodiscard]] std::optional<BlendMisfit> misfitOf(const motion::Trajectory& trajectory,
+                                                    const std::optional<motion::Blend>& blend) const;
   [[nodiscard]] Appended appendUnplanned(const motion::Command& command);
 
   arm::ArmModel arm_;
@@ -71,6 +96,8 @@ class ScriptPlanner {
   std::optional<arm::Pose> tcp_;
   double speed_override_;
   Duration duration_{};
+  motion::TrajectoryPtr last_;          // from rest to rest, without the blend into it
+  std::optional<motion::Blend> blend_;  // of it; nothing when it stops
 };
 
 }  // namespace cobot_command::planning

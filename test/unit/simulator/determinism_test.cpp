@@ -41,6 +41,13 @@ Session play(const Advance& advance) {
   step(33ms,
        "PTP(\"JPP\",0,0,90,0,90,0,100,200,0,false)\r\nQueueTag(4)\r\nWaitQueueTag(4,100)\r\nScriptExit()");
   step(3s, "QueueTag(5)");
+  step(1s,
+       "Move_PTP(\"JPP\",-30,10,5,0,0,20,60,200,80,false)\r\nQueueTag(8)\r\n"
+       "Move_Line(\"CAR\",0,-50,-50,0,0,10,150,150,12,false)");
+  step(123456789ns, "Move_Line(\"TPP\",0,0,-50,0,0,0,10,150,100,false)");
+  step(700ms, "Pause()");
+  step(400ms, "Resume()\r\nMove_PTP(\"CPP\",0,30,0,0,0,0,20,300,0,false)");
+  step(450ms, "StopAndClearBuffer()");
   step(10s, "PTP(\"CPP\",2000,0,0,0,0,0,100,200,0,false)\r\nQueueTag(6,1)");
   step(1s, "QueueTag(7)");
   session.script_bytes = robot.heard(client);
@@ -62,7 +69,9 @@ void expectEqual(const Session& one, const Session& other) {
 
 TEST(Determinism, twoRunsAreBitIdentical) {
   const Session session = play(inOneStep);
-  EXPECT_NE(session.script_bytes.find(tag("04,true")), std::string::npos);
+  for (const char* done : {"04,true", "08,true"}) {
+    EXPECT_NE(session.script_bytes.find(tag(done)), std::string::npos) << done;
+  }
   expectEqual(session, play(inOneStep));
 }
 
