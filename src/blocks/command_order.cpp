@@ -71,7 +71,8 @@ CommandOrder orderOf(const OutputAction& output) {
   write.module = *moduleOf(output);
   write.index = output.output;
   write.on = output.value;
-  return orderOf(Block::PickAndPlace, write, false);
+  // A line of script, and it fails as one: the cycle tells that error as the one of its step.
+  return orderOf(Block::RunScript, write, false);
 }
 
 void addLastLines(CommandOrder& order) {
