@@ -33,11 +33,11 @@ class ErrorTable {
   ErrorTable& thesisCommand();
   /// What comes between a goal and its script, with any command of this layer.
   ErrorTable& anyCommand();
-  /// To wait for one's turn.
+  /// To wait for one's turn, with a robot that may move.
   ErrorTable& turn();
-  /// The way of a motion from its acceptance to its tag.
-  ErrorTable& tag();
-  /// Speed, time, blending and the plan of a move.
+  /// What moves the arm: its plan, and its way from the acceptance to the tag, or to a stop.
+  ErrorTable& motion();
+  /// That, and the parameters of a move.
   ErrorTable& move();
   /// A target as a pose in a tf frame.
   ErrorTable& framedPose();

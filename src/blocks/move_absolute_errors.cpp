@@ -9,7 +9,6 @@ std::vector<ErrorEntry> moveAbsoluteErrors() {
       .thesisCommand()
       .anyCommand()
       .turn()
-      .tag()
       .move()
       .framedPose()
       .row(motion_error::kPoseWithLine, "Robot Pose must be disabled for Line command", kSetInRange,

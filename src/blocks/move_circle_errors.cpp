@@ -9,7 +9,6 @@ std::vector<ErrorEntry> moveCircleErrors() {
       .thesisCommand()
       .anyCommand()
       .turn()
-      .tag()
       .move()
       .framedPose()
       .row(own_error::kArcAngleRange, "ArcAngle range: 0~360 degrees", kSetInRange,

@@ -9,7 +9,6 @@ std::vector<ErrorEntry> moveRelativeErrors() {
       .thesisCommand()
       .anyCommand()
       .turn()
-      .tag()
       .move()
       .row(relative_error::kFormatForPtp, "DataFormat invalid for PTP command", kSetInRange,
            "PTP with a data_format other than JPP (0), CPP (1) or TPP (5), known or unknown")

@@ -8,7 +8,7 @@ std::vector<ErrorEntry> runScriptErrors() {
   return ErrorTable(Block::RunScript)
       .anyCommand()
       .turn()
-      .tag()
+      .motion()
       .row(
           own_error::kScriptInvalid, "Script invalid",
           "Give lines of printable text, together at most 4096 bytes, without queue tags",

@@ -175,27 +175,28 @@ ErrorTable& ErrorTable::thesisCommand() {
 
 ErrorTable& ErrorTable::anyCommand() {
   return shared({motion_error::kNotConnected, motion_error::kReceiveReply, motion_error::kRejected,
-                 motion_error::kLinkDropped, own_error::kNotListening, own_error::kEmergencyStop,
-                 own_error::kRobotError, own_error::kCommunication, own_error::kShutDown});
+                 motion_error::kLinkDropped, own_error::kNotListening, own_error::kCommunication,
+                 own_error::kShutDown});
 }
 
 ErrorTable& ErrorTable::turn() {
   return shared({motion_error::kOtherBlockBusy, own_error::kBufferModeUnknown, own_error::kQueueFull,
+                 own_error::kEmergencyStop, own_error::kRobotError});
+}
+
+ErrorTable& ErrorTable::motion() {
+  return shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kUnreachable,
+                 own_error::kPoseBits, own_error::kJointLimit, own_error::kJointSpeed, own_error::kSingular,
+                 own_error::kNotPlannable, own_error::kNoFreeTag, own_error::kTagLost,
                  own_error::kStopNotConfirmed});
 }
 
-ErrorTable& ErrorTable::tag() {
-  return shared(
-      {motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kNoFreeTag, own_error::kTagLost});
-}
-
 ErrorTable& ErrorTable::move() {
-  return shared({motion_error::kSpeedRangeAbsolute, motion_error::kSpeedRangePercent,
-                 motion_error::kAccelTimeRange, motion_error::kClearBufferAgain, own_error::kNotFinite,
-                 own_error::kUnreachable, own_error::kPoseBits, own_error::kJointLimit,
-                 own_error::kJointSpeed, own_error::kSingular, own_error::kNotPlannable,
-                 own_error::kBlendingTooLarge, own_error::kStartUnknown, own_error::kNoModel,
-                 own_error::kBlendingRange, own_error::kCoordinateRange, own_error::kBaseUnknown});
+  return motion().shared({motion_error::kSpeedRangeAbsolute, motion_error::kSpeedRangePercent,
+                          motion_error::kAccelTimeRange, motion_error::kClearBufferAgain,
+                          own_error::kNotFinite, own_error::kBlendingTooLarge, own_error::kStartUnknown,
+                          own_error::kNoModel, own_error::kBlendingRange, own_error::kCoordinateRange,
+                          own_error::kBaseUnknown});
 }
 
 ErrorTable& ErrorTable::framedPose() {

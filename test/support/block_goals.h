@@ -74,6 +74,13 @@ inline blocks::RunScriptGoal good() {
   return goal;
 }
 
+template <>
+inline blocks::PickAndPlaceGoal good() {
+  blocks::PickAndPlaceGoal goal;
+  goal.steps.push_back({good<blocks::MoveAbsoluteGoal>(), blocks::OutputAction{"EndModule", 0, true}, 2});
+  return goal;
+}
+
 template <class Goal, class Change>
 [[nodiscard]] Goal with(const Change& change) {
   Goal goal = good<Goal>();

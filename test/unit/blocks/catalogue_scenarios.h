@@ -19,14 +19,21 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios connectScenarios();
 /// Goals of all command blocks with one bad parameter.
 [[nodiscard]] Scenarios parameterScenarios();
+/// Moves, and scripts of them, that the arm cannot make, or of which that is not known.
 [[nodiscard]] Scenarios planningScenarios();
 
 // The same for any command, `goal` being one that may be sent.
-/// The command is refused before it is sent.
-[[nodiscard]] Scenarios readinessScenarios(const blocks::Goal& goal);
+/// It cannot be told to the controller.
+[[nodiscard]] Scenarios linkScenarios(const blocks::Goal& goal);
+/// It is not its turn, or not the time for any command.
+[[nodiscard]] Scenarios turnScenarios(const blocks::Goal& goal);
 /// The controller, or the wire, fails a command that was sent.
 [[nodiscard]] Scenarios replyScenarios(const blocks::Goal& goal);
 /// The way of a motion from its acceptance to its end.
 [[nodiscard]] Scenarios motionScenarios(const blocks::Goal& goal);
+/// A stop, or the stop after a cancel, that nobody answers.
+[[nodiscard]] Scenarios stopScenarios(const blocks::Goal& goal);
+/// Sequences and cycles of them.
+[[nodiscard]] Scenarios sequenceScenarios();
 
 }  // namespace cobot_command::testing

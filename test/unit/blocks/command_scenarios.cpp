@@ -1,9 +1,11 @@
-// How a command fails that is good by itself: in planning, because of the robot, or on the wire.
+// How a command fails that is good by itself, and can be planned: because of the robot, or on the wire.
 
 #include "block_goals.h"
 #include "catalogue_scenarios.h"
 #include "core_rig.h"
 #include "status_frames.h"
+
+#include "cobot_command/common/overloaded.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -12,11 +14,23 @@ using namespace blocks;
 using protocol::CommunicationErrorCode;
 using protocol::TagState;
 
+void connect(CoreRig& rig) {
+  rig.connect();
+  rig.status(StatusFrames());
+}
+
+Goal buffered(Goal goal) {
+  std::visit(
+      Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {}, [](CheckSequenceGoal&) {},
+                 [](auto& command) { command.buffer_mode = static_cast<int>(BufferMode::Buffered); }},
+      goal);
+  return goal;
+}
+
 /// A command that was sent; `fault` gets the rig and the script id.
 Outcome until(const Goal& goal, const std::function<void(CoreRig&, const std::string&)>& fault) {
   CoreRig rig(std::nullopt, link::LinkSettings{});
-  rig.connect();
-  rig.status(StatusFrames());
+  connect(rig);
   const GoalId id = rig.submit(goal);
   fault(rig, rig.takeScript().id);
   rig.discardSent();
@@ -34,94 +48,57 @@ Outcome after(const Goal& goal, const std::function<void(CoreRig&)>& before) {
   return rig.outcome(id) == nullptr ? Outcome{} : *rig.outcome(id);
 }
 
-void line(MoveAbsoluteGoal& goal, AbsoluteFormat format, double speed) {
-  goal.movement_command = static_cast<int>(Movement::Line);
-  goal.data_format = static_cast<int>(format);
-  goal.speed = speed;
-}
-
-/// Planned on a TM arm from `joints_deg`.
-Outcome plannedOn(const char* model, const std::vector<float>& joints_deg,
-                  const std::function<void(MoveAbsoluteGoal&)>& change) {
-  CoreRig rig(*arm::ArmModel::named(model), link::LinkSettings{});
-  rig.connect();
-  rig.status(StatusFrames().with(protocol::item::ofFloats("Joint_Angle", joints_deg)));
-  MoveAbsoluteGoal goal = CoreRig::move();
-  change(goal);
-  const GoalId id = rig.submit(goal);
-  EXPECT_EQ(rig.scripts_sent, 0);
-  EXPECT_NE(rig.outcome(id), nullptr);
-  return rig.outcome(id) == nullptr ? Outcome{} : *rig.outcome(id);
-}
-
 }  // namespace
 
-Scenarios planningScenarios() {
-  const auto row = [](int id) { return Row{Block::MoveAbsolute, id}; };
-  return {
-      {row(own_error::kUnreachable),
-       [] {
-         return plannedOn("tm5-900", {10, 15, 80, -5, 85, 20},
-                          [](auto& g) { g.target = {3000, 0, 500, 180, 0, 90}; });
-       }},
-      {row(own_error::kPoseBits),
-       [] {  // nearly stretched: with the wrist flipped the arm would have to be longer
-         return plannedOn("tm5-900", {10, 15, 80, -5, 85, 20}, [](auto& g) {
-           g.target = {907.1, -122.3, 145, 180, 0, 90};
-           g.robot_pose_enable = true;
-           g.robot_pose = {0, 2, 5};
-         });
-       }},
-      {row(own_error::kJointLimit),
-       [] {
-         return plannedOn("tm5-900", {0, 0, 90, 0, 90, 0}, [](auto& g) {
-           g.data_format = static_cast<int>(AbsoluteFormat::Jpp);
-           g.target = {0, 0, 170, 0, 90, 0};
-         });
-       }},
-      {row(own_error::kJointSpeed),
-       [] {
-         return plannedOn("tm12", {0, -40, 130, 0, 90, 0}, [](auto& g) {
-           line(g, AbsoluteFormat::Cap, 1300);
-           g.target = {255.9, 143.7, 648.7, 180, 0, 90};
-         });
-       }},
-      {row(own_error::kSingular),
-       [] {
-         return plannedOn("tm5-900", {0, 0, 0, 0, 0, 0}, [](auto& g) {
-           line(g, AbsoluteFormat::Cap, 10);
-           g.target = {100, -200, 800, 0, 0, 90};
-         });
-       }},
-      {row(own_error::kNotPlannable),
-       [] {
-         return plannedOn("tm5-900", {0, 0, 90, 0, 90, 0}, [](auto& g) {
-           line(g, AbsoluteFormat::Cap, 1);
-           g.target = {90000, 0, 0, 180, 0, 90};
-         });
-       }},
-  };
-}
-
-Scenarios readinessScenarios(const Goal& goal) {
+Scenarios linkScenarios(const Goal& goal) {
   const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
   return {
       {row(motion_error::kNotConnected), [=] { return after(goal, [](CoreRig&) {}); }},
+      {row(own_error::kNotListening),
+       [=] {
+         return after(goal, [](CoreRig& rig) {
+           connect(rig);
+           rig.listening = false;
+           rig.pass(1s);
+         });
+       }},
+      {row(own_error::kShutDown), [=] { return after(goal, [](CoreRig& rig) { rig.shutDown(); }); }},
+  };
+}
+
+Scenarios turnScenarios(const Goal& goal) {
+  const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
+  return {
       {row(motion_error::kOtherBlockBusy),
        [=] {
          return after(goal, [](CoreRig& rig) {
-           rig.connect();
+           connect(rig);
            rig.submit(CoreRig::move());
+         });
+       }},
+      {row(own_error::kQueueFull),
+       [=] {
+         return after(buffered(goal), [](CoreRig& rig) {
+           connect(rig);
+           rig.submit(CoreRig::move());
+           while (rig.outcome(rig.submit(buffered(CoreRig::move()))) == nullptr) {
+           }
          });
        }},
       {row(own_error::kEmergencyStop),
        [=] {
          return after(goal, [](CoreRig& rig) {
-           rig.connect();
+           connect(rig);
            rig.status(StatusFrames().emergencyStop());
          });
        }},
-      {row(own_error::kShutDown), [=] { return after(goal, [](CoreRig& rig) { rig.shutDown(); }); }},
+      {row(own_error::kRobotError),
+       [=] {
+         return after(goal, [](CoreRig& rig) {
+           connect(rig);
+           rig.status(StatusFrames().error(1, "IK"));
+         });
+       }},
   };
 }
 
@@ -137,13 +114,7 @@ Scenarios replyScenarios(const Goal& goal) {
        [=] { return until(goal, [](auto& rig, const auto& id) { rig.reply(id, false, {1}); }); }},
       {row(motion_error::kLinkDropped),
        [=] { return until(goal, [](auto& rig, const auto&) { rig.close("gone"); }); }},
-      {row(own_error::kNotListening),
-       [=] { return communicationError(CommunicationErrorCode::NotListening); }},
       {row(own_error::kCommunication), [=] { return communicationError(CommunicationErrorCode::Checksum); }},
-      {row(own_error::kRobotError),
-       [=] {
-         return until(goal, [](auto& rig, const auto&) { rig.status(StatusFrames().error(1, "IK")); });
-       }},
   };
 }
 
@@ -166,17 +137,27 @@ Scenarios motionScenarios(const Goal& goal) {
        [=] { return overdue([](CoreRig& rig) { rig.tag(1, TagState::Incomplete); }); }},
       {row(own_error::kTagLost),
        [=] { return overdue([](CoreRig& rig) { rig.tag(1, TagState::Unknown); }); }},
+  };
+}
+
+Scenarios stopScenarios(const Goal& goal) {
+  const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
+  return {
       {row(own_error::kStopNotConfirmed),
        [=] {
          CoreRig rig;
          rig.connect();
          const GoalId id = rig.submit(goal);
-         rig.takeScript();
-         rig.cancel(id);
+         if (goal.index() != static_cast<std::size_t>(Block::Stop)) {
+           rig.takeScript();
+           rig.cancel(id);
+         }
          rig.takeScript();
          rig.pass(1s);
          return *rig.outcome(id);
        }},
+      {row(motion_error::kLinkDropped),
+       [=] { return until(goal, [](auto& rig, const auto&) { rig.close("gone"); }); }},
   };
 }
 
