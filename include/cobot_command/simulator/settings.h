@@ -28,7 +28,8 @@ struct Settings {
   Duration status_period = std::chrono::milliseconds(15);  ///< of the status stream (fact sheet chapter 3)
   int project_speed_percent = 100;                         ///< 5..100, multiples of 5
   bool accept_empty_length = false;                        ///< see FrameDecoder::Options
-  FaultSwitches faults;                                    ///< at the start
+  /// On at the start. (Said in full: GCC 12 crashes on the short form when Settings{} stands in a template.)
+  FaultSwitches faults = FaultSwitches();
   MotionErrorPolicy on_motion_error = MotionErrorPolicy::ReportFalse;
   /// From full motion to standstill, on the path, by Pause and StopAndClearBuffer; and back by Resume.
   Duration stop_time = std::chrono::milliseconds(200);
