@@ -266,7 +266,7 @@ TEST_F(BlendingTest, anEmergencyStopInTheCornerFreezesTheArm) {
 
 TEST_F(BlendingTest, tagsDroppedByAStopAreReportedWhereTheNextMotionTakesOver) {
   Settings settings;
-  settings.reports_stale_tags = true;
+  settings.faults.stale_tag.on = true;
   SimulatedRobot stale(settings);
   const ClientId one = stale.connect();
   stale.script(one, "1", kDown + kEnd + "QueueTag(5)" + kEnd + "StopAndClearBuffer()");
