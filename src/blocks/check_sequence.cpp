@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/common/units.h"
 #include "cobot_command/planning/script_planner.h"
 
 namespace cobot_command::blocks {
@@ -78,16 +80,18 @@ bool hasPoint(motion::Refusal::Reason reason) {
 class Sequence {
  public:
   Sequence(const CheckSequenceGoal& goal, const arm::ArmModel& arm, const Start& start)
-      : goal_(goal), planner_(arm, start) {}
+      : goal_(goal), arm_(arm), planner_(arm, start) {}
 
   Outcome run() {
     for (std::size_t i = 0; i < goal_.steps.size() && outcome_.failed_step < 0; ++i) {
       auto planned = std::visit([this](const auto& step) { return plan(step); }, goal_.steps[i]);
-      if (planned) {
-        keep(std::move(*planned));
-      } else {
+      if (!planned) {
         fail(i, planned.error());
+        continue;
       }
+      const auto misfit = planned->misfit;
+      keep(std::move(*planned));
+      if (misfit) failBlend(*misfit);
     }
     addJointPaths();
     if (outcome_.failed_step < 0) outcome_.planned = planner_.duration();
@@ -121,11 +125,30 @@ class Sequence {
     report.duration = planned.duration;
     outcome_.steps.push_back(std::move(report));
     planned_.push_back(std::move(planned));
+    settings_.push_back(planner_.setting());
+  }
+
+  /// The step whose radius it is fails, which may be the motion before. The point is the corner.
+  void failBlend(const planning::BlendMisfit& misfit) {
+    std::size_t step = planned_.size() - 1;
+    if (misfit.of_before) {
+      do --step;
+      while (!planned_[step].trajectory);
+    }
+    const arm::Pose flange = arm::forwardKinematics(arm_, planned_[step].trajectory->end().position);
+    const motion::Setting& setting = settings_[step];
+    fail(step,
+         {{{own_error::kBlendingTooLarge,
+            fmt::format("the radius is {:.1f} mm, at most {:.1f} mm fit: half of the way {} the corner",
+                        mToMm(misfit.radius), mToMm(misfit.allowed), misfit.of_before ? "behind" : "to"),
+            ""}},
+          arm::toControllerPose(setting.base.inverse() * flange * setting.tcp)});
   }
 
   void fail(std::size_t step, const Fault& fault) {
     const Outcome refusal = toRejection(blockOf(goal_.steps[step]), fault.failures);
     outcome_.steps.resize(step + 1);
+    planned_.resize(std::min(planned_.size(), outcome_.steps.size()));
     StepReport& report = outcome_.steps.back();
     report.error_id = refusal.error_id;
     report.error_description = refusal.error_description + ". " + refusal.remedy;
@@ -154,8 +177,10 @@ class Sequence {
   }
 
   const CheckSequenceGoal& goal_;
+  const arm::ArmModel& arm_;
   planning::ScriptPlanner planner_;
   std::vector<planning::PlannedStep> planned_;
+  std::vector<motion::Setting> settings_;  ///< that each was planned with
   Outcome outcome_;
 };
 

@@ -29,7 +29,7 @@ std::vector<ErrorEntry> moveAbsoluteErrors() {
       .row(own_error::kPoseNeedsCartesian, "A pose needs a Cartesian DataFormat",
            "Use a format that begins with C, or give the joints in target_position",
            "target_pose with JPP: a pose is no target in joints")
-      .shared({own_error::kMovementUnknown})
+      .shared({own_error::kBlendingTooLarge, own_error::kMovementUnknown})
       .rows();
 }
 

@@ -14,7 +14,7 @@ std::vector<ErrorEntry> moveRelativeErrors() {
            "PTP with a data_format other than JPP (0), CPP (1) or TPP (5), known or unknown")
       .row(relative_error::kFormatForLine, "DataFormat invalid for Line command", kSetInRange,
            "Line with JPP (0) or an unknown data_format")
-      .shared({own_error::kMovementUnknown})
+      .shared({own_error::kBlendingTooLarge, own_error::kMovementUnknown})
       .rows();
 }
 

@@ -73,7 +73,8 @@ constexpr SharedError kTargetErrors[] = {
      "planning: refused for another reason, which the description tells"},
     {own_error::kBlendingTooLarge, "Blending does not fit",
      "Lower blending_value, or choose targets that are further apart",
-     "planning: the blend asks for more of a path than there is between its targets"},
+     "in a sequence that is checked: the blending radius is larger than half of the way to its corner, "
+     "or of the way behind it"},
     {own_error::kStartUnknown, "Start unknown", "Wait until the status stream shows the robot standing",
      "check_only, and it is not known where the motion would start: no status stream, or the robot moves "
      "from "
@@ -194,9 +195,8 @@ ErrorTable& ErrorTable::motion() {
 ErrorTable& ErrorTable::move() {
   return motion().shared({motion_error::kSpeedRangeAbsolute, motion_error::kSpeedRangePercent,
                           motion_error::kAccelTimeRange, motion_error::kClearBufferAgain,
-                          own_error::kNotFinite, own_error::kBlendingTooLarge, own_error::kStartUnknown,
-                          own_error::kNoModel, own_error::kBlendingRange, own_error::kCoordinateRange,
-                          own_error::kBaseUnknown});
+                          own_error::kNotFinite, own_error::kStartUnknown, own_error::kNoModel,
+                          own_error::kBlendingRange, own_error::kCoordinateRange, own_error::kBaseUnknown});
 }
 
 ErrorTable& ErrorTable::framedPose() {

@@ -47,7 +47,6 @@ TEST(CatalogueRows, areRaisedOrExplained) {
     SCOPED_TRACE(std::string(toString(entry.block)) + " " + std::to_string(entry.id) + " " +
                  entry.description);
     const auto scenario = scenarios.find({entry.block, entry.id});
-    if (entry.id == own_error::kBlendingTooLarge) continue;  // comes with the planner's blending
     if (scenario == scenarios.end()) {
       EXPECT_THAT(entry.raised_when, HasSubstr("cannot occur"));
       continue;

@@ -233,6 +233,50 @@ TEST(CheckSequence, plansInJointsWhateverTheFrames) {
   EXPECT_EQ(outcome.ending, Ending::Done) << outcome.error_description;
 }
 
+/// A line down, blended with this radius.
+MoveRelativeGoal rounded(double way, double radius) {
+  auto goal = down(way);
+  goal.data_format = static_cast<int>(RelativeFormat::Car);
+  goal.blending_enable = true;
+  goal.blending_value = radius;
+  return goal;
+}
+
+TEST(CheckSequence, startsABlendedMotionBeforeTheEndOfTheOneBefore) {
+  const auto aside = with<MoveRelativeGoal>([](auto& g) {
+    g = down(0);
+    g.target = {0, 50, 0, 0, 0, 0};
+  });
+  const Outcome outcome = checked(sequence({rounded(50, 20), aside}));
+  ASSERT_EQ(outcome.ending, Ending::Done) << outcome.error_description;
+  const Duration corner = outcome.steps[1].start;
+  EXPECT_LT(corner, outcome.steps[0].duration);
+  EXPECT_EQ(outcome.planned, corner + outcome.steps[1].duration);
+  const JointPathPoint& last = outcome.steps[0].joint_path.back();
+  const JointPathPoint& first = outcome.steps[1].joint_path.front();
+  EXPECT_EQ(last.time, corner) << "the path goes on in the next step";
+  for (std::size_t j = 0; j < 6; ++j) {
+    EXPECT_NEAR(last.joints[j], first.joints[j], 1e-9);
+    EXPECT_NEAR(last.velocities[j], first.velocities[j], 1e-9);
+  }
+}
+
+TEST(CheckSequence, refusesABlendThatDoesNotFitItsOwnWay) {
+  const Outcome outcome = checked(sequence({toJoints(kAside), rounded(50, 26), down(100)}));
+  expectFailure(outcome, 1, own_error::kBlendingTooLarge);
+  EXPECT_THAT(outcome.error_description, HasSubstr("the radius is 26.0 mm, at most 25.0 mm fit"));
+}
+
+TEST(CheckSequence, refusesABlendThatDoesNotFitTheWayBehindItInTheNameOfItsOwner) {
+  const auto base = with<ChangeBaseGoal>([](auto& g) { g.transformation = {0, 0, 0, 0, 0, 0}; });
+  const Outcome outcome = checked(sequence({rounded(100, 30), base, down(50), toJoints(kAside)}));
+  expectFailure(outcome, 0, own_error::kBlendingTooLarge);
+  ASSERT_TRUE(outcome.steps[0].offending_point);
+  SixValues corner = poseAt(kHome);
+  corner[2] -= 100;
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR((*outcome.steps[0].offending_point)[i], corner[i], 1e-6);
+}
+
 TEST(CheckSequence, needsAStart) {
   CheckSequenceGoal goal = sequence({toJoints(kAside)});
   EXPECT_EQ(checkSequence(goal, model(), std::nullopt).error_id, own_error::kStartUnknown);

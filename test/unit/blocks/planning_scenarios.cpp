@@ -130,14 +130,14 @@ void addUnknown(Scenarios& all) {
   };
 }
 
-/// A move in a base of the project that nobody has told the value of.
-template <class Move, class Change>
-void addBaseUnknown(Scenarios& all, const Change& change) {
-  const Goal goal = with<Move>(change);
-  all[{static_cast<Block>(goal.index()), own_error::kBaseUnknown}] = [=] {
+/// The error of the step of a sequence that fails.
+template <class Move>
+void addStep(Scenarios& all, int id, const std::vector<SequenceStep>& before, const Move& move) {
+  all[{static_cast<Block>(Goal(move).index()), id}] = [=] {
     CoreRig rig(*arm::ArmModel::named("tm5-900"));
     CheckSequenceGoal sequence;
-    sequence.steps = {with<ChangeBaseGoal>([](auto& g) { g.base_name = "Table"; }), std::get<Move>(goal)};
+    sequence.steps = before;
+    sequence.steps.emplace_back(move);
     sequence.start_joints.assign(kHome.begin(), kHome.end());
     const Outcome whole = *rig.outcome(rig.submit(sequence));
     Outcome outcome;
@@ -146,6 +146,28 @@ void addBaseUnknown(Scenarios& all, const Change& change) {
     outcome.remedy = whole.remedy;
     return outcome;
   };
+}
+
+/// In a base of the project that nobody has told the value of.
+void addBaseUnknown(Scenarios& all) {
+  const std::vector<SequenceStep> before{with<ChangeBaseGoal>([](auto& g) { g.base_name = "Table"; })};
+  const auto add = [&](const auto& move) { addStep(all, own_error::kBaseUnknown, before, move); };
+  add(with<MoveAbsoluteGoal>([](auto& g) { g.target_pose = framedPose(); }));
+  add(good<MoveRelativeGoal>());
+  add(with<MoveCircleGoal>([](auto& g) { g.end_pose = framedPose(); }));
+}
+
+/// Two metres of radius on ten centimetres of way.
+void addBlends(Scenarios& all) {
+  const Way way{"tm5-900", kHome, {0, 0, -100}, 100};
+  auto absolute = lineAlong(way);
+  absolute.data_format = static_cast<int>(AbsoluteFormat::Car);
+  auto relative = relativeAlong(way);
+  relative.data_format = static_cast<int>(RelativeFormat::Tar);
+  absolute.blending_enable = relative.blending_enable = true;
+  absolute.blending_value = relative.blending_value = 2000;
+  addStep(all, own_error::kBlendingTooLarge, {}, absolute);
+  addStep(all, own_error::kBlendingTooLarge, {}, relative);
 }
 
 }  // namespace
@@ -161,9 +183,8 @@ Scenarios planningScenarios() {
   addUnknown<MoveAbsoluteGoal>(all);
   addUnknown<MoveRelativeGoal>(all);
   addUnknown<MoveCircleGoal>(all);
-  addBaseUnknown<MoveAbsoluteGoal>(all, [](auto& g) { g.target_pose = framedPose(); });
-  addBaseUnknown<MoveRelativeGoal>(all, [](auto&) {});
-  addBaseUnknown<MoveCircleGoal>(all, [](auto& g) { g.end_pose = framedPose(); });
+  addBaseUnknown(all);
+  addBlends(all);
   return all;
 }
 

@@ -60,6 +60,12 @@ Scenarios checkSequenceScenarios() {
          goal.steps.clear();
          return checked(CoreRig(model()), goal);
        }},
+      {row(own_error::kStepsUnreadable),
+       [] {
+         CheckSequenceGoal goal = sequence();
+         goal.steps_fault = "step 1 is of no kind";
+         return checked(CoreRig(model()), goal);
+       }},
       {row(own_error::kStepRefused),
        [] {
          CheckSequenceGoal goal = sequence();
