@@ -190,8 +190,9 @@ void CommandCore::Impl::start(CommandOrder order, Instant now) {
 
 void CommandCore::Impl::beginCycle(GoalId id, const PickAndPlaceGoal& goal, Instant now) {
   Outcome found = checkCycle(goal, preflight_.origin(robot_, frames_, now));
-  const bool not_checkable =
-      found.error_id == own_error::kStartUnknown || found.error_id == own_error::kNoModel;
+  const bool not_checkable = found.error_id == own_error::kStartUnknown ||
+                             found.error_id == own_error::kNoModel ||
+                             found.error_id == own_error::kBaseUnknown;
   if (found.ending == Ending::Rejected && !not_checkable) {
     dropWaiting("the command in front of it, pick_and_place, was refused");
     board_.end(Block::PickAndPlace, id, std::move(found));

@@ -12,6 +12,15 @@ std::string describe(const ErrorEntry& entry, const std::string& found) {
   return found.empty() ? std::string(entry.description) : fmt::format("{}: {}", entry.description, found);
 }
 
+/// A missing row is a fault of this layer; but who commands a robot has to get an answer all the same.
+const ErrorEntry& entryOf(Block block, int id) {
+  static constexpr ErrorEntry kUnlisted{Block::Connect, 0, "Error without a row in the catalogue",
+                                        "Report this to the maintainers", ""};
+  const ErrorEntry* entry = findError(block, id);
+  assert(entry != nullptr);
+  return entry != nullptr ? *entry : kUnlisted;
+}
+
 }  // namespace
 
 const char* toString(Phase phase) {
@@ -39,23 +48,21 @@ const char* toString(Phase phase) {
 }
 
 Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
-  const ErrorEntry* entry = findError(block, failure.error_id);
-  assert(entry != nullptr);
+  const ErrorEntry& entry = entryOf(block, failure.error_id);
   Outcome outcome;
   outcome.ending = ending;
   outcome.error_id = failure.error_id;
-  outcome.error_description = describe(*entry, failure.found);
-  outcome.remedy = failure.remedy.empty() ? entry->remedy : failure.remedy;
+  outcome.error_description = describe(entry, failure.found);
+  outcome.remedy = failure.remedy.empty() ? entry.remedy : failure.remedy;
   return outcome;
 }
 
 Outcome toRejection(Block block, const std::vector<Failure>& failures) {
   Outcome outcome = toOutcome(block, Ending::Rejected, failures.front());
   for (std::size_t i = 1; i < failures.size(); ++i) {
-    const ErrorEntry* entry = findError(block, failures[i].error_id);
-    assert(entry != nullptr);
+    const int id = failures[i].error_id;
     outcome.error_description +=
-        fmt::format("; also 16#{:X} {}", entry->id, describe(*entry, failures[i].found));
+        fmt::format("; also 16#{:X} {}", id, describe(entryOf(block, id), failures[i].found));
   }
   return outcome;
 }

@@ -63,6 +63,12 @@ Scenarios checkSequenceScenarios() {
       {row(own_error::kStepsUnreadable),
        [] {
          CheckSequenceGoal goal = sequence();
+         goal.steps_fault = "step 1: kind is 9";
+         return checked(CoreRig(model()), goal);
+       }},
+      {row(own_error::kStepsUnreadable),
+       [] {
+         CheckSequenceGoal goal = sequence();
          goal.steps_fault = "step 1 is of no kind";
          return checked(CoreRig(model()), goal);
        }},
