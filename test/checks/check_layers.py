@@ -6,6 +6,7 @@ import sys
 
 ALLOWED = {
     "common": set(),
+    "language": {"common"},
     "protocol": {"common"},
     "arm": {"common"},
     "motion": {"common", "arm"},

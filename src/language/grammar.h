@@ -1,0 +1,17 @@
+// The grammar of one line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "cobot_command/common/result.h"
+#include "cobot_command/language/script.h"
+
+namespace cobot_command::language {
+
+/// Nothing for a blank line. The error tells the column and what was expected.
+[[nodiscard]] Result<std::optional<Statement>, std::string> parseLine(std::string_view line);
+
+}  // namespace cobot_command::language

@@ -1,0 +1,58 @@
+#include "source_lines.h"
+
+#include <algorithm>
+
+namespace cobot_command::language {
+
+namespace {
+
+class Splitter {
+ public:
+  std::vector<SourceLine> split(std::string_view script) {
+    lines_.push_back({1, ""});
+    while (!script.empty()) script.remove_prefix(take(script));
+    return std::move(lines_);
+  }
+
+ private:
+  /// Takes what stands at the front, and gives its length.
+  std::size_t take(std::string_view rest) {
+    std::string& line = lines_.back().text;
+    if (rest.front() == '\n') return endLine();
+    if (in_comment_) return rest.substr(0, 2) == "*/" ? leaveComment() : 1;
+    if (!in_quotes_ && rest.substr(0, 2) == "//") return std::min(rest.find('\n'), rest.size());
+    if (!in_quotes_ && rest.substr(0, 2) == "/*") {
+      in_comment_ = true;
+      line += ' ';
+      return 2;
+    }
+    if (rest.front() == '"') in_quotes_ = !in_quotes_;
+    line += rest.front();
+    return 1;
+  }
+
+  std::size_t endLine() {
+    std::string& line = lines_.back().text;
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    in_quotes_ = false;
+    lines_.push_back({lines_.back().number + 1, ""});
+    return 1;
+  }
+
+  std::size_t leaveComment() {
+    in_comment_ = false;
+    return 2;
+  }
+
+  std::vector<SourceLine> lines_;
+  bool in_quotes_ = false;
+  bool in_comment_ = false;
+};
+
+}  // namespace
+
+std::vector<SourceLine> splitLines(std::string_view script) {
+  return Splitter().split(script);
+}
+
+}  // namespace cobot_command::language
