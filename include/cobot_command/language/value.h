@@ -31,6 +31,7 @@ struct Array {
   friend bool operator==(const Array& a, const Array& b) {
     return a.element == b.element && a.items == b.items;
   }
+  friend bool operator!=(const Array& a, const Array& b) { return !(a == b); }
 };
 
 using Value = std::variant<Scalar, Array>;
