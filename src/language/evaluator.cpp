@@ -77,7 +77,12 @@ Value Evaluator::remember(Value value, bool ends_script) {
 }
 
 Result<Value, Stop> Evaluator::valueOf(const Expression& expression) {
-  return std::visit([this](const auto& node) { return of(node); }, expression.node);
+  auto value = std::visit([this](const auto& node) { return of(node); }, expression.node);
+  if (!value) return value;
+  const auto* array = std::get_if<Array>(&*value);
+  work_ += sizeof(Value) + (array ? array->items.size() * sizeof(Scalar) : sizeOf(*value));
+  if (work_ > kMaxLineWork) return fault("the line takes too much work");
+  return value;
 }
 
 Result<Value, Stop> Evaluator::of(const Literal& literal) {

@@ -4,7 +4,9 @@
 // of variables come into force only at its end, and what the robot has answered once is not asked again.
 #pragma once
 
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,10 @@
 #include "cobot_command/language/interpreter.h"
 
 namespace cobot_command::language {
+
+/// Bytes that one line may handle, each value counted whenever it is handed on: ours, so that a line ends
+/// soon.
+inline constexpr std::size_t kMaxLineWork = std::size_t{64} << 20;
 
 /// Why a statement does not go on.
 struct Stop {
@@ -80,6 +86,7 @@ class Evaluator {
   std::vector<Answer>& answers_;
   std::size_t next_answer_ = 0;
   bool ends_script_ = false;
+  std::size_t work_ = 0;
   std::map<std::string, Value> changed_;
   Typing typing_;
 };

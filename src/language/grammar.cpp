@@ -117,7 +117,7 @@ const auto take_tree = [](auto& context) {
   x3::_val(context).node = tree(std::move(x3::_attr(context))).node;
 };
 
-struct Call_ {  ///< a name, perhaps with arguments
+struct NamedCall {  ///< a name, perhaps with arguments
   std::string name;
   bool is_call = false;
   Expressions arguments;
@@ -143,7 +143,7 @@ const auto set_elements = [](auto& context) {
   x3::_val(context).node = ArrayLiteral{std::move(x3::_attr(context))};
 };
 const auto set_call = [](auto& context) {
-  Call_& call = x3::_attr(context);
+  NamedCall& call = x3::_attr(context);
   if (call.is_call)
     x3::_val(context).node = Call{std::move(call.name), std::move(call.arguments)};
   else
@@ -161,7 +161,7 @@ const x3::rule<struct TextRule, std::string> text = "a text in quotes";
 const x3::rule<struct NumberRule, Expression> number = "a number";
 const x3::rule<struct TypeRule, Type> type = "a type";
 const x3::rule<struct ListRule, Expressions> list = "values, separated by commas";
-const x3::rule<struct CallRule, Call_> call = "a name";
+const x3::rule<struct CallRule, NamedCall> call = "a name";
 const x3::rule<struct PrimaryRule, Expression> primary = "a value";
 const x3::rule<struct SuffixedRule, Suffixed> suffixed = "a value";
 const x3::rule<struct PostfixRule, Expression> postfix = "a value";
@@ -177,10 +177,13 @@ const auto word_def =
     x3::lexeme[!(keywords >> word_end) >> x3::char_("A-Za-z_") >> *x3::char_(kWordCharacters)];
 const auto text_def = x3::lexeme['"' > *((x3::lit("\"\"") >> x3::attr('"')) | (x3::char_ - '"')) > '"'];
 
-const auto exponent = x3::char_("eE") >> -x3::char_("+-") >> +x3::digit;
-const auto numeral = (x3::lit('0') >> x3::char_("xX") >> *x3::xdigit) |
-                     (x3::lit('0') >> x3::char_("bB") >> *x3::digit) |
-                     (((+x3::digit >> -('.' >> *x3::digit)) | ('.' >> +x3::digit)) >> -exponent);
+// Not x3::digit and its kin: they must not see bytes above 0x7F.
+const auto digit = x3::char_("0-9");
+const auto hex_digit = x3::char_("0-9A-Fa-f");
+const auto exponent = x3::char_("eE") >> -x3::char_("+-") >> +digit;
+const auto numeral = (x3::lit('0') >> x3::char_("xX") >> *hex_digit) |
+                     (x3::lit('0') >> x3::char_("bB") >> *digit) |
+                     (((+digit >> -('.' >> *digit)) | ('.' >> +digit)) >> -exponent);
 const auto number_def = x3::lexeme[x3::raw[numeral][set_number] > word_end];
 
 const auto type_def = x3::lexeme[keywords >> word_end]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -52,6 +53,13 @@ std::optional<double> parseReal(std::string_view text) {
   stream >> std::noskipws >> value;
   if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
   return value;
+}
+
+std::string textOfReal(double value, int digits) {
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream << std::uppercase << std::setprecision(digits) << value;
+  return stream.str();
 }
 
 std::optional<std::uint32_t> parseDigits(std::string_view text, int base) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "cobot_command/language/value.h"
@@ -11,6 +12,10 @@ namespace cobot_command::language {
 /// Digits with a point, an exponent or neither: "12", "-.5", "3.4e5". Nothing for other texts and for what no
 /// double holds.
 [[nodiscard]] std::optional<double> parseReal(std::string_view text);
+
+/// So many significant digits at most, without needless zeros; with an exponent where that is shorter: 417.5,
+/// 1E+10.
+[[nodiscard]] std::string textOfReal(double value, int digits);
 
 /// Digits of the base 2, 10 or 16, without sign or prefix. More than 32 bits are nothing.
 [[nodiscard]] std::optional<std::uint32_t> parseDigits(std::string_view text, int base);

@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "numerals.h"
 #include <fmt/format.h>
 
 #include "cobot_command/common/overloaded.h"
@@ -39,7 +38,7 @@ std::string quoted(const std::string& content) {
 
 /// With a point or an exponent, so that it is read as a real again.
 std::string realText(double value, int digits) {
-  std::string text = fmt::format("{:.{}G}", value, digits);
+  std::string text = textOfReal(value, digits);
   return text.find_first_of(".E") == std::string::npos ? text + ".0" : text;
 }
 

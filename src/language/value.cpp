@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
+#include "numerals.h"
 
 #include "cobot_command/common/overloaded.h"
 
@@ -10,11 +10,11 @@ namespace cobot_command::language {
 
 namespace {
 
-/// The numbers of .NET, in which the controller's texts are written.
-std::string textOfReal(double value, int digits) {
+/// As .NET writes numbers, in which the controller is made.
+std::string controllerText(double value, int digits) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
-  return fmt::format("{:.{}G}", value == 0 ? 0.0 : value, digits);
+  return textOfReal(value == 0 ? 0.0 : value, digits);
 }
 
 std::size_t sizeOf(const Scalar& scalar) {
@@ -50,8 +50,8 @@ std::size_t sizeOf(const Value& value) {
 std::string textOf(const Scalar& scalar) {
   return std::visit(Overloaded{[](const std::string& text) { return text; },
                                [](bool flag) { return std::string(flag ? "True" : "False"); },
-                               [](float number) { return textOfReal(number, 7); },
-                               [](double number) { return textOfReal(number, 15); },
+                               [](float number) { return controllerText(number, 7); },
+                               [](double number) { return controllerText(number, 15); },
                                [](auto integer) { return std::to_string(integer); }},
                     scalar);
 }
