@@ -1,6 +1,6 @@
 #include "cobot_command/language/checker.h"
 
-#include "fake_robot.h"
+#include "script_session.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::language {

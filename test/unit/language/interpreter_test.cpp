@@ -1,6 +1,6 @@
 #include "cobot_command/language/interpreter.h"
 
-#include "fake_robot.h"
+#include "script_session.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::language {
@@ -183,6 +183,16 @@ TEST(ScriptInterpreter, boundsWhatAScriptCanStore) {
                      std::string(64, 'b') + "\")";
   for (int i = 0; i < 300; ++i) many += "\r\nstring s" + std::to_string(i) + " = s";
   EXPECT_THAT(session.run(many), HasSubstr("no room for more variables"));
+}
+
+TEST(ScriptInterpreter, boundsWhatALineCanTake) {
+  Session session;
+  ASSERT_EQ(session.run("string s = String_Replace(\"" + std::string(1000, 'a') + "\", \"a\", \"" +
+                        std::string(64, 'b') + "\")"),
+            "OK");
+  std::string line = "bool same = s == s";
+  for (int i = 0; i < 20000; ++i) line += " && s == s";
+  EXPECT_EQ(session.run(line), "line 1: the line takes too much work");
 }
 
 }  // namespace

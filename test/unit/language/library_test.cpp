@@ -1,5 +1,5 @@
 // The examples of the manual where it has some (I848-E-03 and -04, chapters 2 and 3).
-#include "fake_robot.h"
+#include "script_session.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::language {
