@@ -29,11 +29,14 @@ Scalar integerLiteral(std::uint32_t bits) {
 }
 
 std::size_t significantDigits(std::string_view numeral) {
-  std::string digits;
-  for (const char c : numeral.substr(0, numeral.find_first_of("eE")))
-    if (c != '.') digits += c;
-  const std::size_t first = digits.find_first_not_of('0');
-  return first == std::string::npos ? 0 : digits.find_last_not_of('0') - first + 1;
+  std::size_t count = 0;
+  std::size_t zeros = 0;  // since the last other digit: they count when one more follows
+  for (const char c : numeral.substr(0, numeral.find_first_of("eE"))) {
+    if (c == '.') continue;
+    zeros = c == '0' ? zeros + 1 : 0;
+    if (count > 0 || c != '0') ++count;
+  }
+  return count - std::min(count, zeros);
 }
 
 Scalar realLiteral(std::string_view numeral, double value) {
@@ -43,9 +46,32 @@ Scalar realLiteral(std::string_view numeral, double value) {
   return value;
 }
 
+/// Of at most 15 digits and a point: whole number and power of ten are then doubles without error, so that
+/// the quotient is the nearest double. A long trajectory is made of such numbers; a stream takes ten times as
+/// long.
+std::optional<double> parseShortReal(std::string_view text) {
+  constexpr std::size_t kExactDigits = 15;
+  std::uint64_t digits = 0;
+  double power = 1;
+  bool behind_point = false;
+  if (text.size() > kExactDigits || text.find_first_of(kDecimalDigits) == std::string_view::npos)
+    return std::nullopt;
+  for (const char c : text) {
+    if (c == '.' && !behind_point) {
+      behind_point = true;
+      continue;
+    }
+    if (c < '0' || c > '9') return std::nullopt;
+    digits = digits * 10 + static_cast<std::uint64_t>(c - '0');
+    if (behind_point) power *= 10;
+  }
+  return static_cast<double>(digits) / power;
+}
+
 }  // namespace
 
 std::optional<double> parseReal(std::string_view text) {
+  if (const auto real = parseShortReal(text)) return real;
   if (text.find_first_not_of("0123456789.eE+-") != std::string_view::npos) return std::nullopt;
   std::istringstream stream{std::string(text)};
   stream.imbue(std::locale::classic());

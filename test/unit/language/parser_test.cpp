@@ -89,6 +89,9 @@ TEST(ScriptParser, givesALiteralTheNarrowestTypeThatHoldsIt) {
   EXPECT_EQ(typeOfLiteral("3.4e5"), ScalarType::Float);
   EXPECT_EQ(typeOfLiteral("0.12345678"), ScalarType::Double);
   EXPECT_EQ(typeOfLiteral("1e300"), ScalarType::Double);
+  EXPECT_EQ(typeOfLiteral("000.0012300"), ScalarType::Float);
+  EXPECT_EQ(typeOfLiteral("10000001"), ScalarType::Int);
+  EXPECT_EQ(typeOfLiteral("10000001.0"), ScalarType::Double);
   EXPECT_EQ(treeOf("x = -2147483648"), "x = 0x80000000");
 }
 

@@ -1,6 +1,7 @@
 // Trees and texts of scripts, tried on random ones. A failure prints the seed: RC_PARAMS="seed=..." repeats
 // it.
 #include <algorithm>
+#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
@@ -117,6 +118,17 @@ RC_GTEST_PROP(ScriptTreeProperty, isReadAsItWasWritten, ()) {
   const ParsedScript read = parse(text);
   RC_ASSERT(read.faults.empty());
   RC_ASSERT(toText(read.statements) == text);
+}
+
+RC_GTEST_PROP(ScriptTreeProperty, hasTheNearestDoubleOfEachNumeral, ()) {
+  const auto digits = rc::gen::nonEmpty(rc::gen::container<Bytes>(rc::gen::inRange('0', ':')));
+  const Bytes numeral = *digits + '.' + *digits + *rc::gen::element<Bytes>("", "e3", "E-12");
+  const ParsedScript script = parse("double d = " + numeral);
+  RC_ASSERT(script.faults.empty());
+  const auto& declaration = std::get<Declaration>(script.statements.at(0).content);
+  const Scalar& value = std::get<Literal>(declaration.initial->node).value;
+  const double nearest = std::strtod(numeral.c_str(), nullptr);
+  RC_ASSERT(value == Scalar(nearest) || value == Scalar(static_cast<float>(nearest)));
 }
 
 RC_GTEST_PROP(ScriptTreeProperty, ofAnyTextIsStatementsOrFaultsOfItsLines, ()) {
