@@ -1,0 +1,1 @@
+"""The facts, a file for each section of the fact sheet."""
