@@ -98,7 +98,7 @@ class Lists(unittest.TestCase):
                 self.assertIn(check.since, suite.VERSIONS)
                 self.assertIn(check.version, suite.VERSIONS)
                 self.assertTrue(check.holds_in(check.version))
-                self.assertLessEqual(set(check.setup), set(robot.OPTIONS))
+                self.assertLessEqual(set(check.setup), {*robot.OPTIONS, 'operator'})
                 self.assertTrue(check.promise and check.source)
 
     def test_no_promise_is_made_twice(self):
@@ -113,7 +113,8 @@ class Lists(unittest.TestCase):
                 names = set(check.function.__code__.co_names)
                 constants = ' '.join(map(str, check.function.__code__.co_consts))
                 with self.subTest(check.id):
-                    self.assertFalse(names & {'move', 'observe', 'press', 'LONG', 'SHORT', 'pack_items'})
+                    self.assertFalse(
+                        names & {'move', 'observe', 'press', 'write', 'LONG', 'SHORT', 'pack_items', 'stop_project'})
                     self.assertIsNone(words.search(constants) if 'refuses' not in names else None)
 
     def test_the_page_is_current(self):
@@ -206,6 +207,18 @@ class Runner(unittest.TestCase):
                         said='127.0.0.1\n')
         self.assertEqual((ended.returncode, ended.stdout.count('\n')), (0, 1), ended)
         self.assertIn('3 passed', ended.stdout)
+
+    def test_finds_what_is_wrong_with_a_robot(self):
+        suite.load()
+        simulator = robot.Simulator(PROGRAM)
+        for fault, identity in (('corrupt_reply', 'TM-1.1.02'), ('refuse_script 0 1', 'TM-1.3.14'),
+                                ('query_none', 'TM-1.5.07'), ('false_tag', 'TM-2.2.40'), ('ignore_stop', 'TM-2.2.84'),
+                                ('hide_items 0 Joint_Torque', 'TM-3.2.01'), ('corrupt_stream', 'TM-3.0.01')):
+            with self.subTest(fault):
+                check = suite.CHECKS[identity]
+                target = simulator.start(check)
+                target.operate('fault ' + fault)
+                self.assertIsNotNone(run_conformance.attempt(check, target))
 
     def test_writes_reports(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -2,6 +2,7 @@
 import os
 import re
 import select
+import struct
 import subprocess
 import time
 import uuid
@@ -23,7 +24,6 @@ OPTIONS = {
     'data_timeout': '--data-timeout',  # ms, of the Listen node
     'licence': '--velocity-licence',  # flag
     'listen_node': '--listen-node',  # text of the entry message
-    'ma_mode': '--ma-mode',  # auto, manual
     'model': '--model',
     'point': '--point',  # NAME=J1,..,J6
     'reentry_delay': '--reentry-delay',  # ms, from leaving the Listen node to the next entry
@@ -35,6 +35,8 @@ OPTIONS = {
     'variable': '--variable',  # a global variable: TYPE NAME=VALUE
     'write_clients': '--write-clients',  # all, none
 }
+
+CONTROL = '--control'  # lets the program take the operator's commands, a line each; `operator` of a check is such a line
 
 
 class Robot:
@@ -172,9 +174,13 @@ class Robot:
             self.svr.stream_frame()
         suite.equal(self.value(name), expected, '%s after %s s' % (name, seconds))
 
+    def write(self, name, data):
+        """Writes an item over the status port, in BINARY."""
+        suite.equal(self.svr.refusal(1, tm_client.pack_items((name, data))), '00,OK', 'writing ' + name)
+
     def press(self, button):
         """Presses a button of the stick over the status port."""
-        suite.equal(self.svr.refusal(1, tm_client.pack_items((button, b'\1'))), '00,OK', 'pressing ' + button)
+        self.write(button, b'\1')
 
 
 class Simulator:
@@ -196,7 +202,8 @@ class Simulator:
         setup = {'time_scale': TIME_SCALE, **check.setup}
         if check.version != suite.DEFAULT_VERSION:
             setup.setdefault('tmflow', check.version)
-        return {OPTIONS[key]: value for key, value in setup.items()}
+        wanted = {OPTIONS[key]: value for key, value in setup.items() if key != 'operator'}
+        return {CONTROL: True, **wanted}
 
     def start(self, check):
         """A running simulator set up for a check."""
@@ -204,8 +211,15 @@ class Simulator:
         for option, value in self._wanted(check).items():
             if option in self.options:
                 arguments += [option] if value is True else [option, str(value)]
-        return SimulatedRobot([self.program, '--script-port', '0', '--status-port', '0', *arguments], check.version,
-                              self.help)
+        robot = SimulatedRobot([self.program, '--script-port', '0', '--status-port', '0', *arguments], check.version,
+                               self.help)
+        try:
+            if 'operator' in check.setup:
+                robot.operate(check.setup['operator'])
+        except BaseException:
+            robot.close()
+            raise
+        return robot
 
 
 class SimulatedRobot(Robot):
@@ -213,27 +227,51 @@ class SimulatedRobot(Robot):
 
     def __init__(self, command, version, helped, address='127.0.0.1'):
         self._help = helped
-        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self._output = b''
+        self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         try:
-            script, status = self._ports()
+            ports = self._line(rb'listening script=(\d+) status=(\d+)')
+            script, status = (int(port) for port in ports.groups())
         except BaseException:
             self._end()
             raise
         super().__init__((address, script), (address, status), version)
 
-    def _ports(self):
-        deadline, output = time.monotonic() + STARTING, b''
+    def _line(self, pattern):
+        """The match of the next line of its output that is wanted."""
+        deadline = time.monotonic() + STARTING
         while True:
-            ports = re.search(rb'^listening script=(\d+) status=(\d+)\n', output, re.MULTILINE)
-            if ports:
-                return int(ports.group(1)), int(ports.group(2))
+            line, end, rest = self._output.partition(b'\n')
+            if end:
+                self._output = rest
+                match = re.fullmatch(pattern, line)
+                if match:
+                    return match
+                continue
             ready, _, _ = select.select([self._process.stdout], [], [], max(deadline - time.monotonic(), 0))
             piece = os.read(self._process.stdout.fileno(), 4096) if ready else b''
             if not piece:
                 self._process.kill()
                 errors = self._process.communicate()[1].decode(errors='replace').strip()
-                raise AssertionError('the simulator does not start: %s' % (errors or 'it prints no ports'))
-            output += piece
+                raise AssertionError('the simulator is silent: %s' % (errors or 'no line %r' % pattern))
+            self._output += piece
+
+    def operate(self, command):
+        """Gives the program a command of the operator."""
+        suite.true(CONTROL in self._help, 'the program takes no commands of an operator')
+        self._process.stdin.write(command.encode() + b'\n')
+        self._process.stdin.flush()
+        answer = self._line(rb'(ok|error): .*').group().decode()
+        suite.true(answer.startswith('ok'), '%s: %s' % (command, answer))
+
+    def run_project(self):
+        self.operate('run')
+
+    def stop_project(self):
+        self.operate('stop')
+
+    def set_project_speed(self, percent):
+        self.operate('speed %d' % percent)
 
     def default_ports(self):
         """The ports of the script and the status server, where no others are asked for."""
@@ -252,6 +290,15 @@ class SimulatedRobot(Robot):
 class RealRobot(Robot):
     """A robot at an address; its connections are closed after each check, nothing else."""
 
+    def run_project(self):
+        self.press('Stick_PlayPause')
+
+    def stop_project(self):
+        self.press('Stick_Stop')
+
+    def set_project_speed(self, percent):
+        self.write('Project_Speed', struct.pack('<i', percent))
+
     RECOVERY = 120.0  # seconds that the arm may need to come back, or a script that blocks to end
 
     def prepare(self):
@@ -259,7 +306,7 @@ class RealRobot(Robot):
         try:
             self.listen.ask('00')
         except OSError:  # the project was stopped
-            self.press('Stick_PlayPause')
+            self.run_project()
             self.wait_for('Project_Run', True, 10)
         self.listen.script('home', 'StopAndClearBuffer()', 'Resume()', 'ChangeBase("RobotBase")', 'ChangeTCP("NOTOOL")',
                            'PTP("JPP",0,0,90,0,90,0,10,500,0,false)', 'QueueTag(15,1)')

@@ -23,7 +23,7 @@ class Check:
 
     since, until: the TMflow versions in which the promise holds, both included; until None: all later ones.
     safe: may run on a real robot: it moves nothing, stops nothing, leaves no Listen node and writes no output.
-    setup: how a simulator is to be set up for it (robot.OPTIONS).
+    setup: how a simulator is to be set up for it (robot.OPTIONS, and `operator`: a command of the operator).
     """
 
     def __init__(self, identity, promise, function, source, certainty, since, until, safe, setup):

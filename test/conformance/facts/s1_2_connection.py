@@ -18,16 +18,16 @@ def refused(robot):
        since='1.80')
 def the_port_closes_with_the_project(robot):
     equal(robot.listen.in_listen_node(), True, 'in a Listen node')
-    robot.press('Stick_Stop')
+    robot.stop_project()
     robot.listen.until_closed()
     true(refused(robot), 'the port still takes connections')
 
 
 @check('TM-1.2.02', 'the port opens when a project with a Listen node is run', 'M 7.1', since='1.80')
 def the_port_opens_with_the_project(robot):
-    robot.press('Stick_Stop')
+    robot.stop_project()
     robot.wait_for('Project_Run', False, 1)
-    robot.press('Stick_PlayPause')
+    robot.run_project()
     robot.wait_for('Project_Run', True, 1)
     equal(robot.listen.in_listen_node(), True, 'in a Listen node')
 
@@ -182,6 +182,6 @@ def a_motion_outlives_its_client(robot):
 @check('TM-1.2.20', 'stopping the project stops the arm', 'M 7.1', since='1.80', time_scale=1)
 def stopping_the_project_stops_the_arm(robot):
     equal(robot.listen.run('1', LONG), 'OK')
-    robot.press('Stick_Stop')
+    robot.stop_project()
     robot.wait_for('Project_Run', False, 1)
     true(stands(robot)[0] > -80, 'the motion was made')

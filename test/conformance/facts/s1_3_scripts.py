@@ -319,3 +319,20 @@ def tags_of_a_failed_motion_are_false(robot):
 @check('TM-1.3.47', 'all lines with an error are named, whatever the errors are', 'M 7.3', safe=True)
 def all_faulty_lines_are_named(robot):
     equal(robot.listen.run('1', 'ChangeBase("NoSuchBase")', FAULTY, 'ChangeLoad(', 'ChangeLoad()'), 'ERROR;1;2;3;4')
+
+
+@check('TM-1.3.48', 'more than 1000 scripts that wait are refused: `ERROR;1`', '?', CHOICE, since='1.76', time_scale=1)
+def waiting_scripts_have_an_end(robot):
+    robot.listen.script('first', LONG, 'QueueTag(1,1)')
+    for number in range(1100):
+        robot.listen.script('n%d' % number, 'ChangeLoad(1)')
+    equal(robot.listen.in_listen_node(), True, 'in a Listen node')
+    refused = [frame.text for frame in robot.listen.frames if frame.header == 'TMSCT']
+    equal(set(text.split(',')[1] for text in refused), {'ERROR;1'})
+    near(len(refused), 100, 2, 'refused scripts')
+
+
+@check('TM-1.3.49', 'lines that do not fit in a queue of 1000 motions are an ERROR', '?', CHOICE, time_scale=1)
+def the_queue_has_an_end(robot):
+    reply = robot.listen.run('1', LONG, *['ChangeLoad(1)'] * 1100)
+    true(reply.startswith('ERROR;') and reply.endswith(';1101'), 'answered with %s' % reply[:60])

@@ -202,3 +202,11 @@ def listen_send_returns_a_result(robot):
         before = len(robot.listen.frames)
         equal(robot.evaluate('%s%d' % (name, sub), 'int %s%d = ListenSend(%d,"x")' % (name, sub, sub)), '-2')
         equal([str(f) for f in robot.listen.frames[before:] if f.text.startswith('%d,' % sub)], [], 'messages')
+
+
+@check('TM-1.5.29', 'a question is answered once', 'I', DERIVED, safe=True)
+def questions_are_answered_once(robot):
+    for question in ('00', '01,88', '00', '01,99'):
+        robot.listen.ask(question)
+    equal([frame.text[:5] for frame in robot.listen.frames][1::2], ['01,88', '01,99'])
+    equal(len(robot.listen.frames), 4, 'frames')

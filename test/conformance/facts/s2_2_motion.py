@@ -251,3 +251,11 @@ def pvt_pauses(robot):
     equal(robot.listen.run('3', 'PVTResume()'), 'OK')
     robot.listen.until('TMSTA,01,01,true')
     near(robot.value('Joint_Angle')[0], 30, 0.01, 'J1')
+
+
+@check('TM-2.2.66', 'a tool given by value without its mass keeps the mass; NOTOOL has none', '?', CHOICE, since='1.80')
+def the_mass_is_kept(robot):
+    robot.move('ChangeTCP({0,0,150,0,0,90},2)', 'ChangeTCP({0,0,100,0,0,0})')
+    equal(robot.value('TCP_Mass'), 2, 'TCP_Mass')
+    robot.move('ChangeTCP("NOTOOL")')
+    equal(robot.value('TCP_Mass'), 0, 'TCP_Mass')

@@ -1,6 +1,6 @@
 """Fact sheet 2.4: parameterised items."""
 from motions import LONG
-from suite import DERIVED, check, equal, near, true
+from suite import CHOICE, DERIVED, check, equal, near, true
 from tm_client import pack_items
 
 SEEN = {'since': '1.76', 'safe': True}
@@ -187,3 +187,19 @@ def both_ports_see_one_robot(robot):
 def unknown_items(robot):
     robot.accepts(BOX + '.DO[0]=1')
     robot.refuses('IO["NoBox"].DO[0]=1', BOX + '.NoSuch[0]=1', 'NoItem["x"].Value={1,2,3,4,5,6}')
+
+
+@check('TM-2.4.26', 'outputs that StopAndClearBuffer drops stay as they are', '?', CHOICE, since='1.80')
+def dropped_outputs_stay(robot):
+    equal(robot.listen.run('1', LONG, BOX + '.DO[4]=1', 'StopAndClearBuffer()', END + '.DO[0]=1'), 'OK')
+    robot.wait_for('End_DO0', 1, 5)
+    equal(robot.value('Ctrl_DO4'), 0, 'Ctrl_DO4')
+
+
+@check('TM-2.4.27', 'outputs stay as they are when the project stops', '?', CHOICE, since='1.80')
+def outputs_outlive_the_project(robot):
+    equal(robot.listen.run('1', BOX + '.DO[4]=1'), 'OK')
+    robot.wait_for('Ctrl_DO4', 1, 1)
+    robot.stop_project()
+    robot.wait_for('Project_Run', False, 1)
+    equal(robot.value('Ctrl_DO4'), 1, 'Ctrl_DO4')

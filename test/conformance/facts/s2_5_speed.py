@@ -1,10 +1,7 @@
 """Fact sheet 2.5: speeds, times to top speed, blending. Seen in the status stream, a frame each 15 ms of its time."""
-import struct
-
 from motions import BACK, distance, shifted, text
 from robot import STREAM_PERIOD
-from suite import CHOICE, DERIVED, check, equal, near, true
-from tm_client import pack_items
+from suite import CHOICE, DERIVED, check, near, true
 
 HALF_TURN = 'PTP("JPP",-90,0,90,0,90,0,%s,%s,0,false)'
 
@@ -54,7 +51,7 @@ def joints_move_in_step(robot):
 
 @check('TM-2.5.04', 'the project speed scales all motions', 'L tmr_ros2 #20, #41', since='1.80')
 def the_project_speed_scales(robot):
-    equal(robot.svr.refusal(1, pack_items(('Project_Speed', struct.pack('<i', 50)))), '00,OK')
+    robot.set_project_speed(50)
     near(max(speeds(robot.observe(HALF_TURN % (40, 100)), 0)), 36, 0.5, 'deg/s of J1 at 40 % of 50 %')
 
 

@@ -33,7 +33,7 @@ def the_period(robot):
 
 @check('TM-3.0.04', 'it is served without a running project', 'M 10', since='1.80')
 def no_project_is_needed(robot):
-    robot.press('Stick_Stop')
+    robot.stop_project()
     robot.wait_for('Project_Run', False, 1)
     other = robot.connect_status()
     equal(len(other.stream_frame()), 3)
@@ -228,7 +228,7 @@ def writing_read_only_items(robot):
     equal(robot.svr.refusal(2, 'Robot_Link=1'), '05,ReadOnly;Robot_Link')
 
 
-@check('TM-3.0.46', 'an item of the other mode: `06,ModeError;Project_Speed` in manual mode', 'M 10', ma_mode='manual')
+@check('TM-3.0.46', 'an item of the other mode: `06,ModeError;Project_Speed` in manual mode', 'M 10', operator='manual')
 def writing_in_the_other_mode(robot):
     equal(robot.svr.refusal(2, 'Project_Speed=50'), '06,ModeError;Project_Speed')
 
@@ -261,7 +261,7 @@ def permission_before_content(robot):
 
 
 @check('TM-3.0.51', 'existence is checked before read-only, read-only before the mode, the mode before the value',
-       'M 10', ma_mode='manual')
+       'M 10', operator='manual')
 def order_of_checks(robot):
     equal(robot.svr.refusal(3, 'Ctrl_DO32=1'), '03,InvalidData')
     equal(robot.svr.refusal(2, 'Robot_Link="x"'), '05,ReadOnly;Robot_Link')
@@ -357,3 +357,11 @@ def clients_do_not_disturb_each_other(robot):
         watcher.stream_frame()
         times.append(watcher.frames[-1].time)
     true(statistics.mean(other - one for one, other in zip(times, times[1:])) < 0.03, 'the stream slows down')
+
+
+@check('TM-3.0.67', 'a request is answered once', 'I', DERIVED, **READ)
+def requests_are_answered_once(robot):
+    for identity in ('one', 'two', 'three'):
+        equal(robot.svr.request(11, pack_text('Robot_Link'), identity)[0], 11, 'mode')
+    answers = [frame.text.split(',')[0] for frame in robot.svr.frames if not frame.text.split(',')[0].isdigit()]
+    equal(answers, ['one', 'two', 'three'])

@@ -2,6 +2,7 @@
 import struct
 
 import tm_items
+from motions import OUT_OF_REACH, SHORT, stands
 from suite import DERIVED, check, equal, near, true
 from tm_client import pack_items, pack_text, unpack_items
 
@@ -147,7 +148,7 @@ def units_of_speeds(robot):
 @check('TM-3.1.33', 'Project_Run is true while a project runs', 'C', since='1.80')
 def a_project_runs(robot):
     equal(robot.value('Project_Run'), True, 'Project_Run')
-    robot.press('Stick_Stop')
+    robot.stop_project()
     robot.wait_for('Project_Run', False, 1)
 
 
@@ -156,7 +157,7 @@ def automatic_mode(robot):
     equal(robot.value('MA_Mode'), 1, 'MA_Mode')
 
 
-@check('TM-3.1.35', 'MA_Mode is 2 in manual mode', 'C', since='1.80', ma_mode='manual')
+@check('TM-3.1.35', 'MA_Mode is 2 in manual mode', 'C', since='1.80', operator='manual')
 def manual_mode(robot):
     equal(robot.value('MA_Mode'), 2, 'MA_Mode')
 
@@ -164,21 +165,53 @@ def manual_mode(robot):
 @check('TM-3.1.36', 'Robot_Light is 4 when a project runs in automatic mode, 3 when none does', 'C', since='1.80')
 def the_light(robot):
     equal(robot.value('Robot_Light'), 4, 'Robot_Light')
-    robot.press('Stick_Stop')
+    robot.stop_project()
     robot.wait_for('Project_Run', False, 1)
     equal(robot.value('Robot_Light'), 3, 'Robot_Light')
 
 
-@check('TM-3.1.37', 'Robot_Light is 6 when a project runs in manual mode', 'C', since='1.80', ma_mode='manual')
+@check('TM-3.1.37', 'Robot_Light is 6 when a project runs in manual mode, 5 when none does', 'C', since='1.80',
+       operator='manual')
 def the_light_in_manual_mode(robot):
     equal(robot.value('Robot_Light'), 6, 'Robot_Light')
+    robot.stop_project()
+    robot.wait_for('Project_Run', False, 1)
+    equal(robot.value('Robot_Light'), 5, 'Robot_Light')
+
+
+def light_with_an_error(robot):
+    equal(robot.listen.run('1', OUT_OF_REACH), 'OK')
+    robot.wait_for('Robot_Error', True, 2)
+    return robot.value('Robot_Light')
 
 
 @check('TM-3.1.38', 'Robot_Light is 9 with an error in automatic mode', 'C', since='1.80')
 def the_light_with_an_error(robot):
-    equal(robot.listen.run('1', 'PTP("CPP",9000,0,300,180,0,90,10,200,0,false)'), 'OK')
-    robot.wait_for('Robot_Error', True, 2)
-    equal(robot.value('Robot_Light'), 9, 'Robot_Light')
+    equal(light_with_an_error(robot), 9, 'Robot_Light')
+
+
+@check('TM-3.1.43', 'Robot_Light is 10 with an error in manual mode', 'C', since='1.80', operator='manual')
+def the_light_with_an_error_in_manual_mode(robot):
+    equal(light_with_an_error(robot), 10, 'Robot_Light')
+
+
+@check('TM-3.1.44', 'ESTOP is true, and Robot_Light 0, while the emergency stop is pressed', 'C', since='1.80',
+       operator='estop press')
+def emergency_stop(robot):
+    equal(robot.values('ESTOP', 'Robot_Light'), [True, 0])
+
+
+@check('TM-3.1.45', 'Safeguard_A tells of the safeguard, and the arm stands', 'C; I', DERIVED, since='1.80',
+       operator='safeguard open')
+def safeguard(robot):
+    equal(robot.value('Safeguard_A'), True, 'Safeguard_A')
+    equal(robot.listen.run('1', SHORT), 'OK')
+    near(stands(robot)[0], 0, 0.001, 'J1')
+
+
+@check('TM-3.1.46', 'Ctrl_DI and End_DI are the inputs', 'C', since='1.80', operator='input ControlBox 3 1')
+def inputs(robot):
+    equal(robot.values('Ctrl_DI2', 'Ctrl_DI3'), [0, 1])
 
 
 @check('TM-3.1.39', 'TMflow_Version names the version', 'C', since='1.80', safe=True)
@@ -225,7 +258,7 @@ def the_speed_buttons(robot):
     robot.wait_for('Project_Speed', 100, 1)
 
 
-@check('TM-3.1.52', 'outputs and Camera_Light can be written in both modes', 'C', ma_mode='manual')
+@check('TM-3.1.52', 'outputs and Camera_Light can be written in both modes', 'C', operator='manual')
 def outputs_in_manual_mode(robot):
     equal(robot.value('MA_Mode'), 2, 'MA_Mode')
     for name, value in (('Ctrl_DO15', b'\1'), ('End_DO3', b'\1'), ('Camera_Light', b'\1'), ('Ctrl_AO0',
@@ -234,7 +267,7 @@ def outputs_in_manual_mode(robot):
     equal(robot.values('Ctrl_DO15', 'End_DO3', 'Camera_Light', 'Ctrl_AO0'), [1, 1, 1, 2.5])
 
 
-@check('TM-3.1.53', 'Project_Name, Project_Speed and the stick but Stop are for automatic mode', 'C', ma_mode='manual')
+@check('TM-3.1.53', 'Project_Name, Project_Speed and the stick but Stop are for automatic mode', 'C', operator='manual')
 def items_of_automatic_mode(robot):
     for name, value in (('Project_Name', b'x'), ('Project_Speed', struct.pack('<i', 50)), ('Stick_PlayPause', b'\1'),
                         ('Stick_Plus', b'\1'), ('Stick_Minus', b'\1')):
@@ -248,11 +281,20 @@ def other_items_can_only_be_read(robot):
         equal(robot.svr.refusal(1, pack_items((name, b'\0' * tm_items.size(name)))), '05,ReadOnly;' + name)
 
 
-@check('TM-3.1.55', 'the frame `$TMSVR,20,local,2,Stick_Stop=1,*12` presses Stop', 'C; W')
+@check('TM-3.1.55', 'the frame `$TMSVR,20,local,2,Stick_Stop=1,*12` stops the project', 'C; W', since='1.80')
 def stop_is_pressed(robot):
     robot.svr.send_bytes(b'$TMSVR,20,local,2,Stick_Stop=1,*12\r\n')
     robot.svr.until(lambda frame: frame.data.startswith(b'local,'))
     equal(robot.svr.frames[-1].text, 'local,0,00,OK')
+    robot.wait_for('Project_Run', False, 1)
+
+
+@check('TM-3.1.56', 'writing 1 to Stick_PlayPause runs a stopped project', 'C', since='1.80')
+def play_is_pressed(robot):
+    robot.stop_project()
+    robot.wait_for('Project_Run', False, 1)
+    robot.press('Stick_PlayPause')
+    robot.wait_for('Project_Run', True, 1)
 
 
 @check('TM-3.2.01', 'the stream can hold the 47 items of the vendor driver', 'D', safe=True)
