@@ -11,10 +11,10 @@ def speeds(frames, joint):
 
 
 def corner(robot, blend, form='CAP'):
-    """Two lines at a right angle: the frames, and the corner."""
+    """Two lines at a right angle, with ramps of 20 mm: the frames, and the corner."""
     start = robot.value('Coord_Robot_Tool')
     middle, end = shifted(start, -100), shifted(start, -100, 100)
-    line = 'Line("%s",%s,100,100,%s,true)'
+    line = 'Line("%s",%s,100,400,%s,true)'
     frames = robot.observe(line % (form, text(middle), blend), line % (form, text(end), 0))
     near(robot.value('Coord_Robot_Tool')[:3], end[:3], 0.02, 'end')
     return frames, middle
