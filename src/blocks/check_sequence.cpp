@@ -24,7 +24,7 @@ using Start = planning::ScriptPlanner::Start;
 
 /// The block of a step: the steps are some of the goals, in the same order.
 Block blockOf(const SequenceStep& step) {
-  return std::visit([](const auto& goal) { return static_cast<Block>(Goal(goal).index()); }, step);
+  return std::visit([](const auto& goal) { return blocks::blockOf(Goal(goal)); }, step);
 }
 
 bool isJoints(const std::vector<double>& joints_deg) {

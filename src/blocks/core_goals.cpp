@@ -14,10 +14,6 @@
 namespace cobot_command::blocks {
 namespace {
 
-Block blockOf(const Goal& goal) {
-  return static_cast<Block>(goal.index());
-}
-
 void append(std::vector<Failure>& failures, const std::vector<Failure>& more) {
   failures.insert(failures.end(), more.begin(), more.end());
 }

@@ -11,10 +11,6 @@
 namespace cobot_command::blocks {
 namespace {
 
-Block blockOf(const Goal& goal) {
-  return static_cast<Block>(goal.index());
-}
-
 template <class Kind>
 constexpr bool kIsQueued = !std::is_same_v<Kind, ConnectGoal> && !std::is_same_v<Kind, ProgramControlGoal> &&
                            !std::is_same_v<Kind, StopGoal> && !std::is_same_v<Kind, CheckSequenceGoal> &&

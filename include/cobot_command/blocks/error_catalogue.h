@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
+
+#include "cobot_command/blocks/goal.h"
 
 namespace cobot_command::blocks {
 
@@ -23,6 +26,12 @@ enum class Block {
 };
 inline constexpr std::size_t kBlockCount = 12;
 [[nodiscard]] const char* toString(Block block);  ///< "connect", "move_absolute": the action's name
+
+/// The block of a goal: the alternatives of Goal stand in the order of Block.
+[[nodiscard]] inline Block blockOf(const Goal& goal) {
+  static_assert(std::variant_size_v<Goal> == kBlockCount);
+  return static_cast<Block>(goal.index());
+}
 
 /// One row of a block's error table. The meaning of an id depends on the block.
 struct ErrorEntry {
