@@ -43,6 +43,12 @@ void MotionQueue::resetSetting() {
   stale_tags_.clear();
 }
 
+void MotionQueue::setSpeedOverride(double override) {
+  setting_.speed_override = override;
+  next_.reset();  // it is planned anew
+  if (active_) active_->looked_ahead = false;
+}
+
 void MotionQueue::push(QueueItem item) {
   if (std::holds_alternative<MotionRequest>(item) && !error_stands_) error_.reset();
   items_.push_back(std::move(item));

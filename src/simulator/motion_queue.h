@@ -86,7 +86,7 @@ class MotionQueue {
   void pause(Instant now, Holder holder = Holder::Project);
   void resume(Instant now, Holder holder = Holder::Project);
   /// For the motions that start from now on, (0, 1].
-  void setSpeedOverride(double override) { setting_.speed_override = override; }
+  void setSpeedOverride(double override);
   /// Stops on the path; what is queued, and what will be until clearError(), fails with this error.
   void raise(RobotError error, Instant now);
   void clearError();

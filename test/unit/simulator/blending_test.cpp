@@ -154,6 +154,37 @@ TEST_F(BlendingTest, startsFromRestWhenTheNextMotionComesAfterTheEnd) {
   expectTravelled(80, -80);
 }
 
+TEST_F(BlendingTest, takesOverAtTheProjectSpeedOfThatMoment) {
+  robot.script(client, "1", kSideways + kEnd + kDown);
+  robot.wait(500ms);
+  robot.operate(SetProjectSpeed{50});
+  robot.waitUntilIdle();
+  EXPECT_NEAR(toSeconds(robot.now() - Instant{}), 0.8 + 1.8, 1e-8);
+  expectTravelled(80, -80);
+}
+
+TEST_F(BlendingTest, aRobotErrorBeforeTheCornerForgetsTheNextMotion) {
+  robot.script(client, "1", kSideways + kEnd + kDown + kEnd + "QueueTag(1)");
+  robot.wait(600ms);
+  robot.heard(client);
+  robot.operate(RaiseError{0x22, "too much force"});
+  expectSmooth(1s);
+  EXPECT_EQ(robot.heard(client), tag("01,false"));
+  expectTravelled(60, 0);
+}
+
+TEST_F(BlendingTest, anOpenSafeguardHoldsTheArmInTheCorner) {
+  robot.script(client, "1", kSideways + kEnd + kDown);
+  robot.wait(780ms);
+  robot.operate(SetSafeguard{true});
+  expectSmooth(400ms);
+  EXPECT_FALSE(robot.state().in_motion);
+  robot.operate(SetSafeguard{false});
+  expectSmooth(1300ms);
+  robot.waitUntilIdle();
+  expectTravelled(80, -80);
+}
+
 TEST_F(BlendingTest, countsEachOffsetFromItsCorner) {
   robot.script(client, "1", kSideways + kEnd + kSideways + kEnd + kSideways);
   robot.waitUntilIdle();
