@@ -11,7 +11,7 @@ else()
   set(programs ${CATKIN_PACKAGE_BIN_DESTINATION})
   set(headers ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
   set(share ${CATKIN_PACKAGE_SHARE_DESTINATION})
-  catkin_install_python(PROGRAMS examples/pick_and_place.py rviz/fleet_rviz.py DESTINATION ${programs})
+  catkin_install_python(PROGRAMS examples/pick_and_place.py examples/tour.py rviz/fleet_rviz.py DESTINATION ${programs})
   install(DIRECTORY config launch rviz DESTINATION ${share})
 endif()
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs one pick-and-place cycle through the actions and prints what became of each step.
+"""Runs pick-and-place cycles through the action `pick_and_place` and prints what became of each step.
 
 Exit status: 0 only if every step is Done, 1 if not, 2 if the command node or the steps cannot be used.
 """
@@ -12,47 +12,42 @@ import rospy
 import yaml
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import (CommandStatus, ConnectAction, ConnectGoal, MoveAbsoluteAction, MoveAbsoluteGoal, RobotPose,
-                               Transformation)
+from cobot_command.msg import (CommandStatus, ConnectAction, ConnectGoal, PickAndPlaceAction, PickAndPlaceFeedback,
+                               PickAndPlaceGoal)
 
 CONNECT_TIMEOUT = 30.0  # [s]; the Connect block's own range is 10..300
-STEP_TIMEOUT = 120.0    # [s]; far beyond any step: the block's own deadline comes first
-ROW = "{:>4}  {:<17} {:<5} {:<4} {:<36} {:>9} {:>9} {:>4}  {}"
+STEPS_UNREADABLE = 0x256
+MOVING = (PickAndPlaceFeedback.ACTIVE, PickAndPlaceFeedback.HELD)
+ROW = "{:>5} {:>5}  {:<17} {:<5} {:<4} {:<36} {:>9} {:>9} {:>4}  {}"
 
 
 def main():
     arguments = parse_arguments()
     rospy.init_node("pick_and_place", anonymous=True)
-    steps, dwell = read_steps(arguments.steps)
-    move = actionlib.SimpleActionClient("move_absolute", MoveAbsoluteAction)
     connect = actionlib.SimpleActionClient("connect", ConnectAction)
-    for client, name in ((move, "move_absolute"), (connect, "connect")):
+    pick_and_place = actionlib.SimpleActionClient("pick_and_place", PickAndPlaceAction)
+    for client, name in ((connect, "connect"), (pick_and_place, "pick_and_place")):
         if not client.wait_for_server(rospy.Duration(CONNECT_TIMEOUT)):
             print(f"no action server {rospy.resolve_name(name)}: is the command node running?")
             return 2
     if not connected(connect, arguments):
         return 1
     try:
-        return 0 if run_cycles(move, steps, dwell, arguments.cycles) else 1
+        return run(pick_and_place, arguments)
     finally:
         connect.cancel_goal()  # the normal end of Connect
         connect.wait_for_result(rospy.Duration(5.0))
 
 
 def parse_arguments():
-    default_steps = rospkg.RosPack().get_path("cobot_command") + "/config/pick_and_place.yaml"
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--host", default="", help="address of the controller (default: the command node's robot_ip)")
     parser.add_argument("--port", type=int, default=0, help="script port (default: the command node's script_port)")
-    parser.add_argument("--cycles", type=int, default=1, help="how many cycles to run (default: %(default)s)")
-    parser.add_argument("--steps", default=default_steps, help="YAML file with the steps (default: %(default)s)")
+    parser.add_argument("--cycles", type=int, default=1,
+                        help="how many cycles to run; 0: until interrupted (default: %(default)s)")
+    parser.add_argument("--steps", default="package://cobot_command/config/pick_and_place.yaml",
+                        help="YAML file with the steps, on the command node's machine (default: %(default)s)")
     return parser.parse_args(rospy.myargv()[1:])
-
-
-def read_steps(path):
-    with open(path, encoding="utf-8") as file:
-        content = yaml.safe_load(file)
-    return content["steps"], content["dwell"]
 
 
 def connected(client, arguments):
@@ -74,49 +69,82 @@ def connected(client, arguments):
     return False
 
 
-def run_cycles(move, steps, dwell, cycles):
-    print(ROW.format("step", "name", "move", "fmt", "target [mm, deg]", "planned", "actual", "tag", "result"))
-    for _ in range(cycles):
-        for number, step in enumerate(steps, start=1):
-            if not run_step(move, number, step):
-                return False
-            if step.get("dwell"):
-                rospy.sleep(dwell)
-    print(f"\n{cycles} cycle(s), all steps Done")
-    return True
+def run(client, arguments):
+    table = Table(arguments.steps)
+    client.send_goal(PickAndPlaceGoal(steps_file=arguments.steps, cycles=arguments.cycles), feedback_cb=table.take)
+    try:
+        while not client.wait_for_result(rospy.Duration(1.0)) and not rospy.is_shutdown():
+            pass
+    finally:
+        client.cancel_goal()  # changes nothing once it has ended
+    result = client.get_result()
+    if client.get_state() == GoalStatus.SUCCEEDED:
+        table.end("Done")
+        print(f"\n{result.cycles_done} cycle(s), all steps Done")
+        return 0
+    if result is None:
+        table.end("interrupted")
+        return 1
+    verdict = f"16#{result.error_id:X}: {result.error_description} -> {result.remedy}"
+    table.end(f"Error {verdict}" if result.failed_step >= 0 else "interrupted")
+    print(f"\nnot done, after {result.cycles_done} cycle(s): {verdict}")
+    return 2 if result.error_id == STEPS_UNREADABLE else 1
 
 
-def run_step(move, number, step):
-    move.send_goal(goal_of(step))
-    if not move.wait_for_result(rospy.Duration(STEP_TIMEOUT)):
-        print(f"step {number}: no result in {STEP_TIMEOUT} s")
-        return False
-    done = move.get_state() == GoalStatus.SUCCEEDED
-    result = move.get_result()
-    verdict = "Done" if done else f"Error 16#{result.error_id:X}: {result.error_description} -> {result.remedy}"
-    target = ", ".join(f"{value:g}" for value in step["target_position"])
-    print(ROW.format(number, step["name"], step["movement_command"], step["data_format"], target,
-                     seconds(result.planned_duration), seconds(result.actual_duration), result.command_id_ack, verdict),
-          flush=True)
-    return done
+class Table:
+    """One row for each step, as soon as the feedback shows that the next one has begun."""
+
+    def __init__(self, steps_file):
+        self.steps = read_steps(steps_file)
+        self.row = None        # (cycle, step) under way
+        self.planned = self.tag = 0
+        self.began = self.stood = None
+        print(ROW.format("cycle", "step", "name", "move", "fmt", "target [mm, deg]", "planned", "actual", "tag",
+                         "result"))
+
+    def take(self, feedback):
+        if feedback.step < 0:
+            return
+        row, now = (feedback.cycle, feedback.step), rospy.get_time()
+        if row != self.row:
+            self.end("Done", now)
+            self.row, self.began, self.stood = row, None, None
+            self.planned = self.tag = 0
+        if feedback.phase in MOVING and feedback.command_id_ack:
+            self.began = self.began or now
+            self.planned, self.tag = feedback.planned_duration.to_sec(), feedback.command_id_ack
+        elif self.began:  # the output or the dwell behind the move
+            self.stood = self.stood or now
+
+    def end(self, verdict, now=None):
+        """Prints the row of the step under way. Its actual time is that of the move as the feedback shows it."""
+        if self.row is None:
+            return
+        cycle, step = self.row
+        actual = (self.stood or now or rospy.get_time()) - self.began if self.began else 0
+        print(ROW.format(cycle, step + 1, *self.words(step), f"{self.planned:.2f} s", f"{actual:.2f} s", self.tag,
+                         verdict), flush=True)
+        self.row = None
+
+    def words(self, step):
+        """Name, move, format and target; blank when the file is not on this machine."""
+        if step >= len(self.steps):
+            return "", "", "", ""
+        values = self.steps[step]
+        target = ", ".join(f"{value:g}" for value in values["target_position"])
+        return values.get("name", ""), values["movement_command"], values["data_format"], target
 
 
-def goal_of(step):
-    goal = MoveAbsoluteGoal(
-        movement_command=getattr(MoveAbsoluteGoal, step["movement_command"]),
-        data_format=getattr(MoveAbsoluteGoal, step["data_format"]),
-        target_position=Transformation(*step["target_position"]),
-        speed=step["speed"],
-        accel_time=step["accel_time"],
-        precise_positioning=True)
-    if "robot_pose" in step:
-        goal.robot_pose_enable = True
-        goal.robot_pose = RobotPose(*(getattr(RobotPose, name) for name in step["robot_pose"]))
-    return goal
-
-
-def seconds(duration):
-    return f"{duration.to_sec():.2f} s"
+def read_steps(path):
+    """For the table only: the command node reads the file itself, and is the one who judges it."""
+    if path.startswith("package://"):
+        package, _, rest = path[len("package://"):].partition("/")
+        path = f"{rospkg.RosPack().get_path(package)}/{rest}"
+    try:
+        with open(path, encoding="utf-8") as file:
+            return yaml.safe_load(file)["steps"]
+    except (OSError, yaml.YAMLError, KeyError, TypeError, rospkg.ResourceNotFound):
+        return []
 
 
 if __name__ == "__main__":

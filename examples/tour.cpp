@@ -1,0 +1,243 @@
+// A tour of the actions: connects, checks before it moves, moves in three ways with blending, works in
+// another base with another tool, pauses and resumes, stops, and comes back. Needs about 1 m of free space
+// around the robot.
+//
+// Exit status: 0 when everything went as it should, 1 with the reason when not. The same in Python: tour.py.
+
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/ros.h>
+
+#include "cobot_command/ChangeBaseAction.h"
+#include "cobot_command/ChangeTCPAction.h"
+#include "cobot_command/CheckSequenceAction.h"
+#include "cobot_command/CommandStatus.h"
+#include "cobot_command/ConnectAction.h"
+#include "cobot_command/MoveAbsoluteAction.h"
+#include "cobot_command/MoveCircleAction.h"
+#include "cobot_command/MoveRelativeAction.h"
+#include "cobot_command/ProgramControlAction.h"
+#include "cobot_command/StopAction.h"
+
+namespace {
+
+using namespace cobot_command;
+using State = actionlib::SimpleClientGoalState;
+
+const ros::Duration kTimeout(60);
+
+/// mm and degrees, or six joints in degrees.
+Transformation six(double x, double y, double z, double rx = 0, double ry = 0, double rz = 0) {
+  Transformation values;
+  values.x = x;
+  values.y = y;
+  values.z = z;
+  values.rx = rx;
+  values.ry = ry;
+  values.rz = rz;
+  return values;
+}
+
+/// Point to point, joints in degrees.
+MoveAbsoluteGoal home() {
+  MoveAbsoluteGoal goal;
+  goal.movement_command = MoveAbsoluteGoal::PTP;
+  goal.data_format = MoveAbsoluteGoal::JPP;
+  goal.target_position = six(0, 0, 90, 0, 90, 0);
+  goal.speed = 50;
+  goal.accel_time = 300;
+  goal.precise_positioning = true;
+  return goal;
+}
+
+/// A line by an offset [mm], at `speed` [mm/s].
+MoveRelativeGoal by(const Transformation& offset, int data_format, int speed) {
+  MoveRelativeGoal goal;
+  goal.movement_command = MoveRelativeGoal::LINE;
+  goal.data_format = data_format;
+  goal.target_position = offset;
+  goal.speed = speed;
+  goal.accel_time = 300;
+  return goal;
+}
+
+/// Done when the controller has accepted it: what comes next begins before the robot stands.
+MoveRelativeGoal up() {
+  MoveRelativeGoal goal = by(six(0, 0, 60), MoveRelativeGoal::CAP, 150);
+  goal.blending_enable = true;
+  goal.blending_value = 50;
+  return goal;
+}
+
+MoveRelativeGoal aside() {
+  MoveRelativeGoal goal = by(six(0, 80, 0), MoveRelativeGoal::CAP, 150);
+  goal.buffer_mode = MoveRelativeGoal::BUFFERED;
+  return goal;
+}
+
+MoveCircleGoal arc() {
+  MoveCircleGoal goal;
+  goal.data_format = MoveCircleGoal::CAP;
+  goal.arc_point = six(480, -60, 461, 180, 0, 90);
+  goal.end_point = six(517.5, 0, 461, 180, 0, 90);
+  goal.speed = 150;
+  goal.accel_time = 300;
+  return goal;
+}
+
+SequenceStep step(const MoveRelativeGoal& move) {
+  SequenceStep checked;
+  checked.kind = SequenceStep::MOVE_RELATIVE;
+  checked.move_relative = move;
+  return checked;
+}
+
+/// The client of one action. A goal that does not end as it should is an exception.
+template <class Action>
+class Client {
+ public:
+  using Goal = typename Action::_action_goal_type::_goal_type;
+  using Result = typename Action::_action_result_type::_result_type;
+
+  explicit Client(std::string name) : name_(std::move(name)), client_(name_) {}
+
+  Result run(const Goal& goal) {
+    start(goal);
+    return expect(State::SUCCEEDED);
+  }
+
+  /// Returns when the goal is taken, that is when it may be cancelled.
+  void start(const Goal& goal) {
+    if (!client_.waitForServer(kTimeout))
+      throw std::runtime_error("no action server " + name_ + ": is the command node running?");
+    client_.sendGoal(goal);
+    while (ros::ok() && client_.getState() == State::PENDING) ros::Duration(0.01).sleep();
+  }
+
+  Result expect(State::StateEnum state) {
+    if (!client_.waitForResult(kTimeout)) throw std::runtime_error(name_ + " did not end");
+    const Result result = *client_.getResult();
+    if (client_.getState() != state)
+      throw std::runtime_error(name_ + ": " + result.error_description + " -> " + result.remedy);
+    return result;
+  }
+
+  bool isActive() { return client_.getState() == State::ACTIVE; }
+  void cancelAndWait() {
+    client_.cancelGoal();
+    client_.waitForResult(kTimeout);
+  }
+
+ private:
+  std::string name_;
+  actionlib::SimpleActionClient<Action> client_;
+};
+
+/// Ready to send commands as long as it lives.
+class Link {
+ public:
+  Link() {
+    ConnectGoal goal;
+    goal.timeout = 20;
+    client_.start(goal);
+    while (client_.isActive()) {
+      // Latched: the newest is there at once.
+      const auto status = ros::topic::waitForMessage<CommandStatus>("command_status", ros::Duration(10));
+      if (status && status->link_state == CommandStatus::READY && status->status_stream) return;
+    }
+    client_.expect(State::ACTIVE);
+  }
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+  /// The normal end of connect.
+  ~Link() { client_.cancelAndWait(); }
+
+ private:
+  Client<ConnectAction> client_{"connect"};
+};
+
+void show(const Transformation& tool) {
+  std::printf("  the tool is at %.1f, %.1f, %.1f mm\n", tool.x, tool.y, tool.z);
+}
+
+void checkBeforeMoving() {
+  std::puts("Check a sequence that begins at home: nothing is sent");
+  CheckSequenceGoal goal;
+  goal.start_joints = {0, 0, 90, 0, 90, 0};
+  goal.steps = {step(up()), step(aside())};
+  const auto checked = Client<CheckSequenceAction>("check_sequence").run(goal);
+  std::printf("  it would take %.2f s\n", checked.planned_duration.toSec());
+}
+
+void moveInThreeWays() {
+  Client<MoveAbsoluteAction> move_absolute("move_absolute");
+  Client<MoveRelativeAction> move_relative("move_relative");
+  std::puts("Go home, point to point");
+  move_absolute.run(home());
+  std::puts("Up, and aside without stopping in between: the first is done when it is accepted");
+  move_relative.run(up());
+  move_relative.run(aside());
+  std::puts("Home again, and along an arc");
+  move_absolute.run(home());
+  show(Client<MoveCircleAction>("move_circle").run(arc()).final_pose);
+}
+
+void workInAnotherBase() {
+  std::puts("Another base and another tool: the same place has other numbers");
+  Client<ChangeBaseAction> change_base("change_base");
+  Client<ChangeTCPAction> change_tcp("change_tcp");
+  ChangeBaseGoal base;
+  base.transformation = six(400, 0, 100);
+  change_base.run(base);
+  ChangeTCPGoal tool;
+  tool.tcp_offset = six(0, 0, 120);
+  tool.weight = 1.2;
+  change_tcp.run(tool);
+  show(Client<MoveRelativeAction>("move_relative")
+           .run(by(six(0, 0, 20), MoveRelativeGoal::CAP, 100))
+           .final_pose);
+  tool.tcp_name = "NOTOOL";
+  change_tcp.run(tool);
+  base.base_name = "RobotBase";
+  change_base.run(base);
+}
+
+void pauseResumeAndStop() {
+  std::puts("Begin a slow motion; pause it, resume it, stop it");
+  Client<MoveRelativeAction> move_relative("move_relative");
+  Client<ProgramControlAction> program_control("program_control");
+  move_relative.start(by(six(0, 0, 150), MoveRelativeGoal::TAP, 20));
+  ProgramControlGoal control;
+  control.command = ProgramControlGoal::PAUSE;
+  program_control.run(control);
+  control.command = ProgramControlGoal::RESUME;
+  program_control.run(control);
+  Client<StopAction>("stop").run(StopGoal());
+  move_relative.expect(State::PREEMPTED);
+  std::puts("Home");
+  Client<MoveAbsoluteAction>("move_absolute").run(home());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "tour", ros::init_options::AnonymousName);
+  const ros::NodeHandle node;
+  try {
+    std::puts("Connect: the goal stays active as long as the link lives");
+    const Link link;
+    checkBeforeMoving();
+    moveInThreeWays();
+    workInAnotherBase();
+    pauseResumeAndStop();
+  } catch (const std::exception& failure) {
+    std::printf("The tour ends here: %s\n", failure.what());
+    return 1;
+  }
+  std::puts("The tour is over");
+  return 0;
+}
