@@ -11,9 +11,6 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-// A goal waits this long for a tf frame: those of a robot that moves come late by some tens of milliseconds,
-// those of a node that has just started by a few hundred.
-constexpr auto kFramePatience = std::chrono::milliseconds(200);
 constexpr double kFrameRetryPeriod = 0.01;  // [s]
 
 Instant steadyNow() {
@@ -42,9 +39,9 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       default_port_(parameters.script_port),
       publisher_(node, jointNames(parameters.prefix), parameters.prefix),
       diagnostics_(node, self, parameters.link.status_port != 0),
-      frames_(parameters.prefix + "base"),
-      intake_([this](const std_msgs::Header& header) { return frames_.find(header); }, kFramePatience,
-              intakeCore()) {
+      frames_(parameters.prefix + "base", parameters.tf_from_start),
+      intake_([this](const std_msgs::Header& header) { return frames_.find(header); },
+              [this] { return frames_.patience(); }, intakeCore()) {
   if (!parameters.arm)
     ROS_WARN("no robot model: moves are sent to the controller without planning them first");
   retry_ = node.createSteadyTimer(

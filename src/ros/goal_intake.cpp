@@ -5,8 +5,8 @@
 
 namespace cobot_command::ros_adapter {
 
-GoalIntake::GoalIntake(FrameLookup frames, Duration patience, Core core)
-    : frames_(std::move(frames)), patience_(patience), core_(std::move(core)) {}
+GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, Core core)
+    : frames_(std::move(frames)), patience_(std::move(patience)), core_(std::move(core)) {}
 
 void GoalIntake::submit(blocks::GoalId id, GoalReader read, Instant now) {
   Reading reading = readNow(read);
@@ -16,7 +16,7 @@ void GoalIntake::submit(blocks::GoalId id, GoalReader read, Instant now) {
   if (never_waits || (reading.complete && waiting_.empty())) {
     core_.submit(id, std::move(reading.goal));
   } else {
-    waiting_.push_back({id, std::move(read), now + patience_});
+    waiting_.push_back({id, std::move(read), now + patience_()});
   }
 }
 

@@ -154,6 +154,7 @@ Result<CommandParameters, ParameterError> readCommandParameters(const ros::NodeH
   parameters.link = readLink(reader);
   readAnnouncedPorts(node, reader, parameters);
   parameters.auto_connect = reader.read("auto_connect", parameters.auto_connect);
+  parameters.tf_from_start = reader.read("tf_from_start", parameters.tf_from_start);
   if (parameters.auto_connect && parameters.robot_ip.empty())
     reader.complain("robot_ip", "is empty", "the controller's address, as auto_connect is set");
   if (reader.error()) return refuse(*reader.error());

@@ -1,12 +1,40 @@
 #include "cobot_command/ros/tf_frames.h"
 
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
 #include <tf2/exceptions.h>
 
 #include "cobot_command/ros/conversions.h"
 
 namespace cobot_command::ros_adapter {
+namespace {
 
-FramePlace TfFrames::find(const std_msgs::Header& header) const {
+// The frames of a robot that moves come late by some tens of milliseconds, those of a node that has just
+// started by a few hundred.
+constexpr auto kPatience = std::chrono::milliseconds(200);
+// Whoever has just begun to listen has first to connect to all who send.
+constexpr auto kFirstPatience = std::chrono::seconds(3);
+
+}  // namespace
+
+TfFrames::TfFrames(std::string robot_base, bool from_start) : robot_base_(std::move(robot_base)) {
+  if (from_start) listen();
+}
+
+void TfFrames::listen() {
+  listener_.emplace(buffer_);
+  listening_since_ = ros::SteadyTime::now();
+}
+
+Duration TfFrames::patience() const {
+  const Duration listened((ros::SteadyTime::now() - listening_since_).toNSec());
+  return std::max<Duration>(kPatience, kFirstPatience - listened);
+}
+
+FramePlace TfFrames::find(const std_msgs::Header& header) {
+  if (!listener_) listen();
   try {
     return {toPose(buffer_.lookupTransform(robot_base_, header.frame_id, header.stamp).transform), ""};
   } catch (const tf2::TransformException& fault) {

@@ -16,6 +16,8 @@ namespace cobot_command::ros_adapter {
 
 /// Makes the goal of a message, with the frames as they are known now.
 using GoalReader = std::function<blocks::Goal(const FrameLookup&)>;
+/// How long a goal that comes now waits for its frame.
+using FramePatience = std::function<Duration()>;
 
 class GoalIntake {
  public:
@@ -24,8 +26,7 @@ class GoalIntake {
     std::function<void(blocks::GoalId)> cancel;
   };
 
-  /// `patience`: how long a goal waits for its frame.
-  GoalIntake(FrameLookup frames, Duration patience, Core core);
+  GoalIntake(FrameLookup frames, FramePatience patience, Core core);
 
   void submit(blocks::GoalId id, GoalReader read, Instant now);
   void cancel(blocks::GoalId id);
@@ -49,7 +50,7 @@ class GoalIntake {
   void flush();
 
   FrameLookup frames_;
-  Duration patience_;
+  FramePatience patience_;
   Core core_;
   std::deque<Waiting> waiting_;
 };

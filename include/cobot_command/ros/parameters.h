@@ -24,6 +24,7 @@ struct CommandParameters {
   std::string robot_ip;              ///< for Connect goals without a host
   int script_port = 5890;            ///< for Connect goals without a port
   bool auto_connect = false;         ///< connect by itself, and keep it up
+  bool tf_from_start = true;         ///< listen to tf before a goal asks for a frame
   link::LinkSettings link;
 };
 

@@ -44,11 +44,12 @@ class Intake : public testing::Test {
 
   std::set<std::string> known;
   std::vector<std::string> told;
+  Duration patience = kPatience;
   GoalIntake intake{[this](const std_msgs::Header& header) -> FramePlace {
                       if (known.count(header.frame_id) == 0) return {std::nullopt, "not known"};
                       return {arm::Pose::Identity(), ""};
                     },
-                    kPatience,
+                    [this] { return patience; },
                     {[this](blocks::GoalId id, const blocks::Goal& goal) { note(id, goal); },
                      [this](blocks::GoalId id) { told.push_back(fmt::format("cancel {}", id)); }}};
 };
@@ -63,6 +64,16 @@ TEST_F(Intake, handsOnAGoalWhoseFrameIsKnownAtOnce) {
   known = {"table"};
   move(1, "table");
   EXPECT_THAT(told, ElementsAre("submit 1"));
+}
+
+TEST_F(Intake, waitsAsLongAsWasDueWhenTheGoalCame) {
+  patience = milliseconds(3000);
+  move(1, "table");
+  patience = milliseconds(200);
+  intake.advance(Instant(milliseconds(2999)));
+  EXPECT_THAT(told, IsEmpty());
+  intake.advance(Instant(milliseconds(3000)));
+  EXPECT_THAT(told, ElementsAre("submit 1 without its frame"));
 }
 
 TEST_F(Intake, waitsForAFrameThatComesLate) {
