@@ -46,23 +46,31 @@ class Latest:
 class Robot:
     """One command node with its simulated controller."""
 
-    def __init__(self):
-        self.connect = actionlib.SimpleActionClient("connect", ConnectAction)
-        self.move = actionlib.SimpleActionClient("move_absolute", MoveAbsoluteAction)
-        self.status = Latest("command_status", CommandStatus)
-        self.robot_status = Latest("robot_status", RobotStatus)
-        self.joints = Latest("joint_states", JointState)
-        self.tool_pose = Latest("tool_pose", PoseStamped)
-        self.true_joints = Latest(f"{CONTROLLER}/joint_states", JointState)
-        self.true_status = Latest(f"{CONTROLLER}/status", RobotStatus)
+    def __init__(self, namespace=""):
+        self.namespace = namespace
+        self.connect = actionlib.SimpleActionClient(self.name_of("connect"), ConnectAction)
+        self.move = actionlib.SimpleActionClient(self.name_of("move_absolute"), MoveAbsoluteAction)
+        self.status = self.latest("command_status", CommandStatus)
+        self.robot_status = self.latest("robot_status", RobotStatus)
+        self.joints = self.latest("joint_states", JointState)
+        self.tool_pose = self.latest("tool_pose", PoseStamped)
+        self.true_joints = self.latest(f"{CONTROLLER}/joint_states", JointState)
+        self.true_status = self.latest(f"{CONTROLLER}/status", RobotStatus)
         for client in (self.connect, self.move):
             if not client.wait_for_server(rospy.Duration(DEADLINE)):
                 raise AssertionError(f"no server for {client.action_client.ns}")
 
+    def name_of(self, name):
+        return f"{self.namespace}/{name}" if self.namespace else name
+
+    def latest(self, topic, kind):
+        return Latest(self.name_of(topic), kind)
+
     # --- The operator's side of the simulated controller.
     def port(self, name="script_port"):
-        wait_until(lambda: rospy.has_param(f"{CONTROLLER}/listening/{name}"), "the controller's port")
-        return rospy.get_param(f"{CONTROLLER}/listening/{name}")
+        parameter = self.name_of(f"{CONTROLLER}/listening/{name}")
+        wait_until(lambda: rospy.has_param(parameter), "the controller's port")
+        return rospy.get_param(parameter)
 
     def operate(self, service, *arguments):
         """Calls a service of the simulated controller; returns what it says."""
@@ -73,7 +81,7 @@ class Robot:
 
     def try_to(self, service, *arguments):
         """The same, and returns its whole answer."""
-        name = f"{CONTROLLER}/{service}"
+        name = self.name_of(f"{CONTROLLER}/{service}")
         rospy.wait_for_service(name, DEADLINE)
         return rospy.ServiceProxy(name, OPERATOR_SERVICES.get(service, Trigger))(*arguments)
 
@@ -160,15 +168,8 @@ def wait_until(condition, what):
         rate.sleep()
 
 
-class CobotTestCase(unittest.TestCase):
-    """Each test starts with a running project in its Listen node, nothing that holds the arm, no fault and no link."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.robot = Robot()
-
-    def setUp(self):
-        self.robot.reset()
+class OutcomeTestCase(unittest.TestCase):
+    """What is expected of the (state, result) of a goal."""
 
     def assert_rejected(self, outcome, error_id, words=""):
         self._assert_error(GoalStatus.REJECTED, outcome, error_id, words)
@@ -187,3 +188,14 @@ class CobotTestCase(unittest.TestCase):
         self.assertEqual(state, expected_state, result.error_description)
         self.assertTrue(result.remedy, "an error has a remedy")
         self.assertIn(words.lower(), result.error_description.lower())
+
+
+class CobotTestCase(OutcomeTestCase):
+    """Each test starts with a running project in its Listen node, nothing that holds the arm, no fault and no link."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.robot = Robot()
+
+    def setUp(self):
+        self.robot.reset()
