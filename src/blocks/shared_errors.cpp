@@ -101,7 +101,7 @@ constexpr SharedError kParameterErrors[] = {
     {own_error::kMovementUnknown, "MovementCommand unknown", "Use 0 (Line) or 1 (PTP)",
      "movement_command is neither 0 nor 1"},
     {own_error::kNoFreeTag, "No free queue tag", "Wait until a command is done",
-     "all 15 tags are open; cannot occur as long as one command at a time is accepted"},
+     "cannot occur as long as one command at a time is accepted: all 15 tags are open"},
     {own_error::kBufferModeUnknown, "BufferMode unknown", "Use 0 (REFUSE), 1 (BUFFERED) or 2 (ABORTING)",
      "buffer_mode is none of them"},
     {own_error::kQueueFull, "Too many commands wait", "Wait until a command is done",
@@ -133,7 +133,8 @@ constexpr SharedError kRobotErrors[] = {
      "the "
      "robot did not come to rest in time"},
     {own_error::kShutDown, "Command layer is shutting down", "Start the command layer again",
-     "the goal came after the command layer was told to shut down"},
+     "cannot occur through ROS, whose node takes no goals by then: the goal came after the command layer was "
+     "told to shut down"},
 };
 
 template <std::size_t N>
