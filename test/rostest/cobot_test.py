@@ -2,7 +2,12 @@
 
 Nothing here sleeps to synchronise: every wait is for a condition, with a deadline.
 """
+import collections
+import contextlib
+import itertools
+import sys
 import threading
+import traceback
 import unittest
 
 import actionlib
@@ -12,9 +17,11 @@ from geometry_msgs.msg import PoseStamped
 from sensor_msgs.msg import JointState
 from std_srvs.srv import SetBool, Trigger
 
-from cobot_command.msg import (CommandStatus, ConnectAction, ConnectGoal, MoveAbsoluteAction, MoveAbsoluteGoal,
-                               RobotStatus, Transformation)
+import cobot_command.msg
+from cobot_command.msg import ActiveFrames, CommandStatus, ConnectGoal, RobotStatus
 from cobot_command.srv import RaiseError, SetFault, SetInput, SetProjectSpeed
+import provoked_errors
+from cobot_goals import HOME, SLOWLY, to_joints, turn, with_changes
 
 DEADLINE = 30.0  # [s] of wall time; far beyond what anything here takes
 CONTROLLER = "simulated_controller"
@@ -29,11 +36,13 @@ class Latest:
     def __init__(self, topic, kind):
         self._changed = threading.Condition()
         self.message = None
+        self._messages = collections.deque(maxlen=1000)
         self._subscriber = rospy.Subscriber(topic, kind, self._take, queue_size=100)
 
     def _take(self, message):
         with self._changed:
             self.message = message
+            self._messages.append(message)
             self._changed.notify_all()
 
     def wait_for(self, condition, what):
@@ -42,23 +51,83 @@ class Latest:
                 raise AssertionError(f"{what} did not come within {DEADLINE} s; the last message:\n{self.message}")
             return self.message
 
+    def wait_for_return(self, before, away, back, what):
+        """Until a message after `before` was `away`, however briefly, and the last one is `back`."""
+        def returned(last):
+            since = itertools.dropwhile(lambda m: m is not before, self._messages)
+            return any(away(m) for m in since) and back(last)
+
+        self.wait_for(returned, what)
+
+
+class Sent:
+    """A goal on its way: its states, its feedback and its end, also while others are."""
+
+    def __init__(self, client, goal):
+        self._changed = threading.Condition()
+        self.states = []
+        self.feedback = []
+        self.handle = client.send_goal(goal, self._transition, self._feedback)
+
+    def _transition(self, handle):
+        with self._changed:
+            self.states.append(handle.get_goal_status())
+            self._changed.notify_all()
+
+    def _feedback(self, _, feedback):
+        with self._changed:
+            self.feedback.append(feedback)
+            self._changed.notify_all()
+
+    def _wait(self, condition, what):
+        with self._changed:
+            if not self._changed.wait_for(condition, DEADLINE):
+                raise AssertionError(f"{what} did not come within {DEADLINE} s; states {self.states}, feedback "
+                                     f"{self.feedback[-1:]}")
+
+    def ended(self):
+        return self.handle.get_comm_state() == actionlib.CommState.DONE
+
+    def state(self):
+        return self.handle.get_goal_status()
+
+    def wait_until_active(self):
+        """A client that cancels before the server's first word on a goal takes the goal for lost."""
+        self._wait(lambda: self.ended() or self.state() == GoalStatus.ACTIVE, "the active goal")
+        return self
+
+    def wait_until_queued(self):
+        self.wait_for_feedback(lambda f: f.place_in_queue > 0, "a place in the queue")
+        return self
+
+    def wait_for_feedback(self, condition, what, first=0):
+        """The first feedback from that number on, old or new, that fulfils the condition."""
+        self._wait(lambda: any(condition(f) for f in self.feedback[first:]), what)
+        return next(f for f in self.feedback[first:] if condition(f))
+
+    def cancel(self):
+        self.handle.cancel()
+
+    def finish(self):
+        """(final state, result)"""
+        self._wait(self.ended, "the end of the goal")
+        return self.handle.get_terminal_state(), self.handle.get_result()
+
 
 class Robot:
     """One command node with its simulated controller."""
 
     def __init__(self, namespace=""):
         self.namespace = namespace
-        self.connect = actionlib.SimpleActionClient(self.name_of("connect"), ConnectAction)
-        self.move = actionlib.SimpleActionClient(self.name_of("move_absolute"), MoveAbsoluteAction)
+        self._clients = {}
+        self.connect = None  # the last connect goal
         self.status = self.latest("command_status", CommandStatus)
         self.robot_status = self.latest("robot_status", RobotStatus)
         self.joints = self.latest("joint_states", JointState)
         self.tool_pose = self.latest("tool_pose", PoseStamped)
+        self.active_frames = self.latest("active_frames", ActiveFrames)
         self.true_joints = self.latest(f"{CONTROLLER}/joint_states", JointState)
         self.true_status = self.latest(f"{CONTROLLER}/status", RobotStatus)
-        for client in (self.connect, self.move):
-            if not client.wait_for_server(rospy.Duration(DEADLINE)):
-                raise AssertionError(f"no server for {client.action_client.ns}")
 
     def name_of(self, name):
         return f"{self.namespace}/{name}" if self.namespace else name
@@ -103,60 +172,63 @@ class Robot:
         self.close()
 
     # --- Connect.
-    def send_connect(self, **changes):
-        goal = ConnectGoal(host="127.0.0.1", port=self.port(), status_port=self.port("status_port"), timeout=20.0)
-        for name, value in changes.items():
-            setattr(goal, name, value)
-        self.connect.send_goal(goal)
+    def connect_goal(self, **changes):
+        return with_changes(ConnectGoal(host="127.0.0.1", port=self.port(), status_port=self.port("status_port"),
+                                        timeout=20.0), changes)
 
-    def establish(self):
+    def send_connect(self, **changes):
+        self.connect = self.send(self.connect_goal(**changes))
+
+    def establish(self, **changes):
         """Connects, and waits until commands can be sent and positions come in."""
-        self.send_connect()
+        self.send_connect(**changes)
         self.status.wait_for(lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a ready link")
 
     def close(self):
-        self.connect.cancel_all_goals()
+        if self.connect and not self.connect.wait_until_active().ended():
+            self.connect.cancel()
+            self.connect.finish()
         self.status.wait_for(lambda s: s.link_state == CommandStatus.DISCONNECTED, "the end of the link")
 
-    # --- MoveAbsolute.
-    def run(self, goal):
+    # --- Commands.
+    def client(self, block, namespace=""):
+        """Of any block, also of another node that has the same controller; its first use costs some milliseconds."""
+        name = self.name_of(namespace + block)
+        if name not in self._clients:
+            kind = {"change_tcp": "ChangeTCP"}.get(block) or block.title().replace("_", "")
+            self._clients[name] = actionlib.ActionClient(name, getattr(cobot_command.msg, f"{kind}Action"))
+            if not self._clients[name].wait_for_server(rospy.Duration(DEADLINE)):
+                raise AssertionError(f"no server for {name}")
+        return self._clients[name]
+
+    def send(self, goal, namespace=""):
+        return Sent(self.client(provoked_errors.block_of(goal), namespace), goal)
+
+    def run(self, goal, namespace=""):
         """Sends the goal; returns (final state, result)."""
-        self.move.send_goal(goal)
-        return self.finish()
+        return self.send(goal, namespace).finish()
 
-    def finish(self):
-        return finish(self.move)
+    def run_and_reenter(self, goal):
+        """Runs a goal that leaves the Listen node, and waits until the flow is there again."""
+        before = self.status.wait_for(lambda s: s.link_state == CommandStatus.READY, "a ready link")
+        outcome = self.run(goal)
+        self.status.wait_for_return(before, lambda s: s.link_state == CommandStatus.NOT_LISTENING,
+                                    lambda s: s.link_state == CommandStatus.READY, "the Listen node, entered again")
+        return outcome
 
+    def start_slowly(self, goal=None):
+        """A motion that takes long, when the arm is on its way."""
+        sent = self.send(goal or turn(60, 0, 0, 0, 0, 0, **SLOWLY)).wait_until_active()
+        self.wait_for_motion()
+        return sent
 
-def finish(client):
-    if not client.wait_for_result(rospy.Duration(DEADLINE)):
-        raise AssertionError("the goal did not end")
-    return client.get_state(), client.get_result()
+    def wait_for_motion(self):
+        self.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) > 1e-3, "the motion of the arm")
+        self.joints.wait_for(lambda m: max(abs(v) for v in m.velocity) > 1e-2, "the motion in the stream")
 
-
-def to_joints(*degrees, **changes):
-    return with_changes(
-        MoveAbsoluteGoal(movement_command=MoveAbsoluteGoal.PTP, data_format=MoveAbsoluteGoal.JPP,
-                         target_position=Transformation(*degrees), speed=80, accel_time=200,
-                         precise_positioning=True), changes)
-
-
-def ptp_to(*pose, **changes):
-    return with_changes(to_joints(*pose), {"data_format": MoveAbsoluteGoal.CPP, **changes})
-
-
-def line_to(*pose, **changes):
-    return with_changes(
-        to_joints(*pose), {"movement_command": MoveAbsoluteGoal.LINE, "data_format": MoveAbsoluteGoal.CAP,
-                           "speed": 250, **changes})
-
-
-def with_changes(goal, changes):
-    for name, value in changes.items():
-        if not hasattr(goal, name):
-            raise AttributeError(name)
-        setattr(goal, name, value)
-    return goal
+    def wait_for_standstill(self):
+        for joints in (self.true_joints, self.joints):
+            joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill")
 
 
 def wait_until(condition, what):
@@ -171,6 +243,16 @@ def wait_until(condition, what):
 class OutcomeTestCase(unittest.TestCase):
     """What is expected of the (state, result) of a goal."""
 
+    @contextlib.contextmanager
+    def subTest(self, *args, **params):
+        """rosunit counts the failures of subtests, and does not say which; here they are told."""
+        with super().subTest(*args, **params):
+            try:
+                yield
+            except Exception:
+                print(f"{self.id()} {args} {params}:\n{traceback.format_exc(limit=-2)}", file=sys.stderr, flush=True)
+                raise
+
     def assert_rejected(self, outcome, error_id, words=""):
         self._assert_error(GoalStatus.REJECTED, outcome, error_id, words)
 
@@ -178,9 +260,17 @@ class OutcomeTestCase(unittest.TestCase):
         self._assert_error(GoalStatus.ABORTED, outcome, error_id, words)
 
     def assert_done(self, outcome):
+        """Returns the result."""
         state, result = outcome
         self.assertEqual(result.error_id, 0, result.error_description)
         self.assertEqual(state, GoalStatus.SUCCEEDED)
+        return result
+
+    def assert_ended(self, expected_state, outcome):
+        """PREEMPTED or RECALLED."""
+        state, result = outcome
+        self.assertEqual(state, expected_state, result.error_description)
+        self.assertEqual(result.error_id, 0, result.error_description)
 
     def _assert_error(self, expected_state, outcome, error_id, words):
         state, result = outcome
@@ -188,6 +278,7 @@ class OutcomeTestCase(unittest.TestCase):
         self.assertEqual(state, expected_state, result.error_description)
         self.assertTrue(result.remedy, "an error has a remedy")
         self.assertIn(words.lower(), result.error_description.lower())
+        provoked_errors.note(provoked_errors.block_of(result), error_id)
 
 
 class CobotTestCase(OutcomeTestCase):
@@ -199,3 +290,13 @@ class CobotTestCase(OutcomeTestCase):
 
     def setUp(self):
         self.robot.reset()
+
+    def establish_at_home(self):
+        self.robot.establish()
+        self.assert_done(self.robot.run(to_joints(*HOME)))
+
+    def assert_refuses(self, rows):
+        """Rows of (goal, error id, words of the description)."""
+        for goal, error_id, words in rows:
+            with self.subTest(error_id=hex(error_id), words=words):
+                self.assert_rejected(self.robot.run(goal), error_id, words)

@@ -6,11 +6,11 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import MoveAbsoluteGoal, RobotPose
-from cobot_test import CobotTestCase, finish, line_to, ptp_to, to_joints, wait_until
+from cobot_goals import ELSEWHERE, HOME, POSE, SLOWLY, line_to, ptp_to, to_joints
+from cobot_test import CobotTestCase
+from tf_frames import pose_in
 
-HOME = (0, 0, 90, 0, 90, 0)
-ELSEWHERE = (60, -20, 100, 10, 80, -45)
-SLOWLY = {"speed": 5, "accel_time": 1000}  # long enough to be interrupted
+HOME_POSE = (517.5, -122.3, 461.05, 180, 0, 90)
 
 
 class MoveAbsolute(CobotTestCase):
@@ -80,22 +80,62 @@ class MoveAbsolute(CobotTestCase):
 
     def test_refuses_what_the_arm_cannot_do_and_says_why(self):
         rows = (
-            (ptp_to(2000, 0, 400, 180, 0, 90), "reach"),
-            (to_joints(0, 0, 156, 0, 90, 0), "limit"),
-            (line_to(-517.5, -122.3, 461.05, 180, 0, 90), ""),
-            (to_joints(math.nan, 0, 90, 0, 90, 0), "finite"),
-            (to_joints(math.inf, 0, 90, 0, 90, 0), "finite"),
-            (ptp_to(400, 100, 500, 1e308, 0, 60), ""),
-            (to_joints(*HOME, blending_enable=True, blending_value=101), "blending"),
-            (to_joints(*HOME, blending_enable=True, blending_value=-1), "blending"),
+            (ptp_to(2000, 0, 400, 180, 0, 90), 0x201, "reach"),
+            (to_joints(0, 0, 156, 0, 90, 0), 0x203, "limit"),
+            (to_joints(math.nan, 0, 90, 0, 90, 0), 0x200, "finite"),
+            (to_joints(math.inf, 0, 90, 0, 90, 0), 0x200, "finite"),
+            (ptp_to(400, 100, 500, 1e308, 0, 60), 0x213, ""),
         )
-        for goal, words in rows:
-            with self.subTest(target=str(goal.target_position).replace("\n", " ")):
-                state, result = self.robot.run(goal)
-                self.assertEqual(state, GoalStatus.REJECTED, result.error_description)
-                self.assertGreaterEqual(result.error_id, 0x200)
-                self.assertIn(words, result.error_description.lower())
+        self.assert_refuses(rows)
+        self.assert_rejected(self.robot.run(line_to(-517.5, -122.3, 461.05, 180, 0, 90)), 0x205)
         self.assert_stands_at(HOME)
+
+    def test_refuses_what_the_thesis_has_no_id_for(self):
+        radius = {"data_format": MoveAbsoluteGoal.CAR, "blending_enable": True}
+        posed = {"robot_pose_enable": True, "robot_pose": RobotPose(0, 2, 4)}
+        rows = (
+            *((to_joints(*HOME, blending_enable=True, blending_value=v), 0x210, "blending") for v in (-1, 101)),
+            *((line_to(*POSE, blending_value=v, **radius), 0x210, "blending") for v in (-1, 2001)),
+            *((to_joints(*HOME, movement_command=v), 0x211, "") for v in (-1, 2)),
+            (to_joints(*HOME, **posed), 0x212, ""),
+            *((ptp_to(*POSE[:2], v, *POSE[3:]), 0x213, "") for v in (-100000.1, 100000.1)),
+            (ptp_to(*POSE, target_pose=pose_in("nowhere", (0, 0, 0), (1, 0, 0, 0))), 0x217, "nowhere"),
+            *((ptp_to(*POSE, target_pose=pose_in("base", (0.4, 0.1, 0.5), (v, 0, 0, 0))), 0x218, "")
+              for v in (0, 0.9989, 1.0011)),
+            (to_joints(*HOME, target_pose=pose_in("base", (0.4, 0.1, 0.5), (1, 0, 0, 0))), 0x219, ""),
+        )
+        self.assert_refuses(rows)
+
+    def test_takes_both_ends_of_every_range_in_every_format(self):
+        radius = {"blending_enable": True, "blending_value": 2000, "check_only": True}
+        percent = {"blending_enable": True, "blending_value": 100, "check_only": True}
+        for goal in (
+                *(to_joints(*ELSEWHERE, speed=v, **percent) for v in (1, 100)),
+                *(ptp_to(*POSE, accel_time=v, **percent) for v in (150, 9999)),
+                *(line_to(*POSE, speed=v, data_format=f, **percent) for f, v in
+                  ((MoveAbsoluteGoal.CPP, 1), (MoveAbsoluteGoal.CAP, 1))),
+                *(line_to(*POSE, speed=50, data_format=f, **radius) for f in
+                  (MoveAbsoluteGoal.CPR, MoveAbsoluteGoal.CAR)),
+                *(line_to(*HOME_POSE[:2], HOME_POSE[2] - 1, *HOME_POSE[3:], speed=v, data_format=f, check_only=True)
+                  for f, v in ((MoveAbsoluteGoal.CPP, 100), (MoveAbsoluteGoal.CAP, 4500)))):
+            with self.subTest(str(goal).replace("\n", " ")):
+                self.assert_done(self.robot.run(goal))
+
+    def test_takes_every_robot_pose_that_the_pose_has(self):
+        for shoulder in (RobotPose.RIGHTY, RobotPose.LEFTY):
+            for elbow in (RobotPose.ABOVE, RobotPose.BELOW):
+                for wrist in (RobotPose.NOFLIP, RobotPose.FLIP):
+                    with self.subTest(shoulder=shoulder, elbow=elbow, wrist=wrist):
+                        outcome = self.robot.run(ptp_to(*HOME_POSE, robot_pose_enable=True, check_only=True,
+                                                        robot_pose=RobotPose(shoulder, elbow, wrist)))
+                        if outcome[0] == GoalStatus.REJECTED:
+                            self.assert_rejected(outcome, 0x203)  # a posture that only other joint ranges have
+                        else:
+                            self.assert_done(outcome)
+
+    def test_goes_to_a_pose_in_a_tf_frame(self):
+        self.assert_done(self.robot.run(ptp_to(target_pose=pose_in("base", (0.4, 0.1, 0.5), (1, 0, 0, 0)))))
+        self.assert_tool_at(400, 100, 500, 180, 0, 0)
 
     def test_refuses_a_goal_that_is_all_zeros(self):
         state, result = self.robot.run(MoveAbsoluteGoal())
@@ -107,44 +147,43 @@ class MoveAbsolute(CobotTestCase):
 
     def test_is_refused_while_another_goal_is_executed(self):
         self.start_slowly()
-        first = self.robot.move.gh
         self.assert_rejected(self.robot.run(to_joints(*HOME)), 0x11)
-        first.cancel()
+        self.sent.cancel()
         self.robot.true_status.wait_for(lambda s: s.in_motion == 0, "the stop")
 
     # --- Ended from outside.
     def test_stops_the_robot_and_is_preempted_when_it_is_cancelled(self):
         self.start_slowly()
-        self.robot.move.cancel_goal()
-        state, result = finish(self.robot.move)
+        self.sent.cancel()
+        state, result = self.sent.finish()
         self.assertEqual(state, GoalStatus.PREEMPTED, result.error_description)
         self.assert_stands_still()
         self.assertNotAlmostEqual(math.degrees(self.robot.true_joints.message.position[0]), ELSEWHERE[0], places=1)
 
     def test_can_be_followed_by_another_goal_after_a_cancel(self):
         self.start_slowly()
-        self.robot.move.cancel_goal()
-        finish(self.robot.move)
+        self.sent.cancel()
+        self.sent.finish()
         self.assert_done(self.robot.run(to_joints(*HOME)))
         self.assert_stands_at(HOME)
 
     def test_is_aborted_when_the_link_is_lost_in_motion(self):
         self.start_slowly()
         self.robot.operate("stop_project")
-        self.assert_aborted(finish(self.robot.move), 0x99)
-        self.assert_aborted(finish(self.robot.connect), 0x90)
+        self.assert_aborted(self.sent.finish(), 0x99)
+        self.assert_aborted(self.robot.connect.finish(), 0x90)
 
     def test_is_aborted_by_an_emergency_stop(self):
         self.start_slowly()
         self.robot.operate("set_emergency_stop", True)
-        self.assert_aborted(finish(self.robot.move), 0x99)
+        self.assert_aborted(self.sent.finish(), 0x99)
         self.assert_stands_still()
 
     def test_works_again_after_the_controller_was_restarted(self):
         self.start_slowly()
         self.robot.operate("stop_project")
-        finish(self.robot.move)
-        finish(self.robot.connect)
+        self.sent.finish()
+        self.robot.connect.finish()
         self.robot.operate("run_project")
         self.robot.establish()
         self.assert_stands_still()  # nothing resumes by itself
@@ -154,10 +193,7 @@ class MoveAbsolute(CobotTestCase):
     # --- Helpers.
     def start_slowly(self):
         """Starts towards ELSEWHERE, and returns when the arm is on its way."""
-        self.robot.move.send_goal(to_joints(*ELSEWHERE, **SLOWLY))
-        # A client that cancels before the server's first word on a goal takes the goal for lost.
-        wait_until(lambda: self.robot.move.get_state() == GoalStatus.ACTIVE, "the active goal")
-        self.wait_for_departure()
+        self.sent = self.robot.start_slowly(to_joints(*ELSEWHERE, **SLOWLY))
 
     def wait_for_departure(self):
         self.robot.true_joints.wait_for(lambda m: m.position[0] > 0.01, "the arm's departure from HOME")

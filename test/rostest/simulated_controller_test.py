@@ -6,11 +6,8 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import CommandStatus, RobotStatus
-from cobot_test import CobotTestCase, finish, to_joints, wait_until
-
-HOME = (0, 0, 90, 0, 90, 0)
-ELSEWHERE = (60, -20, 100, 10, 80, -45)
-SLOWLY = {"speed": 5, "accel_time": 1000}  # long enough to be interrupted
+from cobot_goals import ELSEWHERE, HOME, SLOWLY, to_joints
+from cobot_test import CobotTestCase
 
 
 class Operator(CobotTestCase):
@@ -88,7 +85,7 @@ class Operator(CobotTestCase):
     def test_lets_the_robot_fail_and_recover(self):
         self.start_slowly()
         self.robot.operate("raise_error", 0x14058, "joint 3")
-        state, _ = finish(self.robot.move)
+        state, _ = self.sent.finish()
         self.assertEqual(state, GoalStatus.ABORTED)
         status = self.robot.robot_status.wait_for(lambda s: s.in_error == RobotStatus.TRUE, "the error")
         self.assertEqual((status.error_code, status.error_text), (0x14058, "joint 3"))
@@ -97,7 +94,7 @@ class Operator(CobotTestCase):
 
     def test_drops_the_connections_and_takes_new_ones(self):
         self.robot.operate("drop_connections")
-        self.assert_aborted(finish(self.robot.connect), 0x90)
+        self.assert_aborted(self.robot.connect.finish(), 0x90)
         self.robot.establish()
 
     def test_turns_faults_on_and_off(self):
@@ -126,9 +123,7 @@ class Operator(CobotTestCase):
     # --- Helpers.
     def start_slowly(self):
         """Starts towards ELSEWHERE, and returns when the arm is on its way."""
-        self.robot.move.send_goal(to_joints(*ELSEWHERE, **SLOWLY))
-        wait_until(lambda: self.robot.move.get_state() == GoalStatus.ACTIVE, "the active goal")
-        self.robot.true_joints.wait_for(lambda m: m.position[0] > 0.01, "the arm's departure from HOME")
+        self.sent = self.robot.start_slowly(to_joints(*ELSEWHERE, **SLOWLY))
 
     def wait_for_truth(self, **expected):
         self.robot.true_status.wait_for(

@@ -2,17 +2,16 @@
 """Two robots of different models at the same time: what happens to one is nothing to the other."""
 import math
 
-import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from std_msgs.msg import Header
 from tf2_msgs.msg import TFMessage
 
-from cobot_command.msg import MoveAbsoluteGoal, RobotStatus, StopAction, StopGoal
-from cobot_test import OutcomeTestCase, Robot, finish, ptp_to, to_joints, wait_until
+from cobot_command.msg import MoveAbsoluteGoal, RobotStatus, StopGoal
+from cobot_goals import HOME, ptp_to, to_joints
+from cobot_test import OutcomeTestCase, Robot, wait_until
 
-HOME = (0, 0, 90, 0, 90, 0)
 TARGETS = {"left": (60, -20, 100, 10, 80, -45), "right": (-50, 15, 80, -10, 95, 30)}
 SLOWLY = {"speed": 1, "accel_time": 1000}  # the other robot can be dealt with meanwhile
 
@@ -27,22 +26,21 @@ class TwoRobots(OutcomeTestCase):
         for robot in self.robots.values():
             robot.reset()
             robot.establish()
-            robot.move.send_goal(to_joints(*HOME))
-        for robot in self.robots.values():
-            self.assert_done(robot.finish())
+        self.send_both(lambda name: to_joints(*HOME))
+        for sent in self.sent.values():
+            self.assert_done(sent.finish())
 
     # --- Side by side.
     def test_move_at_once_each_to_its_own_target(self):
         self.start_both(speed=5, accel_time=1000)
         for name, robot in self.robots.items():
-            self.assert_done(robot.finish())
+            self.assert_done(self.sent[name].finish())
             self.assert_stands_at(robot, TARGETS[name])
 
     def test_go_to_where_the_same_pose_is_for_each_model(self):
-        for robot in self.robots.values():
-            robot.move.send_goal(ptp_to(450, 100, 500, 180, 0, 60))
-        for robot in self.robots.values():
-            self.assert_done(robot.finish())
+        self.send_both(lambda name: ptp_to(450, 100, 500, 180, 0, 60))
+        for name, robot in self.robots.items():
+            self.assert_done(self.sent[name].finish())
             robot.tool_pose.wait_for(lambda m: math.dist(
                 (m.pose.position.x, m.pose.position.y, m.pose.position.z), (0.45, 0.1, 0.5)) < 1e-5, "the tool there")
         left, right = (robot.true_joints.message.position for robot in (self.left, self.right))
@@ -75,39 +73,35 @@ class TwoRobots(OutcomeTestCase):
     def test_refuse_a_target_in_a_frame_of_the_other(self):
         pose = Pose(Point(0.45, 0.1, 0.5), Quaternion(1, 0, 0, 0))
         for name, other in (("left", "right"), ("right", "left")):
-            move = self.robots[name].move
             goal = MoveAbsoluteGoal(movement_command=MoveAbsoluteGoal.PTP, data_format=MoveAbsoluteGoal.CPP, speed=50,
                                     accel_time=300, precise_positioning=True)
             for frame in (f"{name}_base", f"{other}_base"):
                 goal.target_pose = PoseStamped(Header(frame_id=frame), pose)
-                move.send_goal(goal)
+                outcome = self.robots[name].run(goal)
                 if frame.startswith(name):
-                    self.assert_done(finish(move))
+                    self.assert_done(outcome)
                 else:
-                    self.assert_rejected(finish(move), 0x217, frame)
+                    self.assert_rejected(outcome, 0x217, frame)
 
     # --- What happens to one.
     def test_go_on_when_the_other_is_stopped(self):
         self.start_both(**SLOWLY)
-        stop = actionlib.SimpleActionClient(self.left.name_of("stop"), StopAction)
-        self.assertTrue(stop.wait_for_server(rospy.Duration(30.0)))
-        stop.send_goal(StopGoal())
-        self.assert_done(finish(stop))
-        state, _ = self.left.finish()
+        self.assert_done(self.left.run(StopGoal()))
+        state, _ = self.sent["left"].finish()
         self.assertEqual(state, GoalStatus.PREEMPTED)
         self.assert_right_arrives()
 
     def test_go_on_when_the_goal_of_the_other_is_cancelled(self):
         self.start_both(**SLOWLY)
-        self.left.move.cancel_goal()
-        state, _ = self.left.finish()
+        self.sent["left"].cancel()
+        state, _ = self.sent["left"].finish()
         self.assertEqual(state, GoalStatus.PREEMPTED)
         self.assert_right_arrives()
 
     def test_go_on_when_the_other_has_an_emergency_stop(self):
         self.start_both(**SLOWLY)
         self.left.operate("set_emergency_stop", True)
-        state, result = self.left.finish()
+        state, result = self.sent["left"].finish()
         self.assertEqual(state, GoalStatus.ABORTED, result.error_description)
         self.left.true_status.wait_for(lambda s: s.e_stopped == RobotStatus.TRUE, "the emergency stop")
         self.assertEqual(self.right.robot_status.message.e_stopped, RobotStatus.FALSE)
@@ -116,22 +110,24 @@ class TwoRobots(OutcomeTestCase):
     def test_go_on_when_the_link_of_the_other_is_lost(self):
         self.start_both(**SLOWLY)
         self.left.operate("drop_connections")
-        self.assert_aborted(finish(self.left.connect), 0x90)
+        self.assert_aborted(self.left.connect.finish(), 0x90)
         self.assert_right_arrives()
 
     # --- Helpers.
+    def send_both(self, goal_of):
+        self.sent = {name: robot.send(goal_of(name)) for name, robot in self.robots.items()}
+
     def start_both(self, **changes):
         """Sends each towards its target, and returns when both are on their way."""
-        for name, robot in self.robots.items():
-            robot.move.send_goal(to_joints(*TARGETS[name], **changes))
-        for robot in self.robots.values():
-            wait_until(lambda robot=robot: robot.move.get_state() == GoalStatus.ACTIVE, "the active goal")
+        self.send_both(lambda name: to_joints(*TARGETS[name], **changes))
+        for sent in self.sent.values():
+            sent.wait_until_active()
         wait_until(lambda: all(max(abs(v) for v in robot.true_joints.message.velocity) > 0.001
                                for robot in self.robots.values()), "both arms in motion")
 
     def assert_right_arrives(self):
-        self.assertEqual(self.right.move.get_state(), GoalStatus.ACTIVE)
-        self.assert_done(self.right.finish())
+        self.assertEqual(self.sent["right"].state(), GoalStatus.ACTIVE)
+        self.assert_done(self.sent["right"].finish())
         self.assert_stands_at(self.right, TARGETS["right"])
 
     def assert_stands_at(self, robot, degrees):

@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""Fails unless every row of doc/errors.md was provoked by a rostest, or says that it cannot occur.
+
+Usage: check_error_coverage.py errors.md FILE...   (each of lines "block id", as rostests/provoked_errors.py writes)
+"""
+import pathlib
+import re
+import sys
+
+BLOCK = re.compile(r"## `(\w+)`")
+ROW = re.compile(r"\| 16#([0-9A-F]+) \|.*\| ([^|]+) \|$")
+
+
+def rows(page):
+    """(block, id): raised when"""
+    table, block = {}, ""
+    for line in page.splitlines():
+        if heading := BLOCK.match(line):
+            block = heading.group(1)
+        elif row := ROW.match(line):
+            table[block, int(row.group(1), 16)] = row.group(2)
+    return table
+
+
+def provoked(files):
+    seen = set()
+    for file in files:
+        for line in pathlib.Path(file).read_text(encoding="utf-8").splitlines():
+            block, error_id = line.split()
+            seen.add((block, int(error_id, 16)))
+    return seen
+
+
+def main():
+    page, files = sys.argv[1], sys.argv[2:]
+    table, seen = rows(pathlib.Path(page).read_text(encoding="utf-8")), provoked(files)
+    faults = []
+    for (block, error_id), raised_when in table.items():
+        impossible = raised_when.startswith("cannot occur")
+        if not impossible and (block, error_id) not in seen:
+            faults.append(f"{block} 16#{error_id:X} was provoked by no test: {raised_when}")
+        if impossible and (block, error_id) in seen:
+            faults.append(f"{block} 16#{error_id:X} was provoked: {raised_when}")
+    faults += [f"{block} 16#{error_id:X} was provoked, and is in no table" for block, error_id in
+               sorted(seen - set(table))]
+    print("\n".join(faults) or f"{len(seen)} of {len(table)} rows were provoked, the others cannot occur")
+    return 1 if faults or not table else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,122 @@
+"""A good goal of each block, and how to change it. The arm starts at HOME; none of these leaves its reach."""
+from cobot_command.msg import (ChangeBaseGoal, ChangeTCPGoal, CheckSequenceGoal, ExitListenNodeGoal, MomentOfInertia,
+                               MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, OutputAction, PickAndPlaceGoal,
+                               PickAndPlaceStep, ProgramControlGoal, RunScriptGoal, SequenceStep, StopGoal,
+                               Transformation)
+
+HOME = (0, 0, 90, 0, 90, 0)
+ELSEWHERE = (60, -20, 100, 10, 80, -45)
+POSE = (400, 100, 500, 180, 0, 60)  # of the tool, in reach by a line from anywhere near HOME
+SLOWLY = {"speed": 2, "accel_time": 1000}  # long enough to be interrupted
+MODERATELY = {"speed": 3, "accel_time": 300}  # the same, and to be waited for
+BUFFERED = MoveAbsoluteGoal.BUFFERED
+ABORTING = MoveAbsoluteGoal.ABORTING
+
+
+def six(values):
+    """Missing ones are 0."""
+    return Transformation(*values, *[0] * (6 - len(values)))
+
+
+def with_changes(goal, changes):
+    for name, value in changes.items():
+        if not hasattr(goal, name):
+            raise AttributeError(name)
+        setattr(goal, name, value)
+    return goal
+
+
+def to_joints(*degrees, **changes):
+    return with_changes(
+        MoveAbsoluteGoal(movement_command=MoveAbsoluteGoal.PTP, data_format=MoveAbsoluteGoal.JPP,
+                         target_position=six(degrees), speed=80, accel_time=200,
+                         precise_positioning=True), changes)
+
+
+def ptp_to(*pose, **changes):
+    return with_changes(to_joints(*pose), {"data_format": MoveAbsoluteGoal.CPP, **changes})
+
+
+def line_to(*pose, **changes):
+    return with_changes(
+        to_joints(*pose), {"movement_command": MoveAbsoluteGoal.LINE, "data_format": MoveAbsoluteGoal.CAP,
+                           "speed": 250, **changes})
+
+
+def relative(*offset, **changes):
+    """A straight line along the base."""
+    return with_changes(
+        MoveRelativeGoal(movement_command=MoveRelativeGoal.LINE, data_format=MoveRelativeGoal.CAP,
+                         target_position=six(offset), speed=250, accel_time=200,
+                         precise_positioning=True), changes)
+
+
+def turn(*degrees, **changes):
+    """A relative motion of the joints."""
+    return with_changes(relative(*degrees), {"movement_command": MoveRelativeGoal.PTP, "speed": 80,
+                                             "data_format": MoveRelativeGoal.JPP, **changes})
+
+
+def circle(arc, end, **changes):
+    return with_changes(
+        MoveCircleGoal(data_format=MoveCircleGoal.CAP, arc_point=six(arc), end_point=six(end),
+                       speed=250, accel_time=200, precise_positioning=True), changes)
+
+
+def base(*pose, **changes):
+    return with_changes(ChangeBaseGoal(transformation=six(pose)), changes)
+
+
+def tcp(*pose, **changes):
+    return with_changes(ChangeTCPGoal(tcp_offset=six(pose), weight=1.5,
+                                      moment_of_inertia=MomentOfInertia(2, 3, 4)), changes)
+
+
+def script(*lines, **changes):
+    return with_changes(RunScriptGoal(script="\n".join(lines)), changes)
+
+
+def cycle(*steps, **changes):
+    return with_changes(PickAndPlaceGoal(steps=list(steps), cycles=1), changes)
+
+
+def step(move, output=None, dwell=0.0):
+    return PickAndPlaceStep(move=move, output=output or OutputAction(), dwell=dwell)
+
+
+def sequence(*goals, **changes):
+    """To be checked from HOME; each step is the goal of its block."""
+    kinds = {MoveAbsoluteGoal: ("MOVE_ABSOLUTE", "move_absolute"), MoveRelativeGoal: ("MOVE_RELATIVE", "move_relative"),
+             MoveCircleGoal: ("MOVE_CIRCLE", "move_circle"), ChangeBaseGoal: ("CHANGE_BASE", "change_base"),
+             ChangeTCPGoal: ("CHANGE_TCP", "change_tcp")}
+    steps = []
+    for goal in goals:
+        kind, field = kinds[type(goal)]
+        steps.append(SequenceStep(kind=getattr(SequenceStep, kind), **{field: goal}))
+    return with_changes(CheckSequenceGoal(steps=steps, start_joints=list(HOME)), changes)
+
+
+def move_script(speed=80, angle=60, **changes):
+    """One motion of all joints as lines of script, waited for."""
+    return script(f'PTP("JPP",{angle},-20,100,10,80,-45,{speed},200,0,false)',
+                  **{"await_motion": True, **changes})
+
+
+def motions(**changes):
+    """One motion of each block that waits for its end."""
+    return [to_joints(*ELSEWHERE, **changes), turn(60, 0, 0, 0, 0, 0, **changes),
+            circle((450, 0, 500, 180, 0, 90), POSE, **{**changes, **({"speed": 40} if "speed" in changes else {})}),
+            move_script(**{k: v for k, v in changes.items() if k in ("speed", "buffer_mode")})]
+
+
+def queued(**changes):
+    """One goal of each block that may have to wait for its turn."""
+    return [to_joints(*HOME, **changes), relative(0, 0, 20, 0, 0, 0, **changes),
+            circle((450, 0, 500, 180, 0, 90), POSE, **changes), base(20, 30, 10, 0, 0, 90, **changes),
+            tcp(0, 0, 150, 0, 0, 90, **changes), ExitListenNodeGoal(**changes), script("ChangeLoad(1)", **changes),
+            cycle(step(to_joints(*HOME)), **changes)]
+
+
+def commands():
+    """One goal of each block that needs a link."""
+    return [*queued(), ProgramControlGoal(command=ProgramControlGoal.RESUME), StopGoal()]

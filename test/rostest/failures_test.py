@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""How commands fail that are good by themselves: the controller refuses them, or the wire fails."""
+import rospy
+
+from cobot_command.msg import ExitListenNodeGoal, ProgramControlGoal, StopGoal
+from cobot_goals import HOME, base, cycle, motions, move_script, relative, script, step, tcp, to_joints
+from cobot_test import CobotTestCase
+
+SLOWLY = {"speed": 5}
+
+
+def scripts():
+    """One goal of each block that is one script; the motions are short."""
+    return [to_joints(*HOME), relative(0, 0, 1, 0, 0, 0), motions()[2], base(20, 30, 10, 0, 0, 90), tcp(0, 0, 150),
+            ExitListenNodeGoal(), script("ChangeLoad(1)"), ProgramControlGoal(command=ProgramControlGoal.RESUME)]
+
+
+class Failures(CobotTestCase):
+    def setUp(self):
+        super().setUp()
+        self.establish_at_home()
+
+    # --- The answer to the script.
+    def test_of_scripts_that_are_not_answered(self):
+        for goal in scripts():
+            with self.subTest(type(goal).__name__):
+                self.robot.fault("ignore_script", count=1)
+                self.assert_aborted(self.robot.run(goal), 0x70, "no reply")
+
+    def test_of_scripts_that_are_refused(self):
+        for goal in scripts():
+            with self.subTest(type(goal).__name__):
+                self.robot.fault("refuse_script", count=1)
+                self.assert_aborted(self.robot.run(goal), 0x80, "line 1")
+
+    def test_of_scripts_with_a_communication_error(self):
+        for code, goal in zip(("01", "02", "03", "04", "01", "02", "03", "04"), scripts()):
+            with self.subTest(type(goal).__name__):
+                self.robot.fault("cperr_script", count=1, text=code)
+                self.assert_aborted(self.robot.run(goal), 0x224)
+
+    def test_of_scripts_that_come_as_the_flow_leaves_the_listen_node(self):
+        for goal in scripts():
+            with self.subTest(type(goal).__name__):
+                self.robot.fault("cperr_script", count=1, text="F1")
+                self.assert_aborted(self.robot.run(goal), 0x220)
+                self.robot.close()  # whether it is in the Listen node is known anew with a new link
+                self.robot.establish()
+
+    def test_of_all_that_is_busy_when_the_link_is_lost(self):
+        for goal in [*scripts(), StopGoal(), cycle(step(to_joints(*HOME)))]:
+            with self.subTest(type(goal).__name__):
+                self.robot.fault("silence")
+                sent = self.robot.send(goal).wait_until_active()
+                self.robot.operate("drop_connections")
+                self.assert_aborted(sent.finish(), 0x99)
+                self.robot.reset()
+                self.robot.establish()
+
+    # --- The motion.
+    def test_of_motions_that_the_controller_reports_as_not_completed(self):
+        for goal in motions():
+            with self.subTest(type(goal).__name__):
+                self.robot.fault("false_tag", count=1)
+                self.assert_aborted(self.robot.run(goal), 0x110, "false")
+                self.return_home()
+
+    def test_of_overdue_motions_that_the_controller_does_not_know(self):
+        for goal in motions():
+            with self.subTest(type(goal).__name__):
+                self.robot.fault("drop_tag", count=1)
+                self.robot.fault("query_none", count=1)
+                self.assert_aborted(self.robot.run(goal), 0x223, "does not know")
+                self.return_home()
+
+    def test_of_overdue_motions_that_the_controller_says_are_not_completed(self):
+        self.robot.fault("drop_tag", count=1)
+        self.robot.fault("query_false", count=1)
+        self.assert_aborted(self.robot.run(motions()[0]), 0x110, "stands")
+
+    def test_of_overdue_motions_whose_tag_cannot_be_asked_for(self):
+        for goal in motions():
+            with self.subTest(type(goal).__name__):
+                self.robot.fault("drop_tag", count=1)
+                self.robot.fault("drop_tag_answer", count=1)
+                self.assert_aborted(self.robot.run(goal), 0x100)
+                self.return_home()
+
+    def test_of_cancelled_motions_whose_stop_is_refused(self):
+        for goal in motions(**SLOWLY):
+            with self.subTest(type(goal).__name__):
+                sent = self.robot.start_slowly(goal)
+                self.robot.fault("refuse_stop", count=1)
+                sent.cancel()
+                self.assert_aborted(sent.finish(), 0x225, "refused")
+                self.assert_done(self.robot.run(StopGoal()))
+                self.return_home()
+
+    def test_of_the_stop_block_when_it_is_refused_or_does_nothing(self):
+        for fault, words in (("refuse_stop", "refused"), ("ignore_stop", "still moves")):
+            with self.subTest(fault):
+                self.robot.start_slowly()
+                self.robot.fault(fault, count=2)
+                self.assert_aborted(self.robot.run(StopGoal()), 0x225, words)
+                self.robot.operate("clear_faults")
+                self.assert_done(self.robot.run(StopGoal()))
+
+    def test_of_a_motion_when_the_controller_comes_into_error(self):
+        sent = self.robot.start_slowly(move_script(5))
+        self.robot.fault("drop_tag")  # the error itself, not the tag that it fails, is to be seen
+        self.robot.operate("raise_error", 0x14058, "joint 3")
+        self.assert_aborted(sent.finish(), 0x222, "joint 3")
+
+    # --- None of it is a failure.
+    def test_never_of_messages_that_are_late_doubled_or_lost_without_need(self):
+        for fault in ("duplicate_reply", "duplicate_tag", "corrupt_stream", "drop_stream", "early_tag"):
+            with self.subTest(fault):
+                self.robot.fault(fault, count=1)
+                self.assert_done(self.robot.run(relative(0, 0, 1, 0, 0, 0)))
+        self.robot.fault("delay_reply", count=1, seconds=1.0)
+        self.assert_done(self.robot.run(relative(0, 0, 1, 0, 0, 0)))
+        self.robot.fault("drop_tag", count=1)  # asked for, the controller says that the motion is done
+        self.assert_done(self.robot.run(relative(0, 0, 1, 0, 0, 0)))
+
+    def return_home(self):
+        self.robot.operate("clear_faults")
+        self.assert_done(self.robot.run(to_joints(*HOME)))
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("failures_test")
+    rostest.rosrun("cobot_command", "failures", Failures)

@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""Motions that the arm cannot make are refused before a byte is sent; a list of commands can be checked beforehand."""
+import rospy
+from actionlib_msgs.msg import GoalStatus
+
+from cobot_command.msg import FrameTrace, MoveAbsoluteGoal, SequenceStep
+from cobot_goals import (BUFFERED, ELSEWHERE, HOME, POSE, SLOWLY, base, circle, line_to, relative, script, sequence,
+                         tcp, to_joints, turn)
+from cobot_test import CobotTestCase, Latest
+import provoked_errors
+
+FAST = {"speed": 4500, "accel_time": 150}
+
+
+class Planning(CobotTestCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.frames = Latest("frames", FrameTrace)
+
+    def setUp(self):
+        super().setUp()
+        self.establish_at_home()
+
+    # --- One motion.
+    def test_refuses_ways_that_leave_the_reach(self):
+        self.assert_refuses_ways(0x201, (0, 0, -2000))
+
+    def test_refuses_ways_that_need_another_posture(self):
+        self.assert_done(self.robot.run(to_joints(10, 15, 80, -5, 85, 20)))
+        self.assert_refuses_ways(0x202, (3000, 0, 0))
+
+    def test_refuses_ways_on_which_a_joint_would_be_too_fast(self):
+        self.assert_done(self.robot.run(to_joints(0, -40, 130, 0, 90, 0)))
+        self.assert_refuses_ways(0x204, (0, 300, 0), **FAST)
+
+    def test_refuses_ways_through_a_singularity(self):
+        self.assert_done(self.robot.run(to_joints(0, 0, 0, 0, 0, 0)))
+        self.assert_refuses_ways(0x205, (100, 0, -100), speed=10)
+
+    def test_refuses_ways_that_take_too_long(self):
+        self.assert_refuses_ways(0x206, (90000, 0, 0), speed=1)
+
+    def test_refuses_targets_beyond_the_limit_of_a_joint(self):
+        for limit in (155, -155):
+            self.assert_refuses([(to_joints(0, 0, limit * 1.001, 0, 90, 0), 0x203, "j3"),
+                                 (turn(0, 0, limit * 1.001 - 90, 0, 0, 0), 0x203, "j3"),
+                                 (script(f'PTP("JPP",0,0,{limit * 1.001},0,90,0,35,200,0,false)'), 0x203, "j3")])
+        self.assert_done(self.robot.run(to_joints(0, 0, 154.9, 0, 90, 0, check_only=True)))
+
+    def test_refuses_a_circle_beyond_the_limit_of_a_joint(self):
+        arc, end = self.tool_at(265, 0, 90, 0, 90, 0), self.tool_at(-80, 0, 90, 0, 90, 0)
+        self.assert_done(self.robot.run(to_joints(260, 0, 90, 0, 90, 0)))
+        self.assert_refuses([(circle(arc, end), 0x203, "j1")])
+
+    # --- check_only.
+    def test_checks_without_sending_anything(self):
+        self.frames.message = None
+        for goal in (to_joints(*ELSEWHERE, check_only=True), relative(0, 0, 50, 0, 0, 0, check_only=True),
+                     circle((450, 0, 500, 180, 0, 90), POSE, check_only=True)):
+            with self.subTest(type(goal).__name__):
+                result = self.assert_done(self.robot.run(goal))
+                self.assertGreater(result.planned_duration.to_sec(), 0)
+                self.assertEqual(result.actual_duration.to_sec(), 0)
+                path = result.joint_path
+                self.assertEqual(len(path.joint_names), 6)
+                self.assertEqual([p.time_from_start for p in path.points],
+                                 sorted(p.time_from_start for p in path.points))
+                self.assertAlmostEqual(path.points[-1].time_from_start.to_sec(), result.planned_duration.to_sec(), 6)
+        self.assertNotIn("script", (self.frames.message.meaning if self.frames.message else ""))
+        self.robot.wait_for_standstill()
+
+    def test_checks_behind_what_is_under_way(self):
+        busy = self.robot.start_slowly(to_joints(*ELSEWHERE, **SLOWLY))
+        result = self.assert_done(self.robot.run(turn(1, 0, 0, 0, 0, 0, check_only=True)))
+        self.assertAlmostEqual(result.joint_path.points[0].positions[0], 1.0471976, places=5)
+        self.assertEqual(busy.state(), GoalStatus.ACTIVE)
+        busy.cancel()
+        busy.finish()
+
+    # --- A sequence.
+    def test_checks_a_sequence_of_all_kinds_of_steps_end_to_end(self):
+        steps = (to_joints(*HOME), relative(0, 0, 50, 0, 0, 0), circle((450, 0, 500, 180, 0, 90), POSE),
+                 base(0, 0, 100), tcp(0, 0, 50))
+        result = self.assert_done(self.robot.run(sequence(*steps)))
+        self.assertEqual(result.failed_step, -1)
+        self.assertEqual(len(result.steps), len(steps))
+        motions = [report for report in result.steps if report.joint_path.points]
+        self.assertEqual(len(motions), 3)
+        self.assertAlmostEqual(sum(report.duration.to_sec() for report in result.steps),
+                               result.planned_duration.to_sec(), 6)
+        for before, after in zip(motions, motions[1:]):
+            self.assertEqual(before.joint_path.points[-1].positions, after.joint_path.points[0].positions)
+
+    def test_needs_no_connection_to_check_a_sequence(self):
+        self.robot.close()
+        self.assert_done(self.robot.run(sequence(to_joints(*ELSEWHERE))))
+
+    def test_says_which_step_of_a_sequence_fails_and_where(self):
+        result = self.assert_step_fails(sequence(to_joints(*HOME), relative(0, 0, -2000, 0, 0, 0)), 1, 0x201)
+        self.assertTrue(result.steps[1].offending_point_valid)
+        self.assertLess(result.steps[1].offending_point.z, 300)
+        self.assertAlmostEqual(result.steps[1].offending_point.x, 517.5, places=1)
+
+    def test_names_the_first_violated_input_of_a_step(self):
+        self.assert_step_fails(sequence(to_joints(*HOME, speed=0)), 0, 0x26)
+        self.assert_step_fails(sequence(base(0, 0, 0), tcp(0, 0, 0, weight=15)), 1, 0x25)
+
+    def test_refuses_blends_that_do_not_fit(self):
+        absolute = line_to(417.5, -122.3, 353, 180, 0, 90, data_format=MoveAbsoluteGoal.CAR, blending_enable=True,
+                           blending_value=200)
+        blended = relative(0, 0, 20, 0, 0, 0, data_format=4, blending_enable=True, blending_value=200)
+        after = relative(0, 0, 0, 0, 0, 0, target_position=relative(-100, 100, 0).target_position)
+        self.assert_step_fails(sequence(absolute, after), 0, 0x207)
+        self.assert_step_fails(sequence(blended, after), 0, 0x207)
+
+    def test_refuses_motions_in_a_base_of_which_only_the_name_is_known(self):
+        named = base(0, 0, 0, base_name="Table")
+        pose = line_to(*POSE)
+        pose.target_pose.header.frame_id = "base"
+        pose.target_pose.pose.position.z = 0.4
+        pose.target_pose.pose.orientation.x = 1
+        arc = circle((450, 0, 500, 180, 0, 90), POSE)
+        arc.end_pose = pose.target_pose
+        for goal in (pose, relative(0, 0, 10, 0, 0, 0), arc):
+            with self.subTest(type(goal).__name__):
+                self.assert_step_fails(sequence(named, goal), 1, 0x231)
+
+    def test_refuses_sequences_that_are_empty_too_long_or_unknown(self):
+        one = base(0, 0, 0)
+        self.assert_refuses([(sequence(), 0x250, "0 steps"), (sequence(*[one] * 201), 0x250, "201 steps"),
+                             (sequence(one, steps=[SequenceStep(kind=5)]), 0x256, "")])
+        self.assert_done(self.robot.run(sequence(*[one] * 200)))
+
+    def test_takes_the_start_from_where_the_robot_will_be(self):
+        busy = self.robot.start_slowly(to_joints(*ELSEWHERE, **SLOWLY))
+        waiting = self.robot.send(turn(10, 0, 0, 0, 0, 0, buffer_mode=BUFFERED)).wait_until_queued()
+        result = self.assert_done(self.robot.run(sequence(turn(10, 0, 0, 0, 0, 0), start_joints=[])))
+        self.assertAlmostEqual(result.steps[0].joint_path.points[0].positions[0], 1.2217305, places=5)
+        busy.cancel()
+        busy.finish()
+        waiting.finish()
+
+    # --- Helpers.
+    def tool_at(self, *degrees):
+        """[mm, deg]"""
+        pose = self.assert_done(self.robot.run(to_joints(*degrees))).final_pose
+        return pose.x, pose.y, pose.z, pose.rx, pose.ry, pose.rz
+
+    def assert_refuses_ways(self, error_id, offset, **changes):
+        """The way from where the tool is: as an absolute and a relative line, nearly as an arc, and as a script."""
+        start = self.assert_done(self.robot.run(turn(0, 0, 0, 0, 0, 0))).final_pose
+        rest = (start.rx, start.ry, start.rz)
+        end = (start.x + offset[0], start.y + offset[1], start.z + offset[2], *rest)
+        arc = (start.x + offset[0] / 2 + 20, start.y + offset[1] / 2, start.z + offset[2] / 2 + 20, *rest)
+        line = line_to(*end, **changes)
+        numbers = ",".join(f"{value:.6f}" for value in end)
+        lines = script(f'Line("CAP",{numbers},{line.speed},{line.accel_time},0,false)')
+        goals = (line, relative(*offset, 0, 0, 0, **changes), circle(arc, end, **changes), lines)
+        self.assert_refuses([(goal, error_id, "") for goal in goals])
+
+    def assert_step_fails(self, goal, index, error_id):
+        """The row of the step's own table counts as seen: it is its check that found it."""
+        state, result = outcome = self.robot.run(goal)
+        self.assert_rejected(outcome, 0x251, f"step {index + 1} of")
+        self.assertEqual(result.failed_step, index)
+        self.assertEqual(hex(result.steps[index].error_id), hex(error_id), result.error_description)
+        block = ("move_absolute", "move_relative", "move_circle", "change_base", "change_tcp")[goal.steps[index].kind]
+        provoked_errors.note(block, error_id)
+        return result
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("planning_test")
+    rostest.rosrun("cobot_command", "planning", Planning)
