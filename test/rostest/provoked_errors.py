@@ -7,8 +7,16 @@ import pathlib
 import re
 import sys
 
-_folder = os.environ.get("COBOT_PROVOKED_ERRORS")
-_file = None
+
+def _open_notes():
+    folder = os.environ.get("COBOT_PROVOKED_ERRORS", "")
+    if not folder:
+        return None
+    os.makedirs(folder, exist_ok=True)
+    return (pathlib.Path(folder) / f"{pathlib.Path(sys.argv[0]).stem}.txt").open("w", encoding="utf-8")
+
+
+_notes = _open_notes()  # at once: what an earlier run noted counts no more, and who notes nothing has a file as well
 
 
 def block_of(message):
@@ -18,11 +26,5 @@ def block_of(message):
 
 
 def note(block, error_id):
-    global _file
-    if not _folder:
-        return
-    if _file is None:
-        folder = pathlib.Path(_folder)
-        folder.mkdir(parents=True, exist_ok=True)
-        _file = (folder / f"{pathlib.Path(sys.argv[0]).stem}.txt").open("w", encoding="utf-8")
-    print(block, hex(error_id), file=_file, flush=True)
+    if _notes:
+        print(block, hex(error_id), file=_notes, flush=True)
