@@ -16,7 +16,7 @@ from cobot_command.msg import CommandStatus, PickAndPlaceAction, PickAndPlaceGoa
 from cobot_test import CONTROLLER, Latest
 
 STEPS_FILE = "package://cobot_command/config/pick_and_place.yaml"
-PATIENCE = 120.0  # [s]; for all of them together, on a machine that has other work too
+PATIENCE = 400.0  # [s]; for all of them together, on a machine that has other work too
 
 
 class Member:
