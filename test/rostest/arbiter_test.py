@@ -8,6 +8,7 @@ from actionlib_msgs.msg import GoalID, GoalStatus
 from cobot_command.msg import CommandStatus, RobotStatus
 from cobot_goals import (ABORTING, BUFFERED, HOME, MODERATELY, SLOWLY, base, line_to, relative, script, tcp, to_joints,
                          turn)
+from cobot_test import wait_until
 from motion_checks import MotionTestCase
 from tf_frames import pose_in
 
@@ -107,8 +108,7 @@ class Arbiter(MotionTestCase):
         waiting = [self.robot.send(turn(1, 0, 0, 0, 0, 0, buffer_mode=BUFFERED)).wait_until_queued() for _ in range(2)]
         other = self.robot.send(base(buffer_mode=BUFFERED)).wait_until_queued()
         publisher = rospy.Publisher("move_relative/cancel", GoalID, queue_size=1)
-        while not publisher.get_num_connections():
-            rospy.sleep(0.01)
+        wait_until(publisher.get_num_connections, "the subscriber of move_relative/cancel")
         publisher.publish(GoalID())
         self.assert_ended(GoalStatus.PREEMPTED, busy.finish())
         for sent in [*waiting, other]:

@@ -230,6 +230,11 @@ class Robot:
         for joints in (self.true_joints, self.joints):
             joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill")
 
+    def wait_for_time_to_pass(self, seconds):
+        """Until the layer has taken in the controller's status for so long from now on: by its clock, not by ours."""
+        until = rospy.Time.now() + rospy.Duration(seconds)
+        self.robot_status.wait_for(lambda s: s.header.stamp >= until, f"{seconds} s")
+
 
 def wait_until(condition, what):
     deadline = rospy.Time.now() + rospy.Duration(DEADLINE)

@@ -73,7 +73,7 @@ class PickAndPlace(MotionTestCase):
         sent.wait_for_feedback(lambda f: f.phase == f.DWELLING, "DWELLING")
         self.robot.operate("pause_project")
         self.robot.robot_status.wait_for(lambda s: s.project_paused == RobotStatus.TRUE, "the pause")
-        rospy.sleep(1.0)  # longer than the dwell
+        self.robot.wait_for_time_to_pass(1.0)  # longer than the dwell
         self.assertEqual([f.step for f in sent.feedback if f.step == 1], [])
         self.robot.operate("resume_project")
         self.assert_done(sent.finish())

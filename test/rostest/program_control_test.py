@@ -26,7 +26,7 @@ class ProgramControl(MotionTestCase):
         sent = self.robot.start_slowly(turn(20, 0, 0, 0, 0, 0, **MODERATELY))
         self.assert_done(self.robot.run(PAUSE))
         sent.wait_for_feedback(lambda f: f.phase == f.HELD, "HELD")
-        rospy.sleep(3.0)  # longer than the deadline of its tag would be, were it not paused
+        self.robot.wait_for_time_to_pass(3.0)  # longer than the deadline of its tag would be, were it not paused
         self.assertEqual(sent.state(), GoalStatus.ACTIVE)
         self.assert_done(self.robot.run(RESUME))
         self.assert_done(sent.finish())
