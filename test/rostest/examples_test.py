@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Every shell example of doc/actions ends as its page says, and the example clients do what they say."""
+import contextlib
+import pathlib
+import re
+import subprocess
+
+import roslib.packages
+import rospkg
+import rospy
+from actionlib_msgs.msg import GoalStatus
+
+import cobot_command.msg
+from cobot_command.msg import CommandStatus
+from cobot_goals import HOME, base, tcp, to_joints
+from motion_checks import MotionTestCase
+
+CLIENT_DEADLINE = 120  # [s]
+PACKAGE = pathlib.Path(rospkg.RosPack().get_path("cobot_command"))
+# ```sh example [state [error id]]; the state is SUCCEEDED when it is not given
+EXAMPLE = re.compile(r"^```sh example *(?P<state>\w*) *(?:16#(?P<error_id>\w+))?\n(?P<command>.*?)^```$", re.M | re.S)
+TARGET = re.compile(r"rostopic pub -1 /(?P<action>\w+)/(?:goal|cancel) ")
+
+
+class Examples(MotionTestCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.results = {}
+        for path in PACKAGE.glob("action/*.action"):
+            action = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", path.stem).lower()
+            cls.results[action] = cls.robot.latest(f"{action}/result",
+                                                   getattr(cobot_command.msg, f"{path.stem}ActionResult"))
+
+    def test_every_page_has_examples_and_they_end_as_it_says(self):
+        for action in sorted(self.results):
+            examples = list(EXAMPLE.finditer((PACKAGE / f"doc/actions/{action}.md").read_text(encoding="utf-8")))
+            self.assertTrue(examples, action)
+            self.start_afresh()
+            if action == "connect":
+                self.robot.close()
+            for example in examples:
+                with self.subTest(action=action, command=example["command"]):
+                    self.check(example)
+
+    def test_tours_come_to_their_end(self):
+        for client in ("tour.py", "tour"):
+            with self.subTest(client=client):
+                output = self.run_client(client)
+                self.assertIn("The tour is over", output)
+                self.assert_stands_at(HOME, streamed=False)
+                self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.DISCONNECTED, "the closed link")
+
+    def test_pick_and_place_shows_every_step(self):
+        output = self.run_client("pick_and_place.py", "--cycles", "2")
+        for name in ("above pick", "pick", "up with the part", "above place", "place", "up, empty"):
+            self.assertEqual(len(re.findall(rf"^ +[12] +\d  {name}  .*  Done$", output, re.M)), 2, output)
+        self.assertIn("2 cycle(s), all steps Done", output)
+
+    def test_pick_and_place_tells_steps_that_it_cannot_use(self):
+        self.assertIn("16#256", self.run_client("pick_and_place.py", "--steps", "/nowhere.yaml", exit_status=2))
+
+    # --- Helpers.
+    def start_afresh(self):
+        """Connected and at HOME, with the base and the tool that the controller starts with."""
+        self.robot.reset()
+        self.establish_at_home()
+        for goal in (base(base_name="RobotBase"), tcp(tcp_name="NOTOOL")):
+            self.assert_done(self.robot.run(goal))
+
+    def run_client(self, program, *arguments, exit_status=0):
+        self.robot.close()
+        path = roslib.packages.find_node("cobot_command", program)[0]  # rosrun passes over build folders
+        done = subprocess.run([path, *arguments], capture_output=True, text=True, timeout=CLIENT_DEADLINE, check=False)
+        self.assertEqual(done.returncode, exit_status, done.stdout + done.stderr)
+        return done.stdout
+
+    def check(self, example):
+        results = self.results[TARGET.search(example["command"])["action"]]
+        results.message = None
+        with shell(example["command"]):
+            if example["state"] == "ACTIVE":
+                self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a link")
+                return
+            # Results of this test's own goals may still come in.
+            end = results.wait_for(lambda m: rospy.get_name() not in m.status.goal_id.id, "the result")
+        self.assertEqual(end.status.status, getattr(GoalStatus, example["state"] or "SUCCEEDED"), end)
+        self.assertEqual(hex(end.result.error_id), hex(int(example["error_id"] or "0", 16)), end)
+
+
+@contextlib.contextmanager
+def shell(command):
+    """Runs the command beside what follows, and lets it end by itself."""
+    process = subprocess.Popen(["bash", "-c", command])
+    try:
+        yield
+    finally:
+        process.wait()
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("examples_test")
+    rostest.rosrun("cobot_command", "examples", Examples)
