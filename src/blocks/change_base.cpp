@@ -6,11 +6,7 @@
 namespace cobot_command::blocks {
 
 CommandTraits traitsOf(const ChangeBaseGoal& goal) {
-  CommandTraits traits;
-  traits.command_id = goal.command_id;
-  traits.buffer_mode = bufferModeOf(goal.buffer_mode);
-  traits.exits_node = goal.exit_node;
-  return traits;
+  return traitsOfCommand(goal);
 }
 
 std::vector<Failure> check(const ChangeBaseGoal& goal) {

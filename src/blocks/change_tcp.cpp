@@ -15,11 +15,7 @@ constexpr double kMaxInertia = 1e9;
 }  // namespace
 
 CommandTraits traitsOf(const ChangeTcpGoal& goal) {
-  CommandTraits traits;
-  traits.command_id = goal.command_id;
-  traits.buffer_mode = bufferModeOf(goal.buffer_mode);
-  traits.exits_node = goal.exit_node;
-  return traits;
+  return traitsOfCommand(goal);
 }
 
 std::vector<Failure> check(const ChangeTcpGoal& goal) {

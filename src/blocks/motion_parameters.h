@@ -59,11 +59,8 @@ void checkMovement(ParameterChecks& checks, int movement_command, int data_forma
 
 template <class Move>
 [[nodiscard]] CommandTraits traitsOfMove(const Move& goal) {
-  CommandTraits traits;
-  traits.command_id = goal.command_id;
-  traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  CommandTraits traits = traitsOfCommand(goal);
   traits.awaits_motion = !goal.blending_enable;
-  traits.exits_node = goal.exit_node;
   traits.check_only = goal.check_only;
   return traits;
 }

@@ -39,6 +39,16 @@ class ParameterChecks {
 /// Total: what the checks refuse is BufferMode::Refuse here.
 [[nodiscard]] BufferMode bufferModeOf(int buffer_mode);
 
+/// Of the thesis's commands, which all have these three inputs.
+template <class Goal>
+[[nodiscard]] CommandTraits traitsOfCommand(const Goal& goal) {
+  CommandTraits traits;
+  traits.command_id = goal.command_id;
+  traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.exits_node = goal.exit_node;
+  return traits;
+}
+
 /// Largest coordinate [mm, deg] that is taken for one.
 inline constexpr double kMaxCoordinate = 100000;
 
