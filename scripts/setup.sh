@@ -28,6 +28,24 @@ install_missing() {
     >/dev/null
 }
 
+# Into the build folder, where CTest looks for them. The only thing that does not come from Debian: without it the tests
+# that need it are skipped, and say so.
+install_foreign_clients() {
+  local folder=$build/foreign-clients list=$root/scripts/python-packages.txt
+  say "Looking for the clients of scripts/python-packages.txt"
+  if cmp -s "$list" "$folder/installed.txt"; then
+    echo "all there"
+    return
+  fi
+  rm -rf "$folder"
+  if /usr/bin/python3 -m pip install --quiet --disable-pip-version-check --root-user-action=ignore --no-deps \
+    --only-binary :all: --require-hashes --target "$folder" --requirement "$list"; then
+    cp "$list" "$folder/installed.txt"
+  else
+    echo "They cannot be fetched: their tests will be skipped." >&2
+  fi
+}
+
 # build_with <build folder> <cmake option>...
 build_with() {
   local folder=$1

@@ -1,7 +1,7 @@
 """techmanpy 1.2, a client of TM robots by others, unmodified against tm_simulator.
 
 Usage: techmanpy_test.py PROGRAM [unittest options]. Exit status 77 when techmanpy cannot be imported (skipped);
-`python3 -m pip install --target build/techmanpy techmanpy==1.2` installs it where CTest looks for it.
+scripts/test installs it where CTest looks for it.
 
 techmanpy knows the robot's ports by heart. So each test has an address of its own on the loopback network.
 """
