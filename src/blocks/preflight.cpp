@@ -9,9 +9,9 @@
 namespace cobot_command::blocks {
 
 bool Preflight::isQueued(const RobotWatch& robot, Instant now) const {
-  if (!queue_end_) return false;
-  const bool seen_since = robot.status() && robot.status()->received > queue_end_->time;
-  return now < queue_end_->time || !seen_since || robot.moving().value_or(false) || robot.held();
+  if (!queue_) return false;
+  const bool seen_since = robot.status() && robot.status()->received > queue_->end();
+  return now < queue_->end() || !seen_since || robot.moving().value_or(false) || robot.held();
 }
 
 Origin Preflight::origin(const RobotWatch& robot, const FrameWatch& frames, Instant now) const {
@@ -19,8 +19,7 @@ Origin Preflight::origin(const RobotWatch& robot, const FrameWatch& frames, Inst
   const bool moves_to_unknown_place = !queued && robot.moving().value_or(false);
   Origin origin;
   if (queued) {
-    origin.start.joints = queue_end_->joints;
-    origin.delay = std::max(Duration::zero(), queue_end_->time - now);
+    origin.start.joints = queue_->planner.joints();
   } else if (!moves_to_unknown_place) {
     origin.start.joints = robot.joints();
   }
@@ -32,37 +31,46 @@ Origin Preflight::origin(const RobotWatch& robot, const FrameWatch& frames, Inst
   origin.start.tcp = active.tcp;
   if (!active.tcp && active.tcp_name.empty()) origin.start.tcp = arm::Pose::Identity();
   origin.start.speed_override = robot.speedOverride();
+  if (queued) {
+    origin.behind = queue_->planner;
+    origin.behind->follow(origin.start);
+    origin.arrival = now - queue_->began;
+  }
   return origin;
 }
 
 Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<protocol::ScriptCommand>& commands,
                                                      const Origin& origin) const {
   if (!arm_) return std::optional<Plan>();
-  planning::ScriptPlanner planner(*arm_, origin.start);
+  planning::ScriptPlanner planner = origin.behind.value_or(planning::ScriptPlanner(*arm_, origin.start));
   Plan plan;
   plan.tcp = origin.start.tcp.value_or(arm::Pose::Identity());
-  plan.start_delay = origin.delay;
+  plan.arrival = origin.arrival;
+  std::optional<Duration> begin;
   for (const protocol::ScriptCommand& command : commands) {
-    const auto step = planner.append(command);
+    const auto step = planner.append(command, origin.arrival);
     if (!step) return refuse(toFailure(step.error()));
     if (!step->planned) return std::optional<Plan>();
-    if (step->trajectory) plan.motions.push_back(step->trajectory);
+    if (!step->trajectory) continue;
+    if (!begin) begin = step->start;
+    plan.motions.push_back(step->trajectory);
   }
-  plan.duration = planner.duration();
-  plan.end.start = planner.end();
+  if (begin) {
+    plan.start_delay = std::max(Duration::zero(), *begin - origin.arrival);
+    plan.duration = planner.duration() - *begin;
+  }
+  plan.end = {planner.end(), planner, Duration::zero()};
   return std::optional<Plan>(std::move(plan));
 }
 
 void Preflight::queue(const std::optional<Plan>& plan, Instant now) {
-  queue_end_.reset();
-  if (plan && plan->end.start.joints) {
-    queue_end_ = QueueEnd{*plan->end.start.joints, now + plan->start_delay + plan->duration};
-  }
+  queue_.reset();
+  if (plan && plan->end.start.joints) queue_ = Queue{*plan->end.behind, now - plan->arrival};
 }
 
 void Preflight::arrive(const std::optional<Plan>& plan, Instant now) {
-  queue_end_.reset();
-  if (plan && plan->end.start.joints) queue_end_ = QueueEnd{*plan->end.start.joints, now};
+  queue_.reset();
+  if (plan && plan->end.start.joints) queue_ = Queue{{*arm_, plan->end.start}, now};
 }
 
 }  // namespace cobot_command::blocks

@@ -20,13 +20,15 @@ namespace cobot_command::blocks {
 /// Where a command starts: what the robot and its frames will be then, as far as that is known.
 struct Origin {
   planning::ScriptPlanner::Start start;
-  Duration delay{};  ///< what is in front takes this long still
+  std::optional<planning::ScriptPlanner> behind;  ///< of what is in front; it may blend into the command
+  Duration arrival{};  ///< when the robot gets the command, by the time of `behind`
 };
 
 struct Plan {
   Duration duration{};
-  Duration start_delay{};                      ///< of the origin
-  Origin end;                                  ///< where the next command starts; its delay is not counted
+  Duration start_delay{};                      ///< until its first motion begins, after it was sent
+  Duration arrival{};                          ///< of the origin
+  Origin end;                                  ///< where the next command starts
   arm::Pose tcp = arm::Pose::Identity();       ///< of the motions, in the flange [m]
   std::vector<motion::TrajectoryPtr> motions;  ///< of a command that moves: one, of a raw script: several
 };
@@ -44,23 +46,25 @@ class Preflight {
   [[nodiscard]] Result<std::optional<Plan>, Failure> plan(
       const std::vector<protocol::ScriptCommand>& commands, const Origin& origin) const;
 
-  /// A blended command was sent: the next one starts at its end.
+  /// A blended command was sent: the next one blends with it, or starts at its end.
   void queue(const std::optional<Plan>& plan, Instant now);
   /// The queue tag of a planned motion came back: the next one starts at its end, until the stream, which is
   /// always a little behind, shows the robot standing.
   void arrive(const std::optional<Plan>& plan, Instant now);
   /// Nothing is queued any more, or nobody knows.
-  void forget() { queue_end_.reset(); }
+  void forget() { queue_.reset(); }
 
  private:
-  struct QueueEnd {
-    arm::JointVector joints;
-    Instant time;  ///< when the robot gets there, if nothing holds it
+  struct Queue {
+    planning::ScriptPlanner planner;
+    Instant began;
+    /// When the robot comes to its end, if nothing holds it.
+    [[nodiscard]] Instant end() const { return began + planner.duration(); }
   };
   [[nodiscard]] bool isQueued(const RobotWatch& robot, Instant now) const;
 
   std::optional<arm::ArmModel> arm_;
-  std::optional<QueueEnd> queue_end_;
+  std::optional<Queue> queue_;
 };
 
 }  // namespace cobot_command::blocks

@@ -98,6 +98,14 @@ void ScriptPlanner::note(const protocol::WaitQueueTag&) {
   blend_.reset();
 }
 
+void ScriptPlanner::follow(const Start& frames) {
+  const bool same_tcp = tcp_ && frames.tcp ? tcp_->isApprox(*frames.tcp) : !tcp_ && !frames.tcp;
+  if (!same_tcp) blend_.reset();
+  base_ = frames.base;
+  tcp_ = frames.tcp;
+  speed_override_ = frames.speed_override;
+}
+
 ScriptPlanner::Appended ScriptPlanner::append(const ScriptMotion& motion, Duration arrival) {
   const auto command = toMotion(motion);
   if (!command) return refuse(command.error());

@@ -64,6 +64,10 @@ class ScriptPlanner {
   [[nodiscard]] Result<PlannedStep, motion::Refusal> append(const protocol::ScriptCommand& command,
                                                             Duration arrival = Duration::zero());
 
+  /// Base, TCP and project speed of what follows, from somebody who knows them better. Another TCP than
+  /// before ends the blend.
+  void follow(const Start& frames);
+
   /// False: nobody knows where the last motion ends.
   [[nodiscard]] bool jointsKnown() const { return end_.has_value(); }
   /// Where the last motion ends [rad]. Precondition: jointsKnown().

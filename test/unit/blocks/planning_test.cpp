@@ -1,5 +1,6 @@
 // Pre-flight: a motion is planned before it is sent, from where it will start.
 
+#include "block_rules.h"
 #include "core_rig.h"
 #include "status_frames.h"
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/motion/planner.h"
+#include "cobot_command/planning/script_planner.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -81,7 +83,7 @@ TEST_F(Planning, startsAtTheEndOfWhatIsQueuedInFrontOfIt) {
   rig.status(StatusFrames());
   MoveAbsoluteGoal blended = toJoints(kAside);
   blended.blending_enable = true;
-  blended.blending_value = 20;
+  blended.blending_value = 0;
   rig.submit(blended);
   rig.reply(rig.takeScript().id);
   rig.now += 100ms;
@@ -95,6 +97,29 @@ TEST_F(Planning, startsAtTheEndOfWhatIsQueuedInFrontOfIt) {
   EXPECT_TRUE(rig.outputs(Block::MoveAbsolute).active);
   rig.tag(1);
   EXPECT_EQ(rig.outcome(second)->ending, Ending::Done);
+}
+
+TEST_F(Planning, countsTheBlendWithWhatIsQueuedInFrontOfIt) {
+  rig.status(StatusFrames());
+  MoveAbsoluteGoal blended = toJoints(kAside);
+  blended.blending_enable = true;
+  blended.blending_value = 20;
+  const GoalId first = rig.submit(blended);
+  const protocol::ScriptCommand sent_first = blocks::commandOf(blended, arm::Pose::Identity());
+  rig.reply(rig.takeScript().id);
+  rig.now += 100ms;
+  const GoalId second = rig.submit(toJoints(kBack));
+  rig.reply(rig.takeScript().id);
+
+  planning::ScriptPlanner planner(model(), arm::toJointVector(kHome), motion::Setting{});
+  const Duration whole = planner.append(sent_first)->duration;
+  const auto step = planner.append(blocks::commandOf(toJoints(kBack), arm::Pose::Identity()), 100ms);
+  ASSERT_LT(step->start, whole) << "they overlap";
+  EXPECT_EQ(rig.progress(first).back().planned, whole);
+  EXPECT_EQ(rig.progress(second).back().planned, step->duration);
+  EXPECT_EQ(rig.progress(second).back().phase, Phase::Queued);
+  rig.pass(step->start - Duration(100ms));
+  EXPECT_EQ(rig.progress(second).back().phase, Phase::Active);
 }
 
 TEST_F(Planning, startsAtTheTargetJustReachedWhileTheStreamStillShowsTheMotion) {
