@@ -5,6 +5,7 @@ Exit status: 0 only if every step is Done, 1 if not, 2 if the command node or th
 """
 import argparse
 import sys
+import time
 
 import actionlib
 import rospkg
@@ -17,6 +18,7 @@ from cobot_command.msg import (CommandStatus, ConnectAction, ConnectGoal, PickAn
 
 CONNECT_TIMEOUT = 30.0  # [s]; the Connect block's own range is 10..300
 STEPS_UNREADABLE = 0x256
+UNDER_WAY = (GoalStatus.PENDING, GoalStatus.ACTIVE)
 MOVING = (PickAndPlaceFeedback.ACTIVE, PickAndPlaceFeedback.HELD)
 ROW = "{:>5} {:>5}  {:<17} {:<5} {:<4} {:<36} {:>9} {:>9} {:>4}  {}"
 
@@ -59,7 +61,7 @@ def connected(client, arguments):
             status = rospy.wait_for_message("command_status", CommandStatus, timeout=1.0)
         except rospy.ROSException:
             continue
-        if client.get_state() not in (GoalStatus.PENDING, GoalStatus.ACTIVE):
+        if client.get_state() not in UNDER_WAY:
             break
         if status.link_state == CommandStatus.READY and status.status_stream:
             print(f"connected to {status.host}:{status.port}, in Listen node \"{status.listen_node}\"\n")
@@ -73,8 +75,9 @@ def run(client, arguments):
     table = Table(arguments.steps)
     client.send_goal(PickAndPlaceGoal(steps_file=arguments.steps, cycles=arguments.cycles), feedback_cb=table.take)
     try:
-        while not client.wait_for_result(rospy.Duration(1.0)) and not rospy.is_shutdown():
-            pass
+        # wait_for_result would wait for ever for a goal that ended before send_goal returned (doc/actions/README.md).
+        while client.get_state() in UNDER_WAY and not rospy.is_shutdown():
+            time.sleep(0.1)
     finally:
         client.cancel_goal()  # changes nothing once it has ended
     result = client.get_result()

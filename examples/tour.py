@@ -107,18 +107,26 @@ class Tour:
         if not client.wait_for_server(TIMEOUT):
             raise Failed(f"no action server {rospy.resolve_name(action)}: is the command node running?")
         client.send_goal(goal)
-        while client.get_state() == GoalStatus.PENDING and not rospy.is_shutdown():
-            rospy.sleep(0.01)
+        self.wait_while(client, (GoalStatus.PENDING, ))
         return client
 
-    @staticmethod
-    def expect(action, client, state):
-        if not client.wait_for_result(TIMEOUT):
+    def expect(self, action, client, state):
+        if not self.wait_while(client, (GoalStatus.PENDING, GoalStatus.ACTIVE)):
             raise Failed(f"{action} did not end")
         result = client.get_result()
         if client.get_state() != state:
             raise Failed(f"{action}: 16#{result.error_id:X} {result.error_description} -> {result.remedy}")
         return result
+
+    @staticmethod
+    def wait_while(client, states):
+        """False when it took too long. wait_for_result would miss a goal that ended before send_goal returned."""
+        deadline = rospy.Time.now() + TIMEOUT
+        while client.get_state() in states:
+            if rospy.Time.now() > deadline:
+                return False
+            rospy.sleep(0.01)
+        return True
 
 
 def main():

@@ -2,7 +2,6 @@
 """The pick and place of the thesis by many robots at the same time."""
 import math
 import os
-import threading
 import unittest
 
 import actionlib
@@ -11,9 +10,10 @@ import rospy
 import yaml
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import PoseStamped
+from std_srvs.srv import Trigger
 
 from cobot_command.msg import CommandStatus, PickAndPlaceAction, PickAndPlaceGoal
-from cobot_test import CONTROLLER, Latest
+from cobot_test import CONTROLLER, Latest, Sent
 
 STEPS_FILE = "package://cobot_command/config/pick_and_place.yaml"
 PATIENCE = 400.0  # [s]; for all of them together, on a machine that has other work too
@@ -24,17 +24,26 @@ class Member:
 
     def __init__(self, name):
         self.name = name
-        self.client = actionlib.SimpleActionClient(f"{name}/pick_and_place", PickAndPlaceAction)
+        self.client = actionlib.ActionClient(f"{name}/pick_and_place", PickAndPlaceAction)
         self.status = Latest(f"{name}/command_status", CommandStatus)
-        self.accepted = threading.Event()
-        self.ended = threading.Event()
+        self.sent = None
 
     def is_ready(self):
         status = self.status.message
         return status is not None and status.link_state == CommandStatus.READY and status.status_stream
 
     def start(self, goal):
-        self.client.send_goal(goal, done_cb=lambda state, result: self.ended.set(), active_cb=self.accepted.set)
+        self.sent = Sent(self.client, goal)
+
+    def is_accepted(self):
+        return self.sent.state() != GoalStatus.PENDING
+
+    def operate(self, service):
+        name = f"{self.name}/{CONTROLLER}/{service}"
+        rospy.wait_for_service(name, PATIENCE)
+        answer = rospy.ServiceProxy(name, Trigger)()
+        if not answer.success:
+            raise AssertionError(f"{name}: {answer.message}")
 
     def true_tool(self):
         """Where the simulator itself says that the tool is."""
@@ -44,14 +53,19 @@ class Member:
 class Fleet(unittest.TestCase):
     def test_all_do_a_cycle_at_the_same_time_and_each_ends_right(self):
         fleet = [Member(f"robot_{k}") for k in range(1, rospy.get_param("~count") + 1)]
-        self.wait_for_all(fleet, lambda member: member.is_ready(), "ready")
+        self.wait_for_all(fleet, Member.is_ready, "ready")
         for member in fleet:
             self.assertTrue(member.client.wait_for_server(rospy.Duration(PATIENCE)), member.name)
+        # Held until each has its goal: however slow the machine is, they do their cycles at the same time.
+        for member in fleet:
+            member.operate("pause_project")
         for member in fleet:
             member.start(PickAndPlaceGoal(steps_file=STEPS_FILE, cycles=1))
-        self.wait_for_all(fleet, lambda member: member.accepted.is_set(), "on its way")
-        self.assertEqual([m.name for m in fleet if m.ended.is_set()], [], "none has ended before all were on their way")
-        self.wait_for_all(fleet, lambda member: member.ended.is_set(), "at the end of its goal")
+        self.wait_for_all(fleet, Member.is_accepted, "accepted")
+        self.assertEqual({member.sent.state() for member in fleet}, {GoalStatus.ACTIVE})
+        for member in fleet:
+            member.operate("resume_project")
+        self.wait_for_all(fleet, lambda member: member.sent.ended(), "at the end of its goal")
         for member in fleet:
             with self.subTest(robot=member.name):
                 self.assert_cycle_is_done(member)
@@ -63,14 +77,15 @@ class Fleet(unittest.TestCase):
         rate = rospy.Rate(10)
         waiting = fleet
         while waiting:
-            self.assertLess(rospy.Time.now(), deadline, f"not {what} within {PATIENCE} s: {[m.name for m in waiting]}")
+            self.assertLess(rospy.Time.now(), deadline,
+                            f"not {what} within {PATIENCE} s: {[(m.name, m.status.message) for m in waiting]}")
             rate.sleep()
             waiting = [member for member in waiting if not condition(member)]
 
     def assert_cycle_is_done(self, member):
-        result = member.client.get_result()
+        state, result = member.sent.finish()
         self.assertEqual(result.error_id, 0, result.error_description)
-        self.assertEqual(member.client.get_state(), GoalStatus.SUCCEEDED)
+        self.assertEqual(state, GoalStatus.SUCCEEDED)
         self.assertEqual((result.cycles_done, result.failed_step, len(result.steps)), (1, -1, len(steps())))
         self.assertEqual([step.error_id for step in result.steps], [0] * len(steps()))
 
