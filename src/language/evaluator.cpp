@@ -6,6 +6,7 @@
 #include "conversion.h"
 #include "operators.h"
 #include "quoted_names.h"
+#include "written_numbers.h"
 #include <fmt/format.h>
 
 namespace cobot_command::language {
@@ -44,7 +45,10 @@ Evaluator::Evaluator(const FunctionTable& functions, Scope scope, Environment& r
 Result<bool, Stop> Evaluator::run(const Statement& statement) {
   if (const auto* declaration = std::get_if<Declaration>(&statement.content)) {
     auto value = declaration->initial ? valueOf(*declaration->initial) : initialValue(declaration->type);
-    if (value) value = orFault(convert(*value, declaration->type));
+    if (value)
+      value =
+          orFault(declaration->initial ? convertAsWritten(*declaration->initial, *value, declaration->type)
+                                       : convert(*value, declaration->type));
     if (!value) return refuse(std::move(value.error()));
     changed_[declaration->name] = std::move(*value);
   } else if (auto value = valueOf(std::get<Expression>(statement.content)); !value) {
@@ -190,7 +194,7 @@ Result<Value, Stop> Evaluator::of(const Call& call) {
   const auto match = functions_.find(call.function, types);
   if (!match) return fault(match.error());
   for (std::size_t i = 0; i < arguments->size(); ++i) {
-    auto converted = convert((*arguments)[i], match->arguments[i]);
+    auto converted = convertAsWritten(call.arguments[i], (*arguments)[i], match->arguments[i]);
     if (!converted)
       return fault(fmt::format("argument {} of {}: {}", i + 1, call.function, converted.error()));
     const std::size_t length = match->function->parameters[i].length;

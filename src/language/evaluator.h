@@ -70,7 +70,7 @@ class Evaluator {
   [[nodiscard]] Result<std::size_t, Stop> indexOf(const Expression& index, const Value& array);
   [[nodiscard]] Result<Target, Stop> targetOf(const Expression& expression);
   [[nodiscard]] Evaluated readTarget(const Target& target) const;
-  [[nodiscard]] Evaluated assign(Target target, const Value& value);
+  [[nodiscard]] Evaluated assign(Target target, const Value& value, const Expression* source = nullptr);
   [[nodiscard]] Evaluated writeItem(const Target& target, const Value& value);
   /// Adds 1 or -1, and gives the value before or after.
   [[nodiscard]] Evaluated step(const Expression& expression, int by, bool gives_old);

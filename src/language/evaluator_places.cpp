@@ -4,6 +4,7 @@
 #include "conversion.h"
 #include "evaluator.h"
 #include "operators.h"
+#include "written_numbers.h"
 #include <fmt/format.h>
 
 namespace cobot_command::language {
@@ -81,9 +82,9 @@ Result<Value, Stop> Evaluator::readTarget(const Target& target) const {
   return Value(std::get<Array>(target.whole).items[*target.index]);
 }
 
-Result<Value, Stop> Evaluator::assign(Target target, const Value& value) {
+Result<Value, Stop> Evaluator::assign(Target target, const Value& value, const Expression* source) {
   const Type type{target.shape.type.scalar, target.shape.type.is_array && !target.index};
-  auto converted = convert(value, type);
+  auto converted = source ? convertAsWritten(*source, value, type) : convert(value, type);
   if (!converted) return fault(std::move(converted.error()));
   if (target.variable.empty()) return writeItem(target, *converted);
   if (target.index)
@@ -124,12 +125,14 @@ Result<Value, Stop> Evaluator::of(const Assignment& assignment) {
   for (std::size_t i = assignment.targets.size(); value && i-- > 0;) {
     auto target = targetOf(assignment.targets[i]);
     if (!target) return refuse(std::move(target.error()));
+    const bool is_last = i + 1 == assignment.targets.size();
+    const Expression* source = is_last && !assignment.operators[i] ? &*assignment.value : nullptr;
     if (const auto& binary = assignment.operators[i]) {
       auto result = applyOperator(*binary, *readTarget(*target), *value);
       if (!result) return fault(std::move(result.error()));
       value = std::move(*result);
     }
-    value = assign(std::move(*target), *value);
+    value = assign(std::move(*target), *value, source);
   }
   return value;
 }

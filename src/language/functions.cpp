@@ -43,7 +43,9 @@ std::optional<Fit> fit(const Function& function, const std::vector<Type>& argume
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const auto type = wanted(function.parameters[i], arguments[i], arguments.front());
     const Conversion conversion = type ? conversionOf(arguments[i], *type) : Conversion::None;
-    if (conversion == Conversion::None) return std::nullopt;
+    // A text that becomes a number would be a target for a motion: the robot takes none.
+    if (conversion == Conversion::None || (conversion == Conversion::Text && !function.compute))
+      return std::nullopt;
     found.match.arguments.push_back(*type);
     found.match.is_warned = found.match.is_warned || isWarned(conversion);
     // One bad conversion is worse than any number of better ones.

@@ -135,9 +135,11 @@ const auto set_literal = [](auto& context) {
 };
 const auto set_number = [](auto& context) {
   const auto& range = x3::_attr(context);
-  const auto literal = literalOf({range.begin(), static_cast<std::size_t>(range.size())});
+  const std::string_view numeral(range.begin(), static_cast<std::size_t>(range.size()));
+  const auto literal = literalOf(numeral);
   if (!literal) fail(range.begin(), "a number of at most 32 bits, or one that a double holds");
-  x3::_val(context).node = Literal{*literal};
+  const bool is_float = std::holds_alternative<float>(*literal);
+  x3::_val(context).node = Literal{*literal, is_float ? parseReal(numeral) : std::nullopt};
 };
 const auto set_elements = [](auto& context) {
   x3::_val(context).node = ArrayLiteral{std::move(x3::_attr(context))};

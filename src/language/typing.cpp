@@ -27,9 +27,36 @@ bool isLiteral(const Expression& expression) {
   return std::holds_alternative<Literal>(expression.node);
 }
 
+/// A literal, with its sign.
 std::optional<Scalar> literalIn(const Expression& expression) {
-  const auto* literal = std::get_if<Literal>(&expression.node);
-  return literal ? std::optional<Scalar>(literal->value) : std::nullopt;
+  if (const auto* literal = std::get_if<Literal>(&expression.node)) return literal->value;
+  const auto* prefix = std::get_if<Prefix>(&expression.node);
+  const auto number = prefix && isLiteral(expression) ? literalIn(*prefix->operand) : std::nullopt;
+  if (!number) return std::nullopt;
+  const auto negative = applyOperator(PrefixOperator::Minus, *number);
+  return negative ? std::optional<Scalar>(std::get<Scalar>(*negative)) : std::nullopt;
+}
+
+std::vector<std::optional<Scalar>> literalsIn(const Expressions& expressions) {
+  std::vector<std::optional<Scalar>> literals;
+  for (const Expression& expression : expressions) literals.push_back(literalIn(expression));
+  return literals;
+}
+
+/// Integers that an item does not take, where they are written.
+std::optional<std::string> beyond(const ItemShape& item, const Expression& value) {
+  if (!item.most) return std::nullopt;
+  if (const auto* array = std::get_if<ArrayLiteral>(&value.node)) {
+    for (const Expression& element : array->elements)
+      if (auto reason = beyond(item, element)) return reason;
+    return std::nullopt;
+  }
+  const auto literal = literalIn(value);
+  const auto number = literal ? convert(*literal, ScalarType::Int) : Result<Scalar, std::string>(Scalar(0));
+  if (!number) return number.error();
+  const auto integer = std::get<std::int32_t>(*number);
+  if (integer >= 0 && integer <= *item.most) return std::nullopt;
+  return fmt::format("{} is not 0 to {}", integer, *item.most);
 }
 
 Result<ItemShape, std::string> asShape(const Result<Type, std::string>& type) {
@@ -152,6 +179,9 @@ Result<Type, std::string> Typing::of(const Call& call) {
     if (parameter.is_literal && !isLiteral(argument)) return place("must be written as a literal");
     if (const auto wrong = wrongLength(argument, parameter.length)) return place(*wrong);
   }
+  if (!matched->function->compute)
+    if (auto objection = environment_.objectionTo(call.function, literalsIn(call.arguments)))
+      return refuse(std::move(*objection));
   if (matched->is_warned) warnings_.push_back(fmt::format("an argument of {} is converted", call.function));
   return matched->result;
 }
@@ -176,8 +206,8 @@ Result<Type, std::string> Typing::of(const Element& element) {
     return refuse(fmt::format("{} is no index", toText(*index)));
   const auto literal = literalIn(*element.index);
   if (literal && shape.length) {
-    const auto at = static_cast<std::size_t>(std::get<std::int32_t>(*convert(*literal, ScalarType::Int)));
-    if (at >= *shape.length)
+    const auto at = std::get<std::int32_t>(*convert(*literal, ScalarType::Int));
+    if (at < 0 || static_cast<std::size_t>(at) >= *shape.length)
       return refuse(
           fmt::format("index {} is outside of {}, which has {}", at, toText(*element.array), *shape.length));
   }
@@ -248,7 +278,11 @@ Result<ItemShape, std::string> Typing::targetShape(const Expression& target) {
   const Expression& whole = element ? *element->array : target;
   if (!std::holds_alternative<Name>(whole.node) && !std::holds_alternative<Item>(whole.node))
     return refuse(fmt::format("{} cannot be changed", toText(target)));
-  return asShape(typeOf(target));
+  auto shape = asShape(typeOf(target));
+  const auto* item = std::get_if<Item>(&whole.node);
+  if (shape && item)
+    if (const auto whole_shape = shapeOf(*item)) shape->most = whole_shape->most;
+  return shape;
 }
 
 /// The type of what is assigned to the last target.
@@ -257,6 +291,7 @@ Result<Type, std::string> Typing::valueFor(const ItemShape& target, const Assign
   if (assignment.operators.back()) return typeOf(value);
   if (auto reason = accept(value, target.type)) return refuse(std::move(*reason));
   if (auto reason = wrongLength(value, target.length.value_or(0))) return refuse(std::move(*reason));
+  if (auto reason = beyond(target, value)) return refuse(std::move(*reason));
   return target.type;
 }
 

@@ -38,6 +38,12 @@ class FakeRobot : public Environment {
     return found->second.shape;
   }
 
+  std::optional<std::string> objectionTo(const std::string& function,
+                                         const std::vector<std::optional<Scalar>>& arguments) const override {
+    if (function != "QueueTag" || arguments[0] != Scalar(std::uint8_t{16})) return std::nullopt;
+    return "there is no tag 16";
+  }
+
   Result<Value, std::string> read(const ItemName& item) override {
     ++reads;
     return items.at(item.object + '.' + item.attribute).value;

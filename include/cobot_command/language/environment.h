@@ -23,7 +23,8 @@ struct ItemName {
 struct ItemShape {
   Type type;
   bool is_writable = false;
-  std::optional<std::size_t> length;  ///< of an array whose length never changes
+  std::optional<std::size_t> length;       ///< of an array whose length never changes
+  std::optional<int> most = std::nullopt;  ///< an integer that is written must be 0 to this
 };
 
 /// The robot is not done: the script stands at this line until Interpreter::resume().
@@ -46,6 +47,11 @@ class Environment {
   [[nodiscard]] virtual Result<ItemShape, std::string> shapeOf(const std::string& object,
                                                                const std::vector<std::optional<Scalar>>& keys,
                                                                const std::string& attribute) const = 0;
+
+  /// Before a script runs: what is wrong with this call of a declared function? An argument is absent when it
+  /// is not written as a literal. Nothing when it is right as far as one can see.
+  [[nodiscard]] virtual std::optional<std::string> objectionTo(
+      const std::string& function, const std::vector<std::optional<Scalar>>& arguments) const = 0;
 
   /// A value of the type of the item's shape.
   [[nodiscard]] virtual Result<Value, std::string> read(const ItemName& item) = 0;

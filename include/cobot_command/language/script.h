@@ -45,6 +45,7 @@ using Expressions = std::vector<Expression>;
 
 struct Literal {
   Scalar value;
+  std::optional<double> written = std::nullopt;  ///< of a float: the nearest double to what is written
 };
 /// A variable; where a text is wanted and no variable has the name, the name itself.
 struct Name {
