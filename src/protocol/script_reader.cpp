@@ -6,11 +6,11 @@
 
 #include "characters.h"
 #include "script_arguments.h"
-#include "script_formats.h"
 #include "script_syntax.h"
 #include <fmt/format.h>
 
 #include "cobot_command/protocol/script_command.h"
+#include "cobot_command/protocol/script_formats.h"
 
 namespace cobot_command::protocol {
 

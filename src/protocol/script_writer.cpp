@@ -5,11 +5,11 @@
 #include <type_traits>
 
 #include "characters.h"
-#include "script_formats.h"
 #include "utf8.h"
 #include <fmt/format.h>
 
 #include "cobot_command/protocol/script_command.h"
+#include "cobot_command/protocol/script_formats.h"
 
 namespace cobot_command::protocol {
 
