@@ -14,34 +14,45 @@ namespace {
 
 using Code = protocol::CommunicationErrorCode;
 
-/// Those with a literal argument (TMflow 1.82): they do not wait for their turn (fact sheet 1.4).
-template <class Command>
-const Command* firstPriority(const protocol::ParsedScript& script) {
-  for (const auto& line : script.lines) {
-    const auto* command = std::get_if<Command>(&line.command);
-    if (command != nullptr && command->mode) return command;
+const language::Call* callIn(const language::Statement& statement) {
+  const auto* expression = std::get_if<language::Expression>(&statement.content);
+  return expression == nullptr ? nullptr : std::get_if<language::Call>(&expression->node);
+}
+
+/// The argument of the first such call that has a literal one: it does not wait for its turn (TMflow 1.82;
+/// fact sheet 1.4).
+std::optional<int> priorityMode(const language::Script& script, std::string_view function) {
+  for (const language::Statement& statement : script) {
+    const language::Call* call = callIn(statement);
+    if (call == nullptr || call->function != function || call->arguments.size() != 1) continue;
+    const auto* literal = std::get_if<language::Literal>(&call->arguments.front().node);
+    const auto* mode = literal == nullptr ? nullptr : std::get_if<std::uint8_t>(&literal->value);
+    if (mode != nullptr) return *mode;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
-bool isStop(const protocol::ParsedScript::Line& line) {
-  return std::holds_alternative<protocol::StopAndClearBuffer>(line.command);
-}
+constexpr const char* kStop = "StopAndClearBuffer";
 
-bool stops(const protocol::ParsedScript& script) {
-  return std::any_of(script.lines.begin(), script.lines.end(), isStop);
+std::vector<int> stopsIn(const language::Script& script) {
+  std::vector<int> lines;
+  for (const language::Statement& statement : script) {
+    const language::Call* call = callIn(statement);
+    if (call != nullptr && call->function == kStop) lines.push_back(statement.line);
+  }
+  return lines;
 }
 
 }  // namespace
 
-ListenNode::ListenNode(const Settings& settings, MotionQueue& queue, IoBoard& io, FaultSwitches& faults,
+ListenNode::ListenNode(const Settings& settings, const ScriptInterpreter::Robot& robot, FaultSwitches& faults,
                        Outgoing& outgoing, Outbox& outbox)
     : settings_(settings),
-      queue_(queue),
+      queue_(robot.queue),
       faults_(faults),
       outbox_(outbox),
       clients_({settings.accept_empty_length}, faults, outgoing, outbox),
-      interpreter_(settings, queue, io, tags_, faults, clients_) {}
+      interpreter_(settings, robot, tags_, faults, clients_, outbox) {}
 
 void ListenNode::connected(ClientId client) {
   if (port_open_) {
@@ -56,6 +67,7 @@ void ListenNode::connected(ClientId client) {
 void ListenNode::run() {
   flow_ = after(flow_, FlowEvent::Run);
   tags_ = TagTable();
+  interpreter_.beginProject();
   updatePort();
   enter();
 }
@@ -80,6 +92,7 @@ void ListenNode::updatePort() {
 void ListenNode::enter() {
   reenter_at_.reset();
   reentry_delay_ = settings_.reentry_delay;
+  interpreter_.forgetVariables();
   outbox_.log(fmt::format("Listen node entered: {}", settings_.listen_node_message));
   clients_.broadcast(protocol::ListenNodeEntered{settings_.listen_node_message});
 }
@@ -199,55 +212,48 @@ void ListenNode::answer(ClientId client, const protocol::ScriptRequest& request,
   const std::string code = faults_.cperr_script.text;
   if (faults_.cperr_script.take())
     return refuseFrame(client, static_cast<Code>(std::stoi(code, nullptr, 16)));
-  PendingScript script{client, request.id, protocol::parseScript(request.script)};
+  PendingScript script{client, request.id, language::parse(request.script), {}};
   spoil(script);
   if (!runPriorityCommand(script, now)) interpreter_.add(std::move(script));
 }
 
 /// A fault refuses what is right: the script becomes one with faulty lines.
 void ListenNode::spoil(PendingScript& script) {
-  std::vector<protocol::ScriptFault> lines;
-  if (script.parsed && stops(*script.parsed) && faults_.refuse_stop.take()) {
-    for (const auto& line : script.parsed->lines) {
-      if (isStop(line)) lines.push_back({line.number, "fault"});
-    }
-  }
+  const std::vector<int> stops = stopsIn(script.script.statements);
+  if (!stops.empty() && faults_.refuse_stop.take()) script.spoiled = stops;
   const std::string chosen = faults_.refuse_script.text;
-  if (faults_.refuse_script.take()) {
-    lines.clear();
-    std::istringstream numbers(chosen);
-    for (std::string number; std::getline(numbers, number, ';');)
-      lines.push_back({std::stoi(number), "fault"});
-  }
-  if (!lines.empty()) script.parsed = refuse(std::move(lines));
+  if (!faults_.refuse_script.take()) return;
+  script.spoiled.clear();
+  std::istringstream numbers(chosen);
+  for (std::string number; std::getline(numbers, number, ';');) script.spoiled.push_back(std::stoi(number));
 }
 
 // --- Priority commands ---------------------------------------------------------------------------------
 
 bool ListenNode::runPriorityCommand(const PendingScript& script, Instant now) {
-  if (!script.parsed) return false;
-  const auto* exit_command = firstPriority<protocol::ScriptExit>(*script.parsed);
-  const auto* stop_command = firstPriority<protocol::StopAndClearBuffer>(*script.parsed);
-  if (exit_command == nullptr && stop_command == nullptr) return false;
-  if (exit_command != nullptr) {
-    exit(*exit_command, now);
+  const auto exit_mode = priorityMode(script.script.statements, "ScriptExit");
+  const auto stop_mode = priorityMode(script.script.statements, kStop);
+  if (!exit_mode && !stop_mode) return false;
+  if (!script.spoiled.empty() || !interpreter_.check(script.script).errors.empty()) return false;
+  if (exit_mode) {
+    exit(now);
   } else {
-    stopAndClear(*stop_command, now);
+    stopAndClear(*stop_mode, now);
   }
   clients_.reply(script.client, protocol::ScriptReply{script.id, true, {}});
   return true;
 }
 
-void ListenNode::exit(const protocol::ScriptExit&, Instant now) {
+void ListenNode::exit(Instant now) {
   queue_.stop(now);
   abandonScripts();
   leave();
 }
 
-void ListenNode::stopAndClear(const protocol::StopAndClearBuffer& command, Instant now) {
+void ListenNode::stopAndClear(int mode, Instant now) {
   if (faults_.ignore_stop.take()) return;
   queue_.stop(now);
-  switch (*command.mode) {
+  switch (mode) {
     case 0:
       return interpreter_.releaseWait();
     case 1:

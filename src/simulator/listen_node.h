@@ -19,7 +19,7 @@ namespace cobot_command::simulator {
 
 class ListenNode {
  public:
-  ListenNode(const Settings& settings, MotionQueue& queue, IoBoard& io, FaultSwitches& faults,
+  ListenNode(const Settings& settings, const ScriptInterpreter::Robot& robot, FaultSwitches& faults,
              Outgoing& outgoing, Outbox& outbox);
 
   // --- The wire.
@@ -63,8 +63,8 @@ class ListenNode {
   void refuseFrame(ClientId client, protocol::CommunicationErrorCode code);
   void spoil(PendingScript& script);
   bool runPriorityCommand(const PendingScript& script, Instant now);
-  void exit(const protocol::ScriptExit& command, Instant now);
-  void stopAndClear(const protocol::StopAndClearBuffer& command, Instant now);
+  void exit(Instant now);
+  void stopAndClear(int mode, Instant now);
   void enter();
   void leave();
 

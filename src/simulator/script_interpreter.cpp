@@ -1,54 +1,57 @@
 #include "script_interpreter.h"
 
 #include <algorithm>
-#include <chrono>
+#include <limits>
 #include <utility>
 
-#include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/common/overloaded.h"
+#include "robot_functions.h"
+#include "tmflow_version.h"
+#include <fmt/format.h>
 
 namespace cobot_command::simulator {
 
 namespace {
 
-std::optional<arm::Pose> named(const std::map<std::string, arm::Pose>& poses, const std::string& fixed,
-                               const std::string& name) {
-  if (name == fixed) return arm::Pose::Identity();
-  const auto found = poses.find(name);
-  return found == poses.end() ? std::nullopt : std::optional(found->second);
+/// As one number for each line.
+std::vector<int> linesOf(const std::vector<language::Fault>& faults) {
+  std::vector<int> lines;
+  for (const language::Fault& fault : faults)
+    if (lines.empty() || lines.back() != fault.line) lines.push_back(fault.line);
+  return lines;
 }
 
-/// Goes into the queue of motions.
-bool isQueued(const protocol::ScriptCommand& command) {
-  return std::visit(
-      Overloaded{[](const protocol::WriteOutput& write) { return !write.instant; },
-                 [](const protocol::WaitQueueTag&) { return false; },
-                 [](const protocol::StopAndClearBuffer&) { return false; },
-                 [](const protocol::Pause&) { return false; }, [](const protocol::Resume&) { return false; },
-                 [](const protocol::ScriptExit&) { return false; }, [](const auto&) { return true; }},
-      command);
+const language::Item* itemIn(const language::Expression& target) {
+  const auto* element = std::get_if<language::Element>(&target.node);
+  return std::get_if<language::Item>(element == nullptr ? &target.node : &element->array->node);
+}
+
+/// Is there a call or an output that goes into the queue of motions? Calls within others are seen when they
+/// are made.
+bool goesIntoTheQueue(const language::Statement& statement) {
+  const auto* expression = std::get_if<language::Expression>(&statement.content);
+  if (expression == nullptr) return false;
+  if (const auto* call = std::get_if<language::Call>(&expression->node)) return isQueued(call->function);
+  const auto* assignment = std::get_if<language::Assignment>(&expression->node);
+  const auto* item = assignment == nullptr ? nullptr : itemIn(assignment->targets.front());
+  return item != nullptr && item->object == "IO" && item->attribute == "DO";
 }
 
 }  // namespace
 
-std::optional<arm::Pose> ScriptInterpreter::baseNamed(const std::string& name) const {
-  return named(settings_.bases, "RobotBase", name);
-}
-
-std::optional<arm::Pose> ScriptInterpreter::tcpNamed(const std::string& name) const {
-  return named(settings_.tcps, "NOTOOL", name);
-}
-
-bool ScriptInterpreter::isExecutable(const protocol::ScriptCommand& command) const {
-  if (const auto* change = std::get_if<protocol::ChangeBase>(&command)) {
-    const auto* name = std::get_if<std::string>(&change->base);
-    return name == nullptr || baseNamed(*name).has_value();
-  }
-  if (const auto* change = std::get_if<protocol::ChangeTcp>(&command)) {
-    const auto* name = std::get_if<std::string>(&change->tcp);
-    return name == nullptr || tcpNamed(*name).has_value();
-  }
-  return true;
+ScriptInterpreter::ScriptInterpreter(const Settings& settings, Robot robot, TagTable& tags,
+                                     FaultSwitches& faults, ScriptClients& clients, Outbox& outbox)
+    : settings_(settings),
+      robot_(std::move(robot)),
+      tags_(tags),
+      faults_(faults),
+      clients_(clients),
+      outbox_(outbox),
+      tmflow_(tmflowVersion(settings.tmflow_version)),
+      functions_(tmflow_),
+      environment_(RobotItems(robot_.model, robot_.io, project_, robot_.state), project_,
+                   {[this](const protocol::ScriptCommand& command) { return perform(command); },
+                    [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {
+  declareRobotFunctions(functions_);
 }
 
 void ScriptInterpreter::add(PendingScript script) {
@@ -56,49 +59,71 @@ void ScriptInterpreter::add(PendingScript script) {
   clients_.reply(script.client, protocol::ScriptReply{script.id, false, {1}});
 }
 
-std::vector<int> ScriptInterpreter::faultyLines(const PendingScript& script) const {
-  std::vector<int> lines;
-  if (!script.parsed) {
-    for (const protocol::ScriptFault& fault : script.parsed.error()) lines.push_back(fault.line);
-    return lines;
+language::Findings ScriptInterpreter::check(const language::ParsedScript& script) {
+  return language::check(script, functions_, scope(), environment_);
+}
+
+language::Findings ScriptInterpreter::findingsOf(const PendingScript& script) {
+  language::Findings findings = check(script.script);
+  if (!script.spoiled.empty()) {
+    findings.errors.clear();
+    for (const int line : script.spoiled) findings.errors.push_back({line, "fault"});
   }
-  std::size_t queued = queue_.size();
-  for (const auto& line : script.parsed->lines) {
-    if (!isExecutable(line.command) || (isQueued(line.command) && ++queued > kMostWaiting)) {
-      lines.push_back(line.number);
-    }
+  if (!findings.errors.empty()) return findings;
+  std::size_t queued = robot_.queue.size();
+  for (const language::Statement& statement : script.script.statements) {
+    if (goesIntoTheQueue(statement) && ++queued > kMostWaiting)
+      findings.errors.push_back({statement.line, "the queue of motions is full"});
   }
-  return lines;
+  return findings;
 }
 
 // Checks the next script as a whole; one with an error is answered and nothing of it is executed.
 bool ScriptInterpreter::begin() {
   PendingScript script = std::move(pending_.front());
   pending_.pop_front();
-  std::vector<int> errors = faultyLines(script);
-  if (!errors.empty()) {
-    clients_.reply(script.client, protocol::ScriptReply{script.id, false, std::move(errors)});
+  const language::Findings findings = findingsOf(script);
+  for (const auto* faults : {&findings.errors, &findings.warnings}) {
+    for (const language::Fault& fault : *faults)
+      outbox_.log(fmt::format("script {}, line {}: {}", script.id, fault.line, fault.reason));
+  }
+  if (!findings.errors.empty()) {
+    clients_.reply(script.client, protocol::ScriptReply{script.id, false, linesOf(findings.errors)});
     return false;
   }
-  running_ = Running{script.client, std::move(script.id), std::move(script.parsed->lines), 0};
+  running_.emplace(
+      Running{script.client, std::move(script.id), linesOf(findings.warnings),
+              language::Interpreter(std::move(script.script.statements), functions_, scope(), environment_)});
   return true;
 }
 
 bool ScriptInterpreter::waits(Instant now) const {
-  return wait_ && now < wait_->until && tags_.isOpen(wait_->tag);
+  return wait_ && !wait_->is_released && now < wait_->until && (!wait_->tag || tags_.isOpen(*wait_->tag));
+}
+
+void ScriptInterpreter::resumeWaiting() {
+  if (!wait_) return;
+  const bool complete = wait_->tag && tags_.query(wait_->tag->tag) == protocol::TagState::Complete;
+  running_->script.resume(wait_->is_question ? language::Scalar(complete ? 1 : 0) : language::Scalar(true));
+  wait_.reset();
 }
 
 ScriptInterpreter::Step ScriptInterpreter::run(Instant now) {
+  now_ = now;
   if (!running_) {
     if (pending_.empty()) return Step::Waits;
     if (!begin()) return Step::Ran;
   }
-  for (;;) {
+  language::Progress progress = language::Progress::Waiting;
+  while (progress == language::Progress::Waiting) {
     if (waits(now)) return Step::Waits;
-    wait_.reset();
-    if (exited_ || running_->next == running_->lines.size()) break;
-    const protocol::ScriptCommand& command = running_->lines[running_->next++].command;
-    std::visit([&](const auto& what) { execute(what, now); }, command);
+    resumeWaiting();
+    progress = running_->script.run(std::numeric_limits<int>::max());
+  }
+  if (progress == language::Progress::Failed) {
+    const language::Fault fault = *running_->script.fault();
+    outbox_.log(fmt::format("script {} failed in line {}: {}", running_->id, fault.line, fault.reason));
+    end(false, {fault.line});
   }
   endCurrent();
   return std::exchange(exited_, false) ? Step::Exited : Step::Ran;
@@ -109,13 +134,16 @@ Instant ScriptInterpreter::nextEvent() const {
 }
 
 void ScriptInterpreter::releaseWait() {
-  wait_.reset();
+  if (wait_ && wait_->tag) wait_->is_released = true;
 }
 
 void ScriptInterpreter::endCurrent() {
+  if (running_) end(true, running_->warnings);
+}
+
+void ScriptInterpreter::end(bool accepted, std::vector<int> lines) {
   wait_.reset();
-  if (!running_) return;
-  clients_.reply(running_->client, protocol::ScriptReply{running_->id, true, {}});
+  clients_.reply(running_->client, protocol::ScriptReply{running_->id, accepted, std::move(lines)});
   running_.reset();
 }
 
@@ -127,62 +155,6 @@ void ScriptInterpreter::clear() {
   pending_.clear();
   running_.reset();
   wait_.reset();
-}
-
-void ScriptInterpreter::execute(const protocol::ChangeBase& change, Instant) {
-  if (const auto* name = std::get_if<std::string>(&change.base)) {
-    queue_.push(BaseChange{*baseNamed(*name), *name});
-  } else {
-    queue_.push(BaseChange{arm::toPose(std::get<protocol::SixNumbers>(change.base)), ""});
-  }
-}
-
-void ScriptInterpreter::execute(const protocol::ChangeTcp& change, Instant) {
-  if (const auto* name = std::get_if<std::string>(&change.tcp)) {
-    queue_.push(TcpChange{*tcpNamed(*name), *name, 0.0});
-  } else {
-    queue_.push(TcpChange{arm::toPose(std::get<protocol::SixNumbers>(change.tcp)), "", change.weight});
-  }
-}
-
-void ScriptInterpreter::execute(const protocol::ChangeLoad& change, Instant) {
-  queue_.push(LoadChange{change.weight});
-}
-
-void ScriptInterpreter::execute(const protocol::QueueTag& tag, Instant) {
-  QueuedTag queued = tags_.add(tag.tag);
-  queued.reported = faults_.early_tag.take();
-  if (queued.reported) clients_.broadcast(protocol::TagReport{tag.tag, protocol::TagState::Complete});
-  queue_.push(queued);
-  if (tag.wait) wait_ = Wait{queued, Instant::max()};
-}
-
-void ScriptInterpreter::execute(const protocol::WaitQueueTag& wait, Instant now) {
-  const std::optional<QueuedTag> tag = tags_.latest(wait.tag);
-  if (!tag) return;  // the function answers -1 at once
-  const int timeout = wait.timeout.value_or(0);
-  wait_ = Wait{*tag, timeout > 0 ? now + std::chrono::milliseconds(timeout) : Instant::max()};
-}
-
-void ScriptInterpreter::execute(const protocol::StopAndClearBuffer&, Instant now) {
-  if (!faults_.ignore_stop.take()) queue_.stop(now);
-}
-
-void ScriptInterpreter::execute(const protocol::Pause&, Instant now) {
-  queue_.pause(now);
-}
-
-void ScriptInterpreter::execute(const protocol::Resume&, Instant now) {
-  queue_.resume(now);
-}
-
-void ScriptInterpreter::execute(const protocol::ScriptExit&, Instant) {
-  exited_ = true;
-}
-
-void ScriptInterpreter::execute(const protocol::WriteOutput& write, Instant) {
-  if (write.instant) return io_.write(write);
-  queue_.push(write);
 }
 
 }  // namespace cobot_command::simulator

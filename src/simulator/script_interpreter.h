@@ -5,15 +5,20 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "environment.h"
 #include "io_board.h"
 #include "motion_queue.h"
+#include "project_data.h"
 #include "script_clients.h"
 #include "tag_table.h"
 
+#include "cobot_command/language/checker.h"
+#include "cobot_command/language/interpreter.h"
 #include "cobot_command/protocol/script_command.h"
 #include "cobot_command/simulator/settings.h"
 
@@ -23,14 +28,24 @@ namespace cobot_command::simulator {
 struct PendingScript {
   ClientId client = 0;
   std::string id;
-  Result<protocol::ParsedScript, std::vector<protocol::ScriptFault>> parsed;
+  language::ParsedScript script;
+  std::vector<int> spoiled{};  ///< lines that a fault refuses
 };
 
 class ScriptInterpreter {
  public:
-  ScriptInterpreter(const Settings& settings, MotionQueue& queue, IoBoard& io, TagTable& tags,
-                    FaultSwitches& faults, ScriptClients& clients)
-      : settings_(settings), queue_(queue), io_(io), tags_(tags), faults_(faults), clients_(clients) {}
+  /// The robot, as scripts find it.
+  struct Robot {
+    const arm::ArmModel& model;
+    MotionQueue& queue;
+    IoBoard& io;
+    std::function<RobotState()> state;
+  };
+
+  ScriptInterpreter(const Settings& settings, Robot robot, TagTable& tags, FaultSwitches& faults,
+                    ScriptClients& clients, Outbox& outbox);
+  ScriptInterpreter(const ScriptInterpreter&) = delete;
+  ScriptInterpreter& operator=(const ScriptInterpreter&) = delete;
 
   /// What waits is bounded, so that no client can fill the memory: as many scripts, and as many items in the
   /// queue of motions. A line that does not fit is a faulty line.
@@ -38,6 +53,8 @@ class ScriptInterpreter {
 
   /// Takes a script; when too many wait it is answered ERROR for its first line.
   void add(PendingScript script);
+  /// With the variables that there are now.
+  [[nodiscard]] language::Findings check(const language::ParsedScript& script);
 
   enum class Step { Waits, Ran, Exited };
   /// Runs one script as far as it goes. Waits: there is none, or its line has to wait. Exited: a ScriptExit
@@ -46,55 +63,68 @@ class ScriptInterpreter {
   /// When a wait runs out; Instant::max() without one.
   [[nodiscard]] Instant nextEvent() const;
 
-  /// The line that waits, if any, waits no longer.
+  /// The line that waits for a tag, if any, waits no longer.
   void releaseWait();
   /// The script that runs ends here, and is answered OK: it was accepted.
   void endCurrent();
   /// Takes all scripts that have not begun; nobody answers them.
   [[nodiscard]] std::deque<PendingScript> takePending();
-  /// Forgets everything, without an answer.
+  /// Forgets all scripts, without an answer.
   void clear();
+
+  /// The project's bases, TCPs, points and variables are as the settings have them.
+  void beginProject() { project_ = ProjectData(settings_, robot_.model); }
+  /// Local variables live as long as the flow stays in the Listen node.
+  void forgetVariables() { locals_.clear(); }
 
  private:
   struct Running {
     ClientId client = 0;
     std::string id;
-    std::vector<protocol::ParsedScript::Line> lines;
-    std::size_t next = 0;
+    std::vector<int> warnings;
+    language::Interpreter script;
   };
   struct Wait {
-    QueuedTag tag;
+    std::optional<QueuedTag> tag;
     Instant until;
+    bool is_question = false;  ///< WaitQueueTag: whether the tag is complete
+    bool is_released = false;
   };
 
   bool begin();
-  [[nodiscard]] std::vector<int> faultyLines(const PendingScript& script) const;
+  void end(bool accepted, std::vector<int> lines);
+  [[nodiscard]] language::Findings findingsOf(const PendingScript& script);
   [[nodiscard]] bool waits(Instant now) const;
-  [[nodiscard]] bool isExecutable(const protocol::ScriptCommand& command) const;
-  [[nodiscard]] std::optional<arm::Pose> baseNamed(const std::string& name) const;
-  [[nodiscard]] std::optional<arm::Pose> tcpNamed(const std::string& name) const;
+  void resumeWaiting();
+  [[nodiscard]] language::Scope scope() { return {locals_, project_.variables}; }
+  language::CallAnswer perform(const protocol::ScriptCommand& command);
 
   template <class Motion>
-  void execute(const Motion& motion, Instant) {
-    queue_.push(MotionRequest(motion));
-  }
-  void execute(const protocol::ChangeBase& change, Instant now);
-  void execute(const protocol::ChangeTcp& change, Instant now);
-  void execute(const protocol::ChangeLoad& change, Instant now);
-  void execute(const protocol::QueueTag& tag, Instant now);
-  void execute(const protocol::WaitQueueTag& wait, Instant now);
-  void execute(const protocol::StopAndClearBuffer& stop, Instant now);
-  void execute(const protocol::Pause& pause, Instant now);
-  void execute(const protocol::Resume& resume, Instant now);
-  void execute(const protocol::ScriptExit& exit, Instant now);
-  void execute(const protocol::WriteOutput& write, Instant now);
+  language::CallAnswer execute(const Motion& motion);
+  language::CallAnswer execute(const protocol::ChangeBase& change);
+  language::CallAnswer execute(const protocol::ChangeTcp& change);
+  language::CallAnswer execute(const protocol::ChangeLoad& change);
+  language::CallAnswer execute(const protocol::QueueTag& tag);
+  language::CallAnswer execute(const protocol::WaitQueueTag& wait);
+  language::CallAnswer execute(const protocol::StopAndClearBuffer& stop);
+  language::CallAnswer execute(const protocol::Pause& pause);
+  language::CallAnswer execute(const protocol::Resume& resume);
+  language::CallAnswer execute(const protocol::ScriptExit& exit);
+  language::CallAnswer execute(const protocol::WriteOutput& write);
 
   const Settings& settings_;
-  MotionQueue& queue_;
-  IoBoard& io_;
+  Robot robot_;
   TagTable& tags_;
   FaultSwitches& faults_;
   ScriptClients& clients_;
+  Outbox& outbox_;
+  language::Version tmflow_;
+  language::FunctionTable functions_;
+  language::Variables locals_;
+  ProjectData project_;
+  ScriptEnvironment environment_;
+
+  Instant now_{};
   std::deque<PendingScript> pending_;
   std::optional<Running> running_;
   std::optional<Wait> wait_;

@@ -17,7 +17,7 @@ SimulatedController::Impl::Impl(arm::ArmModel arm, Settings settings, Instant no
       queue_(arm_, settings_.start_posture, {std::max(settings_.stop_time, Duration::zero()), 1.0},
              faults_.stale_tag),
       io_(outbox_),
-      node_(settings_, queue_, io_, faults_, outgoing_, outbox_),
+      node_(settings_, {arm_, queue_, io_, [this] { return state(); }}, faults_, outgoing_, outbox_),
       status_(settings_.status_period, now, outgoing_, outbox_) {
   settings_.project_speed_percent = std::clamp(settings_.project_speed_percent, 1, 100);
   queue_.setSpeedOverride(settings_.project_speed_percent / 100.0);

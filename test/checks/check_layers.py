@@ -14,7 +14,7 @@ ALLOWED = {
     "transport": {"common"},
     "link": {"common", "protocol", "arm"},
     "blocks": {"common", "protocol", "arm", "motion", "planning", "link"},
-    "simulator": {"common", "protocol", "arm", "motion", "planning"},
+    "simulator": {"common", "language", "protocol", "arm", "motion", "planning"},
     "runtime": {"common", "protocol", "arm", "motion", "planning", "transport", "link", "blocks", "simulator"},
 }
 ROS = re.compile(r'#include\s*[<"](ros/|actionlib|tf2|\w+_msgs/|std_srvs/|cobot_command/[A-Z])')

@@ -111,12 +111,22 @@ class SimulatedRobot {
   std::vector<LogLine> log_;
 };
 
+/// A controller that has priority commands.
+inline Settings withPriorityCommands() {
+  Settings settings;
+  settings.tmflow_version = "1.82";
+  return settings;
+}
+
 /// What the controller sends, as it stands on the wire.
 inline std::string entered(const std::string& message = "Listen1") {
   return protocol::encodeFrame("TMSCT", "0," + message);
 }
 inline std::string ok(const std::string& id) {
   return protocol::encodeFrame("TMSCT", id + ",OK");
+}
+inline std::string warned(const std::string& id, const std::string& lines) {
+  return protocol::encodeFrame("TMSCT", id + ",OK;" + lines);
 }
 inline std::string error(const std::string& id, const std::string& lines) {
   return protocol::encodeFrame("TMSCT", id + ",ERROR;" + lines);

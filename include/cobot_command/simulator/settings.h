@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
@@ -38,11 +39,19 @@ struct Settings {
   /// From leaving the Listen node (ScriptExit) until the project's loop enters it again; absent: never.
   std::optional<Duration> reentry_delay = std::chrono::milliseconds(100);
   std::string project_name = "ListenProject";
-  std::string tmflow_version = "1.80";
+  std::string tmflow_version = "1.80";  ///< one of knownTmflowVersions(): the functions of scripts
   /// What ChangeBase("name") and ChangeTCP("name") know besides RobotBase and NOTOOL: bases in the robot
   /// base, TCPs in the flange [m].
   std::map<std::string, arm::Pose> bases;
   std::map<std::string, arm::Pose> tcps;
+  /// What Point["name"] knows: postures of the arm [rad].
+  std::map<std::string, arm::JointVector> points;
+  /// Declarations of the project's variables: "int var_i = 5". One that is none makes no variable.
+  std::vector<std::string> variables;
 };
+
+[[nodiscard]] const std::vector<std::string>& knownTmflowVersions();
+/// Nothing when it is the declaration of a variable.
+[[nodiscard]] std::optional<std::string> whyNoVariable(const std::string& declaration);
 
 }  // namespace cobot_command::simulator

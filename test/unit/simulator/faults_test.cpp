@@ -37,7 +37,7 @@ class FaultsTest : public testing::Test {
     return robot.heard(client);
   }
 
-  SimulatedRobot robot;
+  SimulatedRobot robot = SimulatedRobot(withPriorityCommands());
   ClientId client = robot.connect();
 };
 

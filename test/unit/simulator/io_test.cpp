@@ -71,7 +71,7 @@ TEST_F(OutputsTest, stayWhenTheProjectStopsAndStarts) {
 TEST_F(OutputsTest, makeAnErrorOfTheLineWithAWrongModuleIndexOrValue) {
   script(
       "Pause()\r\nIO[\"ExtModule0\"].DO[0]=1\r\nIO[\"EndModule\"].DO[4]=1\r\nIO[\"ControlBox\"].DO[16]=1\r\n"
-      "IO[\"EndModule\"].DO[0]=2\r\nIO[\"EndModule\"].DI[0]=1");
+      "IO[\"EndModule\"].DO[0]=2\r\nIO[\"EndModule\"].DO[0]=-1");
   EXPECT_EQ(robot.heard(client), error("1", "2;3;4;5;6"));
   EXPECT_FALSE(robot.state().project_paused) << "nothing of a faulty script is executed";
 }

@@ -14,7 +14,7 @@ class PriorityCommandTest : public testing::Test {
     ASSERT_EQ(robot.heard(client), "");
   }
 
-  SimulatedRobot robot;
+  SimulatedRobot robot = SimulatedRobot(withPriorityCommands());
   ClientId client = robot.connect();
 };
 

@@ -140,7 +140,7 @@ TEST(Robustness, takesAThousandItemsIntoTheQueueAndNamesTheLinesThatDoNotFit) {
 }
 
 TEST(Robustness, letsAThousandScriptsWaitAndRefusesFurtherOnes) {
-  SimulatedRobot robot;
+  SimulatedRobot robot(withPriorityCommands());
   const ClientId client = robot.connect();
   robot.script(client, "0", "Pause()\r\nMove_PTP(\"JPP\",1,0,0,0,0,0,100,200,0,false)\r\nQueueTag(1,1)");
   for (int i = 1; i <= 1000; ++i) robot.script(client, "a" + std::to_string(i), "Resume()");

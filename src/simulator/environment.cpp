@@ -1,0 +1,106 @@
+#include "environment.h"
+
+#include <cstring>
+
+#include "robot_functions.h"
+#include <fmt/format.h>
+
+#include "cobot_command/common/overloaded.h"
+
+namespace cobot_command::simulator {
+
+namespace {
+
+using language::Scalar;
+using language::Value;
+
+/// Little endian, as the machine is; a text as it is.
+std::string bytesOf(const Scalar& scalar) {
+  return std::visit(Overloaded{[](const std::string& text) { return text; },
+                               [](const auto& number) {
+                                 std::string bytes(sizeof(number), '\0');
+                                 std::memcpy(bytes.data(), &number, sizeof(number));
+                                 return bytes;
+                               }},
+                    scalar);
+}
+
+/// Elements one behind the other.
+std::string bytesOf(const Value& value) {
+  if (const auto* scalar = std::get_if<Scalar>(&value)) return bytesOf(*scalar);
+  std::string bytes;
+  for (const Scalar& item : std::get<language::Array>(value).items) bytes += bytesOf(item);
+  return bytes;
+}
+
+std::vector<std::optional<Scalar>> scalarsIn(const language::Arguments& arguments) {
+  std::vector<std::optional<Scalar>> scalars;
+  for (const Value& argument : arguments) {
+    const auto* scalar = std::get_if<Scalar>(&argument);
+    scalars.push_back(scalar == nullptr ? std::nullopt : std::optional(*scalar));
+  }
+  return scalars;
+}
+
+template <class Map>
+std::optional<std::string> unknownName(const Map& map, const std::string& name) {
+  if (map.count(name) > 0) return std::nullopt;
+  return fmt::format("the project has no {}", name);
+}
+
+}  // namespace
+
+std::optional<std::string> ScriptEnvironment::objectionTo(
+    const std::string& function, const std::vector<std::optional<Scalar>>& arguments) const {
+  const auto* name =
+      arguments.size() == 1 && arguments[0] ? std::get_if<std::string>(&*arguments[0]) : nullptr;
+  if (name != nullptr && function == "ChangeBase") return unknownName(project_.bases, *name);
+  if (name != nullptr && function == "ChangeTCP") return unknownName(project_.tools, *name);
+  return simulator::objectionTo(function, arguments);
+}
+
+std::optional<std::string> ScriptEnvironment::write(const language::ItemName& item,
+                                                    std::optional<std::size_t> index, const Value& value) {
+  if (item.object != "IO") {
+    items_.write(item, index, value);
+    return std::nullopt;
+  }
+  if (index) return writeOutput(item, *index, std::get<Scalar>(value));
+  const auto& all = std::get<language::Array>(value).items;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (auto reason = writeOutput(item, i, all[i])) return reason;
+  return std::nullopt;
+}
+
+std::optional<std::string> ScriptEnvironment::writeOutput(const language::ItemName& item, std::size_t index,
+                                                          const Scalar& value) {
+  const auto level = std::get<std::uint8_t>(value);
+  if (level > 1) return fmt::format("an output is 0 or 1, not {}", level);
+  protocol::WriteOutput write;
+  const bool is_box = std::get<std::string>(item.keys.front()) == "ControlBox";
+  write.module = is_box ? protocol::IoModule::ControlBox : protocol::IoModule::EndModule;
+  write.index = static_cast<int>(index);
+  write.on = level == 1;
+  write.instant = item.attribute == "InstantDO";
+  const auto answer = effects_.execute(write);
+  const auto* failure = std::get_if<language::CallFailure>(&answer);
+  return failure == nullptr ? std::nullopt : std::optional(failure->reason);
+}
+
+language::CallAnswer ScriptEnvironment::call(const std::string& function,
+                                             const language::Arguments& arguments) {
+  if (function == "ListenSend") return listenSend(arguments);
+  if (auto objection = objectionTo(function, scalarsIn(arguments)))
+    return language::CallFailure{std::move(*objection)};
+  return effects_.execute(commandOf(function, arguments));
+}
+
+language::CallAnswer ScriptEnvironment::listenSend(const language::Arguments& arguments) {
+  constexpr std::int32_t kFirst = 90, kLast = 99, kSent = 0, kBadChannel = -2;
+  const auto channel = std::get<std::int32_t>(std::get<Scalar>(arguments[0]));
+  if (channel < kFirst || channel > kLast) return Value(Scalar(kBadChannel));
+  effects_.send({channel, bytesOf(arguments[1])});
+  return Value(Scalar(kSent));
+}
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,99 @@
+#include "project_data.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/arm/pose_bits.h"
+#include "cobot_command/language/checker.h"
+#include "cobot_command/language/interpreter.h"
+
+namespace cobot_command::simulator {
+
+namespace {
+
+/// Where project variables are declared there is no robot.
+class NoRobot final : public language::Environment {
+ public:
+  Result<language::ItemShape, std::string> shapeOf(const std::string&,
+                                                   const std::vector<std::optional<language::Scalar>>&,
+                                                   const std::string&) const override {
+    return refuse(kNone);
+  }
+  std::optional<std::string> objectionTo(const std::string&,
+                                         const std::vector<std::optional<language::Scalar>>&) const override {
+    return kNone;
+  }
+  Result<language::Value, std::string> read(const language::ItemName&) override { return refuse(kNone); }
+  std::optional<std::string> write(const language::ItemName&, std::optional<std::size_t>,
+                                   const language::Value&) override {
+    return kNone;
+  }
+  language::CallAnswer call(const std::string&, const language::Arguments&) override {
+    return language::CallFailure{kNone};
+  }
+
+ private:
+  const std::string kNone = "a declaration has no items and no functions of a robot";
+};
+
+std::optional<std::string> declare(language::Variables& variables, const std::string& declaration) {
+  const language::FunctionTable functions;
+  language::Variables none;
+  const language::Scope scope{variables, none};
+  NoRobot robot;
+  const language::ParsedScript script = language::parse(declaration);
+  const language::Findings findings = language::check(script, functions, scope, robot);
+  if (!findings.errors.empty()) return findings.errors.front().reason;
+  const auto& lines = script.statements;
+  if (lines.size() != 1 || !std::holds_alternative<language::Declaration>(lines.front().content))
+    return "one declaration is wanted: int var_i = 5";
+  language::Interpreter interpreter(lines, functions, scope, robot);
+  interpreter.run(1);
+  return interpreter.fault() ? std::optional(interpreter.fault()->reason) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> whyNoVariable(const std::string& declaration) {
+  language::Variables variables;
+  return declare(variables, declaration);
+}
+
+SixFloats toFloats(const arm::Pose& pose) {
+  const arm::ControllerPose numbers = arm::toControllerPose(pose);
+  SixFloats floats{};
+  std::transform(numbers.begin(), numbers.end(), floats.begin(),
+                 [](double number) { return static_cast<float>(number) + 0.0F; });  // no -0
+  return floats;
+}
+
+Frame::Frame(const SixFloats& from) : numbers(from) {
+  arm::ControllerPose wide{};
+  std::copy(from.begin(), from.end(), wide.begin());
+  pose = arm::toPose(wide);
+}
+
+ProjectData::ProjectData(const Settings& settings, const arm::ArmModel& model) {
+  bases.emplace("RobotBase", Taught<Frame>(Frame(arm::Pose::Identity()), true));
+  for (const auto& [name, pose] : settings.bases) bases.emplace(name, Taught<Frame>(Frame(pose)));
+  const auto addTool = [this](const std::string& name, const arm::Pose& pose, bool is_fixed) {
+    Tool tool;
+    tool.frame = Frame(pose);
+    tools.emplace(name, Taught<Tool>(tool, is_fixed));
+  };
+  addTool("NOTOOL", arm::Pose::Identity(), true);
+  for (const auto& [name, pose] : settings.tcps) addTool(name, pose, name == "HandCamera");
+  addTool("HandCamera", arm::Pose::Identity(), true);
+  for (const auto& [name, joints] : settings.points) {
+    Point point;
+    point.frame = Frame(arm::forwardKinematics(model, joints));
+    point.pose_bits = arm::poseBitsOf(model, joints).numbers();
+    point.flange = point.frame.numbers;
+    points.emplace(name, Taught<Point>(point));
+  }
+  for (const std::string& declaration : settings.variables) (void)declare(variables, declaration);
+}
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,60 @@
+// What the project holds that scripts can read and change: bases, TCPs, points and variables. It begins anew
+// with every run of the project.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/arm/types.h"
+#include "cobot_command/language/variables.h"
+#include "cobot_command/simulator/settings.h"
+
+namespace cobot_command::simulator {
+
+using SixFloats = std::array<float, 6>;
+
+/// X Y Z [mm] RX RY RZ [deg], as the controller keeps them.
+[[nodiscard]] SixFloats toFloats(const arm::Pose& pose);
+
+/// A pose, and its numbers as they were written.
+struct Frame {
+  explicit Frame(const arm::Pose& from) : pose(from), numbers(toFloats(from)) {}
+  explicit Frame(const SixFloats& from);
+
+  arm::Pose pose;  ///< [m]
+  SixFloats numbers;
+};
+struct Tool {
+  Frame frame{arm::Pose::Identity()};
+  float mass = 0;                 ///< [kg]
+  std::array<float, 3> moment{};  ///< [kg mm^2]
+  SixFloats mass_center{};        ///< as a Frame has it
+};
+struct Point {
+  Frame frame{arm::Pose::Identity()};  ///< of the TCP in the robot base
+  std::array<int, 3> pose_bits{};
+  SixFloats flange{};  ///< as a Frame has it
+};
+
+template <class T>
+struct Taught {
+  explicit Taught(const T& value, bool fixed = false) : now(value), taught(value), is_fixed(fixed) {}
+
+  T now;
+  T taught;
+  bool is_fixed = false;  ///< scripts cannot change it
+};
+
+struct ProjectData {
+  ProjectData() = default;
+  ProjectData(const Settings& settings, const arm::ArmModel& model);
+
+  std::map<std::string, Taught<Frame>> bases;
+  std::map<std::string, Taught<Tool>> tools;
+  std::map<std::string, Taught<Point>> points;
+  language::Variables variables;
+};
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,33 @@
+// The robot's own functions: which forms of which function each version of TMflow has (fact sheet 2.2), and
+// the command that a call of one means.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cobot_command/language/functions.h"
+#include "cobot_command/protocol/script_command.h"
+
+namespace cobot_command::simulator {
+
+/// All of them, with ListenSend(), which is no command.
+void declareRobotFunctions(language::FunctionTable& functions);
+
+/// What is wrong with a call, as far as its arguments are known: a data format that the function does not
+/// take, a tag or mode that does not exist, a function that is not simulated. Names of bases and TCPs are not
+/// looked at.
+[[nodiscard]] std::optional<std::string> objectionTo(
+    const std::string& function, const std::vector<std::optional<language::Scalar>>& arguments);
+
+/// Precondition: a declared function other than ListenSend(), its arguments converted, and no objection to
+/// them.
+[[nodiscard]] protocol::ScriptCommand commandOf(const std::string& function,
+                                                const language::Arguments& arguments);
+
+/// Does a call go into the queue of motions?
+[[nodiscard]] bool isQueued(std::string_view function);
+[[nodiscard]] bool isQueued(const protocol::ScriptCommand& command);
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,44 @@
+// The items of scripts: IO, Robot, Point, Base, TCP (fact sheet 2.4).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io_board.h"
+#include "project_data.h"
+
+#include "cobot_command/language/environment.h"
+#include "cobot_command/simulator/robot_state.h"
+
+namespace cobot_command::simulator {
+
+class RobotItems {
+ public:
+  RobotItems(const arm::ArmModel& model, const IoBoard& io, ProjectData& project,
+             std::function<RobotState()> state)
+      : model_(model), io_(io), project_(project), state_(std::move(state)) {}
+
+  /// The error says what there is instead.
+  [[nodiscard]] Result<language::ItemShape, std::string> shapeOf(
+      const std::string& object, const std::vector<std::optional<language::Scalar>>& keys,
+      const std::string& attribute) const;
+  [[nodiscard]] Result<language::Value, std::string> read(const language::ItemName& item) const;
+  /// Changes a base, a TCP or a point. Precondition: a writable item of these, and a value of its type.
+  void write(const language::ItemName& item, std::optional<std::size_t> index, const language::Value& value);
+
+ private:
+  [[nodiscard]] language::Value ofIo(const std::string& module, const std::string& attribute) const;
+  [[nodiscard]] language::Value ofRobot(const std::string& attribute) const;
+  [[nodiscard]] language::Value ofProject(const std::string& object, const std::string& name,
+                                          const std::string& attribute) const;
+
+  const arm::ArmModel& model_;
+  const IoBoard& io_;
+  ProjectData& project_;
+  std::function<RobotState()> state_;
+};
+
+}  // namespace cobot_command::simulator

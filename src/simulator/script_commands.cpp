@@ -1,0 +1,108 @@
+// What the commands of a script do.
+#include <chrono>
+
+#include "robot_functions.h"
+#include "script_interpreter.h"
+#include "tmflow_version.h"
+
+#include "cobot_command/arm/controller_pose.h"
+
+namespace cobot_command::simulator {
+
+namespace {
+
+language::CallAnswer done() {
+  return language::Value(language::Scalar(true));
+}
+
+}  // namespace
+
+language::CallAnswer ScriptInterpreter::perform(const protocol::ScriptCommand& command) {
+  if (isQueued(command) && robot_.queue.size() >= kMostWaiting)
+    return language::CallFailure{"the queue of motions is full"};
+  return std::visit([this](const auto& what) { return execute(what); }, command);
+}
+
+template <class Motion>
+language::CallAnswer ScriptInterpreter::execute(const Motion& motion) {
+  robot_.queue.push(MotionRequest(motion));
+  return done();
+}
+
+language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeBase& change) {
+  if (const auto* name = std::get_if<std::string>(&change.base)) {
+    robot_.queue.push(BaseChange{project_.bases.at(*name).now.pose, *name});
+  } else {
+    robot_.queue.push(BaseChange{arm::toPose(std::get<protocol::SixNumbers>(change.base)), ""});
+  }
+  return done();
+}
+
+language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeTcp& change) {
+  if (const auto* name = std::get_if<std::string>(&change.tcp)) {
+    const Tool& tool = project_.tools.at(*name).now;
+    robot_.queue.push(TcpChange{tool.frame.pose, *name, double{tool.mass}});
+  } else {
+    robot_.queue.push(TcpChange{arm::toPose(std::get<protocol::SixNumbers>(change.tcp)), "", change.weight});
+  }
+  return done();
+}
+
+language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeLoad& change) {
+  robot_.queue.push(LoadChange{change.weight});
+  return done();
+}
+
+language::CallAnswer ScriptInterpreter::execute(const protocol::QueueTag& tag) {
+  QueuedTag queued = tags_.add(tag.tag);
+  queued.reported = faults_.early_tag.take();
+  if (queued.reported) clients_.broadcast(protocol::TagReport{tag.tag, protocol::TagState::Complete});
+  robot_.queue.push(queued);
+  if (!tag.wait) return done();
+  wait_ = Wait{queued, Instant::max()};
+  return language::Wait{};
+}
+
+// To 1.80 a time of 0 or less is no limit; from 1.82 on only one below 0 is, and tag 0 waits for nothing but
+// the time.
+language::CallAnswer ScriptInterpreter::execute(const protocol::WaitQueueTag& wait) {
+  constexpr int kUnknown = -1;
+  const bool is_new = !(tmflow_ < kPriorityCommands);
+  const std::optional<QueuedTag> tag = tags_.latest(wait.tag);
+  if (!tag && !(is_new && wait.tag == 0)) return language::Value(language::Scalar(kUnknown));
+  const int timeout = wait.timeout.value_or(-1);
+  const bool is_limited = is_new ? timeout >= 0 : timeout > 0;
+  wait_ = Wait{tag, is_limited ? now_ + std::chrono::milliseconds(timeout) : Instant::max(), true};
+  return language::Wait{};
+}
+
+language::CallAnswer ScriptInterpreter::execute(const protocol::StopAndClearBuffer&) {
+  if (!faults_.ignore_stop.take()) robot_.queue.stop(now_);
+  return done();
+}
+
+language::CallAnswer ScriptInterpreter::execute(const protocol::Pause&) {
+  robot_.queue.pause(now_);
+  return done();
+}
+
+language::CallAnswer ScriptInterpreter::execute(const protocol::Resume&) {
+  robot_.queue.resume(now_);
+  return done();
+}
+
+language::CallAnswer ScriptInterpreter::execute(const protocol::ScriptExit&) {
+  exited_ = true;
+  return language::EndScript{language::Scalar(true)};
+}
+
+language::CallAnswer ScriptInterpreter::execute(const protocol::WriteOutput& write) {
+  if (write.instant) {
+    robot_.io.write(write);
+  } else {
+    robot_.queue.push(write);
+  }
+  return done();
+}
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,16 @@
+// Versions of TMflow, as the settings name them.
+#pragma once
+
+#include <string>
+
+#include "cobot_command/language/functions.h"
+
+namespace cobot_command::simulator {
+
+/// The first with priority commands and the new WaitQueueTag.
+inline constexpr language::Version kPriorityCommands{1, 82};
+
+/// "1.80"; what is no version is taken for that one.
+[[nodiscard]] language::Version tmflowVersion(const std::string& text);
+
+}  // namespace cobot_command::simulator
