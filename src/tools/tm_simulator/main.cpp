@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "line_reader.h"
+#include "project_options.h"
 #include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -58,6 +59,11 @@ void describe(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--listen-node", options.settings.listen_node_message, "message of the Listen node")
       ->capture_default_str();
+  app.add_option("--tmflow-version", options.settings.tmflow_version, "which functions scripts have")
+      ->check(CLI::IsMember(simulator::knownTmflowVersions()))
+      ->capture_default_str();
+  app.add_flag("--accept-empty-length", options.settings.accept_empty_length, "take frames without a length");
+  tools::describeProject(app, options.settings);
   app.add_flag("--log-traffic,--verbose", options.log_traffic,
                "print what is sent and received, in words; but the status stream");
   app.add_flag("--control", options.control, "take the operator's commands from standard input, see below");
