@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "characters.h"
-#include <boost/endian/conversion.hpp>
+#include "little_endian.h"
 #include <fmt/format.h>
 
 namespace cobot_command::protocol {
@@ -25,47 +24,16 @@ auto dataFault(std::string message) {
   return refuse(MessageFault{MessageFault::Kind::Data, std::move(message)});
 }
 
-template <class Word>
-void appendWord(std::string& bytes, Word word) {
-  boost::endian::native_to_little_inplace(word);
-  std::array<char, sizeof(Word)> raw;
-  std::memcpy(raw.data(), &word, sizeof(Word));
-  bytes.append(raw.data(), raw.size());
-}
-
-/// Precondition: bytes has sizeof(Word) bytes.
-template <class Word>
-Word readWord(std::string_view bytes) {
-  assert(bytes.size() >= sizeof(Word));
-  Word word{};
-  std::memcpy(&word, bytes.data(), sizeof(Word));
-  return boost::endian::little_to_native(word);
-}
-
-void appendFloat(std::string& bytes, float value) {
-  static_assert(sizeof(float) == sizeof(std::uint32_t) && std::numeric_limits<float>::is_iec559);
-  std::uint32_t word = 0;
-  std::memcpy(&word, &value, sizeof(word));
-  appendWord(bytes, word);
-}
-
-float readFloat(std::string_view bytes) {
-  const auto word = readWord<std::uint32_t>(bytes);
-  float value = 0;
-  std::memcpy(&value, &word, sizeof(value));
-  return value;
-}
-
 void appendField(std::string& bytes, std::string_view field) {
   assert(field.size() <= kMaxField);
-  appendWord(bytes, static_cast<std::uint16_t>(field.size()));
+  appendNumber(bytes, static_cast<std::uint16_t>(field.size()));
   bytes += field;
 }
 
 /// A length and so many bytes; nothing when the content ends before that.
 std::optional<std::string_view> takeField(std::string_view& content) {
   if (content.size() < sizeof(std::uint16_t)) return std::nullopt;
-  const std::size_t size = readWord<std::uint16_t>(content);
+  const std::size_t size = readNumber<std::uint16_t>(content);
   content.remove_prefix(sizeof(std::uint16_t));
   if (content.size() < size) return std::nullopt;
   const std::string_view field = content.substr(0, size);
@@ -85,7 +53,7 @@ StatusItem ofBool(std::string name, bool value) {
 }
 StatusItem ofInt(std::string name, std::int32_t value) {
   StatusItem item{std::move(name), {}};
-  appendWord(item.value, value);
+  appendNumber(item.value, value);
   return item;
 }
 StatusItem ofFloat(std::string name, float value) {
@@ -94,7 +62,7 @@ StatusItem ofFloat(std::string name, float value) {
 StatusItem ofFloats(std::string name, const std::vector<float>& values) {
   StatusItem item{std::move(name), {}};
   item.value.reserve(values.size() * sizeof(float));
-  for (const float value : values) appendFloat(item.value, value);
+  for (const float value : values) appendNumber(item.value, value);
   return item;
 }
 StatusItem ofString(std::string name, std::string value) {
@@ -112,18 +80,18 @@ std::optional<bool> asBool(const StatusItem& item) {
 }
 std::optional<std::int32_t> asInt(const StatusItem& item) {
   if (item.value.size() != sizeof(std::int32_t)) return std::nullopt;
-  return readWord<std::int32_t>(item.value);
+  return readNumber<std::int32_t>(item.value);
 }
 std::optional<float> asFloat(const StatusItem& item) {
   if (item.value.size() != sizeof(float)) return std::nullopt;
-  return readFloat(item.value);
+  return readNumber<float>(item.value);
 }
 std::optional<std::vector<float>> asFloats(const StatusItem& item) {
   if (item.value.size() % sizeof(float) != 0) return std::nullopt;
   std::vector<float> values;
   values.reserve(item.value.size() / sizeof(float));
   for (std::string_view rest = item.value; !rest.empty(); rest.remove_prefix(sizeof(float)))
-    values.push_back(readFloat(rest));
+    values.push_back(readNumber<float>(rest));
   return values;
 }
 
