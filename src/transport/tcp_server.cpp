@@ -116,6 +116,11 @@ class TcpServer::Impl : public std::enable_shared_from_this<Impl> {
     }
   }
 
+  [[nodiscard]] std::string addressOf(ClientId id) const {
+    const auto client = clients_.find(id);
+    return client == clients_.end() ? std::string() : client->second->peerAddress();
+  }
+
   [[nodiscard]] std::size_t backlog() const {
     std::size_t worst = 0;
     for (const auto& [id, client] : clients_) {
@@ -204,6 +209,9 @@ void TcpServer::send(ClientId client, std::string_view bytes) {
 }
 void TcpServer::closeClient(ClientId client) {
   impl_->closeClient(client);
+}
+std::string TcpServer::addressOf(ClientId client) const {
+  return impl_->addressOf(client);
 }
 std::size_t TcpServer::backlog() const {
   return impl_->backlog();

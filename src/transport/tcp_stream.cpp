@@ -21,6 +21,15 @@ void TcpStream::start() {
   read();
 }
 
+std::string TcpStream::peerAddress() const {
+  boost::system::error_code code;
+  const auto address = socket_.remote_endpoint(code).address();
+  if (code) return {};
+  const bool is_mapped = address.is_v6() && address.to_v6().is_v4_mapped();
+  return is_mapped ? asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string()
+                   : address.to_string();
+}
+
 void TcpStream::read() {
   socket_.async_read_some(asio::buffer(inbox_), [self = shared_from_this()](error_code code, std::size_t n) {
     if (!self->socket_.is_open()) {

@@ -28,6 +28,8 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   void send(std::string_view bytes);
   void close();
   [[nodiscard]] std::size_t backlog() const { return outbox_.size(); }
+  /// Of the peer; empty when the connection has ended.
+  [[nodiscard]] std::string peerAddress() const;
 
  private:
   void read();

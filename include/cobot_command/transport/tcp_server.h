@@ -57,6 +57,8 @@ class TcpServer {
   /// id is a client that has gone: nothing is done.
   void send(ClientId client, std::string_view bytes);
   void closeClient(ClientId client);
+  /// The address that the client connected from, as "127.0.0.1"; empty when it has gone.
+  [[nodiscard]] std::string addressOf(ClientId client) const;
 
   /// Bytes kept for the slowest client.
   [[nodiscard]] std::size_t backlog() const;
