@@ -61,7 +61,7 @@ struct ItemRow {
   Reader read;
 };
 
-// Error_Content is streamed by TMflow 1.76 and 1.80 only.
+// Error_Content is streamed by TMflow 1.76 and older only.
 constexpr ItemRow kItems[] = {
     {"Robot_Link", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.linked); }},
     {"Joint_Angle", [](const StatusItem& i, RobotStatus& s) { readJoints(i, s.joints); }},

@@ -118,7 +118,8 @@ class SimulatorRuntime::Impl {
   std::optional<SimulatorError> take(Port port, int wanted, int& taken) {
     transport::TcpServer::Callbacks callbacks;
     callbacks.connected = [this, port](transport::ClientId id) {
-      handle([&](auto& controller, Instant now) { controller.clientConnected(port, id, now); });
+      const std::string address = serverOf(port)->addressOf(id);
+      handle([&](auto& controller, Instant now) { controller.clientConnected(port, id, now, address); });
     };
     callbacks.received = [this, port](transport::ClientId id, std::string_view bytes) {
       handle([&](auto& controller, Instant now) { controller.received(port, id, bytes, now); });

@@ -10,6 +10,7 @@
 #include "motion_queue.h"
 #include "outbox.h"
 #include "outgoing.h"
+#include "project_data.h"
 #include "status_server.h"
 
 #include "cobot_command/simulator/simulated_controller.h"
@@ -22,7 +23,7 @@ class SimulatedController::Impl {
 
   void advance(Instant now);
   [[nodiscard]] Instant nextEvent() const;
-  void clientConnected(Port port, ClientId client, Instant now);
+  void clientConnected(Port port, ClientId client, Instant now, std::string_view address);
   void clientDisconnected(Port port, ClientId client, Instant now);
   void received(Port port, ClientId client, std::string_view bytes, Instant now);
   OperatorReply operate(const OperatorAction& action, Instant now);  // operator_side.cpp
@@ -53,11 +54,22 @@ class SimulatedController::Impl {
   void settle();
   bool runQueue();
   void streamStatus();
+  void receivedOnStatus(ClientId client, std::string_view bytes);  // status_writes.cpp
+  [[nodiscard]] ItemSource source(const RobotState& robot) const {
+    return {arm_, settings_, robot, faults_.hide_items, project_.variables};
+  }
   void on(const TagSettled& settled) { node_.on(settled); }
   void on(const TagDropped& dropped) { node_.on(dropped); }
   void on(const protocol::WriteOutput& write) { io_.write(write); }
   void on(const MotionStarted& started);
   void on(const MotionFailed& failed);
+  void on(const PressButton& press);
+  void on(const SetCameraLight& light);
+  void on(const SetAnalogOutput& output);
+  void on(const SetProjectName& project);
+  void on(const SetAutoRemote& remote);
+  void on(const SetVariable& variable);
+  void on(const SetProjectSpeed& speed);
 
   arm::ArmModel arm_;
   Settings settings_;
@@ -67,12 +79,19 @@ class SimulatedController::Impl {
   Outgoing outgoing_;
   MotionQueue queue_;
   IoBoard io_;
+  ProjectData project_;
   ListenNode node_;
   StatusServer status_;
   bool emergency_stop_ = false;
   bool safeguard_ = false;
   OperatingMode mode_ = OperatingMode::Automatic;
   bool stops_project_ = false;
+  bool camera_light_ = false;
+  float analog_output_ = 0;
+  bool auto_remote_ = false;
+  Instant started_;
+  Instant project_started_{};
+  Instant error_since_{};
 };
 
 }  // namespace cobot_command::simulator

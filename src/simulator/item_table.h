@@ -1,33 +1,46 @@
-// The items of the status stream: names and values as the vendor's ROS driver needs them (fact sheet 3.2).
+// Which items a controller has: the predefined ones of its version of TMflow, and the global variables that
+// its stream is set to hold.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "cobot_command/arm/arm_model.h"
-#include "cobot_command/protocol/status_items.h"
-#include "cobot_command/simulator/robot_state.h"
-#include "cobot_command/simulator/settings.h"
+#include "item_rows.h"
 
 namespace cobot_command::simulator {
 
-/// All that the items are made from.
-struct ItemSource {
-  const arm::ArmModel& arm;
-  const Settings& settings;
-  const RobotState& state;
-  const FaultSwitch& hidden;  ///< its text names items that are not there
+/// An item that was found in a table.
+struct Item {
+  std::string_view name;
+  const ItemRow* row = nullptr;  ///< none: a global variable
+  std::size_t number = 0;
+
+  [[nodiscard]] Access access() const { return row == nullptr ? Access::Always : row->access; }
+  [[nodiscard]] protocol::ItemValue read(const ItemValues& values) const;
+  /// What to do for the value. Nothing: it has another type or size than what `read` gives, or is out of
+  /// range.
+  [[nodiscard]] std::optional<ItemWrite> write(const protocol::ItemValue& value,
+                                               const protocol::ItemValue& old) const;
 };
 
-/// Is there an item of that name, hidden or not?
+class ItemTable {
+ public:
+  /// Of the settings' version and stream. What is wrong in them (faultIn) is left out.
+  ItemTable(const Settings& settings, const language::Variables& variables);
+
+  /// Robot_Link first. Items that the fault hides are not there, as with find().
+  [[nodiscard]] std::vector<Item> stream(const ItemSource& source) const;
+  [[nodiscard]] std::optional<Item> find(std::string_view name, const ItemSource& source) const;
+
+ private:
+  std::map<std::string, Item, std::less<>> items_;
+  std::vector<Item> stream_;
+};
+
+/// Is there a predefined item of that name in any version?
 [[nodiscard]] bool isItem(std::string_view name);
-
-/// The items of a periodic frame, Robot_Link first.
-[[nodiscard]] std::vector<protocol::StatusItem> streamedItems(const ItemSource& source);
-
-/// Any known item, streamed or not; nothing when there is none of that name, or it is hidden.
-[[nodiscard]] std::optional<protocol::StatusItem> itemNamed(std::string_view name, const ItemSource& source);
 
 }  // namespace cobot_command::simulator

@@ -67,7 +67,6 @@ void ListenNode::connected(ClientId client) {
 void ListenNode::run() {
   flow_ = after(flow_, FlowEvent::Run);
   tags_ = TagTable();
-  interpreter_.beginProject();
   updatePort();
   enter();
 }

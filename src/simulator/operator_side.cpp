@@ -31,6 +31,8 @@ OperatorReply SimulatedController::Impl::act(const RunProject&) {
   if (emergency_stop_) return notDone("the project does not run: release the emergency stop first");
   if (!node_.projectRuns()) {
     queue_.resetSetting();
+    project_.beginAnew();
+    project_started_ = now_;
     node_.run();
     settle();
   }
@@ -98,7 +100,7 @@ OperatorReply SimulatedController::Impl::act(const SetOperatingMode& action) {
 }
 
 OperatorReply SimulatedController::Impl::act(const SetProjectSpeed& action) {
-  if (action.percent < 5 || action.percent > 100 || action.percent % 5 != 0) {
+  if (!isProjectSpeed(action.percent)) {
     return notDone(fmt::format("project speed {} %: allowed are 5 to 100 in steps of 5", action.percent));
   }
   settings_.project_speed_percent = action.percent;
@@ -108,6 +110,7 @@ OperatorReply SimulatedController::Impl::act(const SetProjectSpeed& action) {
 
 OperatorReply SimulatedController::Impl::act(const RaiseError& action) {
   if (action.code == 0) return notDone("error code 0 means no error: give another");
+  error_since_ = now_;
   queue_.raise({action.code, action.text}, now_);
   return done(fmt::format("the robot is in error 0x{:X}", action.code));
 }

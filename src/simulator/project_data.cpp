@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/arm/pose_bits.h"
@@ -38,27 +40,33 @@ class NoRobot final : public language::Environment {
   const std::string kNone = "a declaration has no items and no functions of a robot";
 };
 
-std::optional<std::string> declare(language::Variables& variables, const std::string& declaration) {
+template <class Map>
+void forget(Map& map) {
+  for (auto& entry : map) entry.second.now = entry.second.taught;
+}
+
+}  // namespace
+
+Result<std::string, std::string> declare(language::Variables& variables, const std::string& declaration) {
   const language::FunctionTable functions;
   language::Variables none;
   const language::Scope scope{variables, none};
   NoRobot robot;
   const language::ParsedScript script = language::parse(declaration);
   const language::Findings findings = language::check(script, functions, scope, robot);
-  if (!findings.errors.empty()) return findings.errors.front().reason;
+  const auto refused = [&](const std::string& reason) {
+    return refuse(fmt::format("\"{}\" declares no variable: {}; allowed is one declaration, as int var_i = 5",
+                              declaration, reason));
+  };
+  if (!findings.errors.empty()) return refused(findings.errors.front().reason);
   const auto& lines = script.statements;
-  if (lines.size() != 1 || !std::holds_alternative<language::Declaration>(lines.front().content))
-    return "one declaration is wanted: int var_i = 5";
+  const auto* declared =
+      lines.size() == 1 ? std::get_if<language::Declaration>(&lines.front().content) : nullptr;
+  if (declared == nullptr) return refused("it is another statement, or several");
   language::Interpreter interpreter(lines, functions, scope, robot);
   interpreter.run(1);
-  return interpreter.fault() ? std::optional(interpreter.fault()->reason) : std::nullopt;
-}
-
-}  // namespace
-
-std::optional<std::string> whyNoVariable(const std::string& declaration) {
-  language::Variables variables;
-  return declare(variables, declaration);
+  if (interpreter.fault()) return refused(interpreter.fault()->reason);
+  return declared->name;
 }
 
 SixFloats toFloats(const arm::Pose& pose) {
@@ -93,7 +101,18 @@ ProjectData::ProjectData(const Settings& settings, const arm::ArmModel& model) {
     point.flange = point.frame.numbers;
     points.emplace(name, Taught<Point>(point));
   }
-  for (const std::string& declaration : settings.variables) (void)declare(variables, declaration);
+  for (const std::string& declaration : settings.variables) {
+    const auto name = declare(variables, declaration);
+    if (name) declared.emplace(*name, *variables.find(*name));
+  }
+}
+
+void ProjectData::beginAnew() {
+  forget(bases);
+  forget(tools);
+  forget(points);
+  for (const auto& [name, value] : declared)
+    if (name.rfind("g_", 0) != 0) variables.set(name, value);
 }
 
 }  // namespace cobot_command::simulator

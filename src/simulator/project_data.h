@@ -1,5 +1,5 @@
-// What the project holds that scripts can read and change: bases, TCPs, points and variables. It begins anew
-// with every run of the project.
+// What the project holds that scripts and clients of the status port can read and change: bases, TCPs, points
+// and variables.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/types.h"
+#include "cobot_command/common/result.h"
 #include "cobot_command/language/variables.h"
 #include "cobot_command/simulator/settings.h"
 
@@ -47,14 +48,22 @@ struct Taught {
   bool is_fixed = false;  ///< scripts cannot change it
 };
 
+/// Adds the variable that a text like "int var_i = 5" declares, and gives its name; or says why it declares
+/// none.
+[[nodiscard]] Result<std::string, std::string> declare(language::Variables& variables,
+                                                       const std::string& declaration);
+
 struct ProjectData {
-  ProjectData() = default;
   ProjectData(const Settings& settings, const arm::ArmModel& model);
+
+  /// As the project is at its start. Global variables keep their values.
+  void beginAnew();
 
   std::map<std::string, Taught<Frame>> bases;
   std::map<std::string, Taught<Tool>> tools;
   std::map<std::string, Taught<Point>> points;
   language::Variables variables;
+  std::map<std::string, language::Value> declared;  ///< what the variables are at the start
 };
 
 }  // namespace cobot_command::simulator

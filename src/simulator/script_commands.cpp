@@ -31,7 +31,7 @@ language::CallAnswer ScriptInterpreter::execute(const Motion& motion) {
 
 language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeBase& change) {
   if (const auto* name = std::get_if<std::string>(&change.base)) {
-    robot_.queue.push(BaseChange{project_.bases.at(*name).now.pose, *name});
+    robot_.queue.push(BaseChange{robot_.project.bases.at(*name).now.pose, *name});
   } else {
     robot_.queue.push(BaseChange{arm::toPose(std::get<protocol::SixNumbers>(change.base)), ""});
   }
@@ -40,7 +40,7 @@ language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeBase& chan
 
 language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeTcp& change) {
   if (const auto* name = std::get_if<std::string>(&change.tcp)) {
-    const Tool& tool = project_.tools.at(*name).now;
+    const Tool& tool = robot_.project.tools.at(*name).now;
     robot_.queue.push(TcpChange{tool.frame.pose, *name, double{tool.mass}});
   } else {
     robot_.queue.push(TcpChange{arm::toPose(std::get<protocol::SixNumbers>(change.tcp)), "", change.weight});

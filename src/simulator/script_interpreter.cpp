@@ -40,15 +40,14 @@ bool goesIntoTheQueue(const language::Statement& statement) {
 
 ScriptInterpreter::ScriptInterpreter(const Settings& settings, Robot robot, TagTable& tags,
                                      FaultSwitches& faults, ScriptClients& clients, Outbox& outbox)
-    : settings_(settings),
-      robot_(std::move(robot)),
+    : robot_(std::move(robot)),
       tags_(tags),
       faults_(faults),
       clients_(clients),
       outbox_(outbox),
       tmflow_(tmflowVersion(settings.tmflow_version)),
       functions_(tmflow_),
-      environment_(RobotItems(robot_.model, robot_.io, project_, robot_.state), project_,
+      environment_(RobotItems(robot_.model, robot_.io, robot_.project, robot_.state), robot_.project,
                    {[this](const protocol::ScriptCommand& command) { return perform(command); },
                     [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {
   declareRobotFunctions(functions_);

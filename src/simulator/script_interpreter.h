@@ -39,6 +39,7 @@ class ScriptInterpreter {
     const arm::ArmModel& model;
     MotionQueue& queue;
     IoBoard& io;
+    ProjectData& project;
     std::function<RobotState()> state;
   };
 
@@ -72,8 +73,6 @@ class ScriptInterpreter {
   /// Forgets all scripts, without an answer.
   void clear();
 
-  /// The project's bases, TCPs, points and variables are as the settings have them.
-  void beginProject() { project_ = ProjectData(settings_, robot_.model); }
   /// Local variables live as long as the flow stays in the Listen node.
   void forgetVariables() { locals_.clear(); }
 
@@ -96,7 +95,7 @@ class ScriptInterpreter {
   [[nodiscard]] language::Findings findingsOf(const PendingScript& script);
   [[nodiscard]] bool waits(Instant now) const;
   void resumeWaiting();
-  [[nodiscard]] language::Scope scope() { return {locals_, project_.variables}; }
+  [[nodiscard]] language::Scope scope() { return {locals_, robot_.project.variables}; }
   language::CallAnswer perform(const protocol::ScriptCommand& command);
 
   template <class Motion>
@@ -112,7 +111,6 @@ class ScriptInterpreter {
   language::CallAnswer execute(const protocol::ScriptExit& exit);
   language::CallAnswer execute(const protocol::WriteOutput& write);
 
-  const Settings& settings_;
   Robot robot_;
   TagTable& tags_;
   FaultSwitches& faults_;
@@ -121,7 +119,6 @@ class ScriptInterpreter {
   language::Version tmflow_;
   language::FunctionTable functions_;
   language::Variables locals_;
-  ProjectData project_;
   ScriptEnvironment environment_;
 
   Instant now_{};

@@ -17,8 +17,11 @@ SimulatedController::Impl::Impl(arm::ArmModel arm, Settings settings, Instant no
       queue_(arm_, settings_.start_posture, {std::max(settings_.stop_time, Duration::zero()), 1.0},
              faults_.stale_tag),
       io_(outbox_),
-      node_(settings_, {arm_, queue_, io_, [this] { return state(); }}, faults_, outgoing_, outbox_),
-      status_(settings_.status_period, now, outgoing_, outbox_) {
+      project_(settings_, arm_),
+      node_(settings_, {arm_, queue_, io_, project_, [this] { return state(); }}, faults_, outgoing_,
+            outbox_),
+      status_(settings_, project_.variables, now, outgoing_, outbox_),
+      started_(now) {
   settings_.project_speed_percent = std::clamp(settings_.project_speed_percent, 1, 100);
   queue_.setSpeedOverride(settings_.project_speed_percent / 100.0);
   outbox_.setTime(now);
@@ -71,6 +74,7 @@ void SimulatedController::Impl::on(const MotionStarted& started) {
 }
 
 void SimulatedController::Impl::on(const MotionFailed& failed) {
+  error_since_ = now_;
   outbox_.log(fmt::format("robot error 0x{:X}: {}", failed.error.code, failed.error.text));
   node_.abandonScripts();
   stops_project_ = settings_.on_motion_error == MotionErrorPolicy::StopProject;
@@ -78,14 +82,15 @@ void SimulatedController::Impl::on(const MotionFailed& failed) {
 
 void SimulatedController::Impl::streamStatus() {
   const RobotState robot = state();
-  status_.stream({arm_, settings_, robot, faults_.hide_items});
+  status_.stream(source(robot));
 }
 
 // --- The wire ----------------------------------------------------------------------------------------------
 
-void SimulatedController::Impl::clientConnected(Port port, ClientId client, Instant now) {
+void SimulatedController::Impl::clientConnected(Port port, ClientId client, Instant now,
+                                                std::string_view address) {
   advance(now);
-  if (port == Port::Status) return status_.connected(client, now_);
+  if (port == Port::Status) return status_.connected(client, address, now_);
   node_.connected(client);
 }
 
@@ -97,10 +102,7 @@ void SimulatedController::Impl::clientDisconnected(Port port, ClientId client, I
 
 void SimulatedController::Impl::received(Port port, ClientId client, std::string_view bytes, Instant now) {
   advance(now);
-  if (port == Port::Status) {
-    const RobotState robot = state();
-    return status_.received(client, bytes, {arm_, settings_, robot, faults_.hide_items});
-  }
+  if (port == Port::Status) return receivedOnStatus(client, bytes);
   node_.feed(client, bytes);
   // Frame by frame, so that frames in one piece do what they do in pieces of their own.
   while (node_.handleNext(client, now_)) settle();
@@ -112,6 +114,8 @@ RobotState SimulatedController::Impl::state() const {
   const motion::JointState joints = queue_.at(now_);
   RobotState state;
   state.time = now_;
+  state.started = started_;
+  state.project_started = project_started_;
   state.joints = joints.position;
   state.velocities = joints.velocity;
   state.flange = arm::forwardKinematics(arm_, joints.position);
@@ -123,6 +127,9 @@ RobotState SimulatedController::Impl::state() const {
   state.load = queue_.load();
   state.inputs = io_.inputs();
   state.outputs = io_.outputs();
+  state.analog_output = analog_output_;
+  state.camera_light = camera_light_;
+  state.auto_remote = auto_remote_;
   state.in_motion = queue_.inMotion(now_);
   state.project_running = node_.projectRuns();
   state.project_paused = queue_.paused() && node_.projectRuns();
@@ -134,6 +141,7 @@ RobotState SimulatedController::Impl::state() const {
   if (queue_.error()) {
     state.error_code = queue_.error()->code;
     state.error_text = queue_.error()->text;
+    state.error_time = error_since_;
   }
   state.queued_motions = queue_.motionCount();
   state.project_speed_percent = settings_.project_speed_percent;
@@ -148,8 +156,8 @@ SimulatedController::~SimulatedController() = default;
 SimulatedController::SimulatedController(SimulatedController&&) noexcept = default;
 SimulatedController& SimulatedController::operator=(SimulatedController&&) noexcept = default;
 
-void SimulatedController::clientConnected(Port port, ClientId client, Instant now) {
-  impl_->clientConnected(port, client, now);
+void SimulatedController::clientConnected(Port port, ClientId client, Instant now, std::string_view address) {
+  impl_->clientConnected(port, client, now, address);
 }
 
 void SimulatedController::clientDisconnected(Port port, ClientId client, Instant now) {

@@ -1,6 +1,7 @@
 #include "status_server.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,8 +16,12 @@ namespace {
 
 using Code = protocol::StatusReply::Code;
 using protocol::CommunicationErrorCode;
+using protocol::ItemFormat;
 using protocol::StatusFrame;
 using protocol::StatusMode;
+
+constexpr int kReadModes = 10;                       // above the modes of the stream and of writing
+constexpr std::size_t kLongestAnswer = 1024 * 1024;  // bytes; ours
 
 StatusFrame reply(const StatusFrame& request, Code code, std::string item = {}) {
   return {request.id, static_cast<int>(StatusMode::Reply), protocol::toContent({code, std::move(item)})};
@@ -27,74 +32,81 @@ std::string described(const StatusFrame& frame) {
                                             fmt::format("{},{},{}", frame.id, frame.mode, frame.content)});
 }
 
-/// The names of a BINARY read request: repeated { u16 length, name }. Nothing when the lengths do not fit.
-std::optional<std::vector<std::string>> requestedNames(std::string_view content) {
-  std::vector<std::string> names;
-  while (content.size() >= 2) {
-    const auto low = static_cast<unsigned char>(content[0]);
-    const auto high = static_cast<unsigned char>(content[1]);
-    const std::size_t length = low + 256U * high;
-    content.remove_prefix(2);
-    if (length == 0 || length > content.size()) return std::nullopt;
-    names.emplace_back(content.substr(0, length));
-    content.remove_prefix(length);
+std::string contentOf(ItemFormat format, const std::vector<Item>& items, const ItemSource& source) {
+  const ItemValues values(source);
+  std::vector<protocol::StatusItem> found;
+  found.reserve(items.size());
+  for (const Item& item : items) {
+    std::string value = protocol::encodeValue(format, item.read(values));
+    // A script can make a text that BINARY cannot say.
+    if (format == ItemFormat::Binary && value.size() > protocol::kMaxItemBytes) continue;
+    found.push_back({std::string(item.name), std::move(value)});
   }
-  if (names.empty() || !content.empty()) return std::nullopt;
-  return names;
+  return protocol::encodeItems(format, found);
 }
 
 }  // namespace
 
-StatusServer::StatusServer(Duration period, Instant start, Outgoing& outgoing, Outbox& outbox)
-    : period_(std::max<Duration>(period, std::chrono::milliseconds(1))),
+StatusServer::StatusServer(const Settings& settings, const language::Variables& variables, Instant start,
+                           Outgoing& outgoing, Outbox& outbox)
+    : period_(std::max<Duration>(settings.status_period, std::chrono::milliseconds(1))),
       start_(start),
+      format_(settings.stream_format),
+      writers_(settings.write_clients),
+      table_(settings, variables),
       outgoing_(outgoing),
       outbox_(outbox) {}
 
-void StatusServer::connected(ClientId client, Instant now) {
-  if (decoders_.empty()) next_tick_ = (now - start_) / period_ + 1;
-  decoders_.emplace(client, protocol::FrameDecoder());
-  outbox_.log(fmt::format("status client {} connected", client));
+void StatusServer::connected(ClientId client, std::string_view address, Instant now) {
+  if (clients_.empty()) next_tick_ = (now - start_) / period_ + 1;
+  const bool may_write = !writers_ || writers_->count(address) > 0;
+  clients_.emplace(client, Client{protocol::FrameDecoder(), may_write});
+  outbox_.log(fmt::format("status client {} connected{}", client, may_write ? "" : "; it may not write"));
 }
 
 void StatusServer::disconnected(ClientId client) {
-  if (decoders_.erase(client) > 0) outbox_.log(fmt::format("status client {} disconnected", client));
+  if (clients_.erase(client) > 0) outbox_.log(fmt::format("status client {} disconnected", client));
   outgoing_.forget(client);
 }
 
 void StatusServer::closeAll() {
-  for (const auto& [client, decoder] : decoders_) {
-    outbox_.closeClient(Port::Status, client);
-    outgoing_.forget(client);
+  for (const auto& [id, client] : clients_) {
+    outbox_.closeClient(Port::Status, id);
+    outgoing_.forget(id);
   }
-  decoders_.clear();
+  clients_.clear();
 }
 
 Instant StatusServer::nextEvent() const {
-  return decoders_.empty() ? Instant::max() : start_ + next_tick_ * period_;
+  return clients_.empty() ? Instant::max() : start_ + next_tick_ * period_;
 }
 
 void StatusServer::stream(const ItemSource& source) {
-  const StatusFrame frame{std::to_string(next_tick_++ % 10), static_cast<int>(StatusMode::WriteBinary),
-                          protocol::encodeBinaryItems(streamedItems(source))};
+  const StatusFrame frame{std::to_string(next_tick_++ % 10), static_cast<int>(format_),
+                          contentOf(format_, table_.stream(source), source)};
   std::vector<ClientId> all;
-  for (const auto& [client, decoder] : decoders_) all.push_back(client);
+  for (const auto& [id, client] : clients_) all.push_back(id);
   outgoing_.send({Port::Status, MessageKind::Stream, protocol::encode(frame), {}}, all);
 }
 
-void StatusServer::received(ClientId client, std::string_view bytes, const ItemSource& source) {
-  const auto found = decoders_.find(client);
-  if (found == decoders_.end()) return;
-  found->second.feed(bytes);
-  while (const auto event = found->second.next()) {
-    if (const auto* frame = std::get_if<protocol::Frame>(&*event)) {
-      answer(client, *frame, source);
-      continue;
-    }
-    const auto& fault = std::get<protocol::DecodeFault>(*event);
-    outbox_.log(fmt::format("from {}: {}: {}", client, protocol::toString(fault.kind), fault.message));
-    if (const auto code = codeFor(fault.kind)) refuseFrame(client, *code);
+void StatusServer::feed(ClientId client, std::string_view bytes) {
+  const auto found = clients_.find(client);
+  if (found != clients_.end()) found->second.decoder.feed(bytes);
+}
+
+bool StatusServer::answerNext(ClientId client, const ItemSource& source) {
+  const auto found = clients_.find(client);
+  if (found == clients_.end()) return false;
+  const auto event = found->second.decoder.next();
+  if (!event) return false;
+  if (const auto* frame = std::get_if<protocol::Frame>(&*event)) {
+    answer(client, found->second, *frame, source);
+    return true;
   }
+  const auto& fault = std::get<protocol::DecodeFault>(*event);
+  outbox_.log(fmt::format("from {}: {}: {}", client, protocol::toString(fault.kind), fault.message));
+  if (const auto code = codeFor(fault.kind)) refuseFrame(client, *code);
+  return true;
 }
 
 void StatusServer::refuseFrame(ClientId client, CommunicationErrorCode code) {
@@ -103,39 +115,89 @@ void StatusServer::refuseFrame(ClientId client, CommunicationErrorCode code) {
                  {client});
 }
 
-void StatusServer::answer(ClientId client, const protocol::Frame& frame, const ItemSource& source) {
-  outbox_.log(fmt::format("from {}: {}", client, protocol::describe(frame)));
-  if (frame.header != protocol::header::kItems) return refuseFrame(client, CommunicationErrorCode::Header);
+void StatusServer::answer(ClientId id, const Client& client, const protocol::Frame& frame,
+                          const ItemSource& source) {
+  outbox_.log(fmt::format("from {}: {}", id, protocol::describe(frame)));
+  if (frame.header != protocol::header::kItems) return refuseFrame(id, CommunicationErrorCode::Header);
   const auto request = protocol::parseStatusFrame(frame);
-  if (!request) return refuseFrame(client, CommunicationErrorCode::Data);
-  const StatusFrame answer = answerTo(*request, source);
-  outgoing_.send({Port::Status, MessageKind::ItemAnswer, protocol::encode(answer), described(answer)},
-                 {client});
+  if (!request) return refuseFrame(id, CommunicationErrorCode::Data);
+  const StatusFrame answer = answerTo(*request, client.may_write, source);
+  outgoing_.send({Port::Status, MessageKind::ItemAnswer, protocol::encode(answer), described(answer)}, {id});
 }
 
-// Checks in the controller's order: mode, permission, content, existence (fact sheet chapter 3). The data
-// table of this controller is BINARY and no client has write permission.
-StatusFrame StatusServer::answerTo(const StatusFrame& request, const ItemSource& source) {
+// Checks in the controller's order: mode, permission, content, existence, read-only, operating mode, value
+// (fact sheet chapter 3); each of all items before the next.
+StatusFrame StatusServer::answerTo(const StatusFrame& request, bool may_write, const ItemSource& source) {
   switch (static_cast<StatusMode>(request.mode)) {
     case StatusMode::ReadBinary:
-      return read(request, source);
+    case StatusMode::ReadString:
+    case StatusMode::ReadJson:
+      return read(request, static_cast<ItemFormat>(request.mode - kReadModes), source);
     case StatusMode::WriteBinary:
-      return reply(request, Code::WritePermission);
+    case StatusMode::WriteString:
+    case StatusMode::WriteJson:
+      if (!may_write) return reply(request, Code::WritePermission);
+      return write(request, static_cast<ItemFormat>(request.mode), source);
     default:
       return reply(request, Code::NotSupported);
   }
 }
 
-StatusFrame StatusServer::read(const StatusFrame& request, const ItemSource& source) {
-  const auto names = requestedNames(request.content);
-  if (!names) return reply(request, Code::InvalidData);
-  std::vector<protocol::StatusItem> items;
+StatusFrame StatusServer::read(const StatusFrame& request, ItemFormat format,
+                               const ItemSource& source) const {
+  const auto names = protocol::parseItemNames(format, request.content);
+  if (!names) return refuseContent(request, names.error());
+  std::vector<Item> items;
   for (const std::string& name : *names) {
-    auto item = itemNamed(name, source);
+    const auto item = table_.find(name, source);
     if (!item) return reply(request, Code::NotExist, name);
-    items.push_back(std::move(*item));
+    items.push_back(*item);
   }
-  return {request.id, request.mode, protocol::encodeBinaryItems(items)};
+  std::string content = contentOf(format, items, source);
+  if (content.size() > kLongestAnswer) return reply(request, Code::InvalidData);
+  return {request.id, request.mode, std::move(content)};
+}
+
+StatusFrame StatusServer::write(const StatusFrame& request, ItemFormat format, const ItemSource& source) {
+  const auto written = protocol::parseItems(format, request.content);
+  if (!written) return refuseContent(request, written.error());
+  std::vector<Item> items;
+  for (const protocol::StatusItem& item : *written) {
+    const auto found = table_.find(item.name, source);
+    if (!found) return reply(request, Code::NotExist, item.name);
+    items.push_back(*found);
+  }
+  const auto refused = [&](Code code, const auto& is_refused) -> std::optional<StatusFrame> {
+    const auto item = std::find_if(items.begin(), items.end(), is_refused);
+    if (item == items.end()) return std::nullopt;
+    return reply(request, code, std::string(item->name));
+  };
+  if (auto frame =
+          refused(Code::ReadOnly, [](const Item& item) { return item.access() == Access::ReadOnly; })) {
+    return *frame;
+  }
+  const bool manual = source.state.mode == OperatingMode::Manual;
+  if (auto frame = refused(Code::ModeError,
+                           [&](const Item& item) { return manual && item.access() == Access::Automatic; })) {
+    return *frame;
+  }
+  const ItemValues values(source);
+  std::vector<ItemWrite> writes;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const protocol::ItemValue old = items[i].read(values);
+    const auto value = protocol::parseValue(format, (*written)[i].value, old);
+    auto write = value ? items[i].write(*value, old) : std::nullopt;
+    if (!write) return reply(request, Code::ValueError, std::string(items[i].name));
+    writes.push_back(std::move(*write));
+  }
+  std::move(writes.begin(), writes.end(), std::back_inserter(writes_));
+  return reply(request, Code::Ok);
+}
+
+StatusFrame StatusServer::refuseContent(const StatusFrame& request,
+                                        const protocol::MessageFault& fault) const {
+  outbox_.log(fmt::format("invalid data: {}", fault.message));
+  return reply(request, Code::InvalidData);
 }
 
 }  // namespace cobot_command::simulator

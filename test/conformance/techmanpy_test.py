@@ -226,27 +226,22 @@ class Motion(Case):
 class Status(Case):
     """techmanpy reads the stream as text: it needs the stream in STRING."""
 
-    @unittest.expectedFailure  # no STRING
     def test_an_item_is_read(self):
         suite.near(self.item('get_value', 'Joint_Angle'), POSTURE, 0.01)
 
-    @unittest.expectedFailure  # no STRING
     def test_items_are_read(self):
         values = self.item('get_values', ['Robot_Link', 'TCP_Name', 'Robot_Error'])
         self.assertEqual(values, {'Robot_Link': 1, 'TCP_Name': 'NOTOOL', 'Robot_Error': False})
 
-    @unittest.expectedFailure  # no STRING
     def test_an_item_is_written(self):
         self.item('set_value', 'Ctrl_DO0', 1)
         self.item('set_values', {'Ctrl_DO1': 1, 'Project_Speed': 50})
         self.assertEqual(self.robot.values('Ctrl_DO0', 'Ctrl_DO1', 'Project_Speed'), [1, 1, 50])
 
-    @unittest.expectedFailure  # no STRING
     def test_an_unknown_item_is_told(self):
         with self.assertRaisesRegex(techmanpy.TMSVRError, 'TCP_MaXX'):
             self.item('get_value', 'TCP_MaXX')
 
-    @unittest.expectedFailure  # no STRING
     def test_the_stream_is_read(self):
         received = []
 

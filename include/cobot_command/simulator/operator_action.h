@@ -37,6 +37,9 @@ struct SetOperatingMode {
 struct SetProjectSpeed {
   int percent = 100;
 };
+[[nodiscard]] constexpr bool isProjectSpeed(int percent) {
+  return percent >= 5 && percent <= 100 && percent % 5 == 0;
+}
 /// The robot fails: the arm comes to rest on its path and every tag in the queue is reported false, as when a
 /// motion cannot be made; so is every motion until ClearError or RunProject.
 struct RaiseError {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "cobot_command/arm/types.h"
@@ -21,6 +22,10 @@ struct DigitalIo {
     const auto place = static_cast<std::size_t>(index);
     return module == protocol::IoModule::ControlBox ? control_box.at(place) : end_module.at(place);
   }
+  [[nodiscard]] bool at(protocol::IoModule module, int index) const {
+    const auto place = static_cast<std::size_t>(index);
+    return module == protocol::IoModule::ControlBox ? control_box.at(place) : end_module.at(place);
+  }
 };
 
 /// As MA_Mode.
@@ -28,6 +33,8 @@ enum class OperatingMode { Automatic = 1, Manual = 2 };
 
 struct RobotState {
   Instant time{};
+  Instant started{};                                       ///< when the controller was switched on
+  Instant project_started{};                               ///< means nothing while no project runs
   arm::JointVector joints = arm::JointVector::Zero();      ///< [rad]
   arm::JointVector velocities = arm::JointVector::Zero();  ///< [rad/s]
   arm::Pose flange = arm::Pose::Identity();                ///< in the robot base [m]
@@ -39,7 +46,10 @@ struct RobotState {
   double load = 0;                                         ///< [kg], of what it holds (ChangeLoad)
   DigitalIo inputs;
   DigitalIo outputs;
-  bool in_motion = false;  ///< false also while a pause holds the arm within a motion
+  float analog_output = 0;  ///< the first one of the control box [V]
+  bool camera_light = false;
+  bool auto_remote = false;  ///< Auto_Remote_Active
+  bool in_motion = false;    ///< false also while a pause holds the arm within a motion
   bool project_running = false;
   bool project_paused = false;
   bool listening = false;
@@ -49,7 +59,8 @@ struct RobotState {
   bool error = false;
   int error_code = 0;  ///< as the controller's Error_Code (fact sheet 2.6)
   std::string error_text;
-  int queued_motions = 0;  ///< accepted and not ended, the running one included
+  std::optional<Instant> error_time;  ///< since when it is in error
+  int queued_motions = 0;             ///< accepted and not ended, the running one included
   int project_speed_percent = 100;
 };
 

@@ -2,14 +2,19 @@
 // show.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cobot_command/arm/types.h"
+#include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/protocol/item_content.h"
 #include "cobot_command/simulator/fault_switches.h"
 
 namespace cobot_command::simulator {
@@ -20,6 +25,10 @@ enum class MotionErrorPolicy {
   StopProject   ///< the same, then the project stops: the script port closes
 };
 
+/// The 47 items that the vendor's ROS driver needs (fact sheet 3.2); then what tells tool, base and error, as
+/// far as the version has it.
+[[nodiscard]] std::vector<std::string> defaultStreamItems();
+
 struct Settings {
   std::string listen_node_message = "Listen1";  ///< sent when the node is entered
   bool project_running = true;                  ///< at the start
@@ -27,8 +36,13 @@ struct Settings {
   arm::JointVector start_posture =
       (arm::JointVector() << 0.0, 0.0, degToRad(90), 0.0, degToRad(90), 0.0).finished();
   Duration status_period = std::chrono::milliseconds(15);  ///< of the status stream (fact sheet chapter 3)
-  int project_speed_percent = 100;                         ///< 5..100, multiples of 5
-  bool accept_empty_length = false;                        ///< see FrameDecoder::Options
+  protocol::ItemFormat stream_format = protocol::ItemFormat::Binary;
+  /// Predefined items and global variables, in the order of the stream. Robot_Link comes first in any case.
+  std::vector<std::string> stream_items = defaultStreamItems();
+  /// Addresses of clients that may write items, as "192.168.1.7"; absent: all may.
+  std::optional<std::set<std::string, std::less<>>> write_clients;
+  int project_speed_percent = 100;   ///< 5..100, multiples of 5
+  bool accept_empty_length = false;  ///< see FrameDecoder::Options
   /// On at the start. (Said in full: GCC 12 crashes on the short form when Settings{} stands in a template.)
   FaultSwitches faults = FaultSwitches();
   MotionErrorPolicy on_motion_error = MotionErrorPolicy::ReportFalse;
@@ -39,19 +53,34 @@ struct Settings {
   /// From leaving the Listen node (ScriptExit) until the project's loop enters it again; absent: never.
   std::optional<Duration> reentry_delay = std::chrono::milliseconds(100);
   std::string project_name = "ListenProject";
-  std::string tmflow_version = "1.80";  ///< one of knownTmflowVersions(): the functions of scripts
+  std::string tmflow_version = "1.80";  ///< decides which functions scripts have, and which items there are
   /// What ChangeBase("name") and ChangeTCP("name") know besides RobotBase and NOTOOL: bases in the robot
   /// base, TCPs in the flange [m].
   std::map<std::string, arm::Pose> bases;
   std::map<std::string, arm::Pose> tcps;
   /// What Point["name"] knows: postures of the arm [rad].
   std::map<std::string, arm::JointVector> points;
-  /// Declarations of the project's variables: "int var_i = 5". One that is none makes no variable.
+  /// Declarations of variables that scripts share: "int var_i = 5". Those whose name begins with g_ are
+  /// global: they keep their values from one run of the project to the next. On the status port there are
+  /// only those that are in the stream.
   std::vector<std::string> variables;
 };
 
+/// What `tmflow_version` can be.
 [[nodiscard]] const std::vector<std::string>& knownTmflowVersions();
-/// Nothing when it is the declaration of a variable.
-[[nodiscard]] std::optional<std::string> whyNoVariable(const std::string& declaration);
+
+/// What is wrong with the items, the variables or the version: found, allowed. The controller leaves out what
+/// is.
+[[nodiscard]] std::optional<std::string> faultIn(const Settings& settings);
+
+// Settings as people write them; refused with a sentence: found, allowed.
+
+/// "binary", "string" or "json".
+[[nodiscard]] Result<protocol::ItemFormat, std::string> parseStreamFormat(std::string_view text);
+/// Names, separated by commas.
+[[nodiscard]] std::vector<std::string> parseNames(std::string_view text);
+/// "all", "none", or addresses, separated by commas.
+[[nodiscard]] Result<std::optional<std::set<std::string, std::less<>>>, std::string> parseWriteClients(
+    std::string_view text);
 
 }  // namespace cobot_command::simulator

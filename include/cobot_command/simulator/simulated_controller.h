@@ -60,7 +60,8 @@ class SimulatedController {
   SimulatedController& operator=(SimulatedController&&) noexcept;
 
   // --- The wire.
-  void clientConnected(Port port, ClientId client, Instant now);
+  /// The address, as "127.0.0.1", is for Settings::write_clients alone.
+  void clientConnected(Port port, ClientId client, Instant now, std::string_view address = {});
   void clientDisconnected(Port port, ClientId client, Instant now);
   void received(Port port, ClientId client, std::string_view bytes, Instant now);
 

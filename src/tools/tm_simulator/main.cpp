@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "line_reader.h"
 #include "project_options.h"
@@ -34,6 +35,40 @@ struct Options {
   bool control = false;
 };
 
+/// Takes a Result, or ends with its complaint.
+template <class Value>
+Value valueOf(const std::string& option, Result<Value, std::string> result) {
+  if (!result) throw CLI::ValidationError(option, result.error());
+  return std::move(*result);
+}
+
+void describeStatusPort(CLI::App& app, simulator::Settings& settings) {
+  app.add_option_function<double>(
+         "--status-period",
+         [&](double milliseconds) { settings.status_period = fromSeconds(milliseconds / 1000); },
+         "of the status stream [ms], 1 to 1000")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->default_str("15");
+  app.add_option_function<std::string>(
+         "--stream-format",
+         [&](const std::string& text) {
+           settings.stream_format = valueOf("--stream-format", simulator::parseStreamFormat(text));
+         },
+         "of the status stream: binary, string or json")
+      ->default_str("binary");
+  app.add_option_function<std::string>(
+      "--stream-items", [&](const std::string& text) { settings.stream_items = simulator::parseNames(text); },
+      "items of the status stream, separated by commas; without it, those of the vendor's ROS driver and a "
+      "few more");
+  app.add_option_function<std::string>(
+         "--write-clients",
+         [&](const std::string& text) {
+           settings.write_clients = valueOf("--write-clients", simulator::parseWriteClients(text));
+         },
+         "who may write items: all, none, or addresses, separated by commas")
+      ->default_str("all");
+}
+
 void describe(CLI::App& app, Options& options) {
   app.description(
       "A simulated TM controller: any client of the TM protocol can use it in place of a robot.\n"
@@ -59,11 +94,13 @@ void describe(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--listen-node", options.settings.listen_node_message, "message of the Listen node")
       ->capture_default_str();
-  app.add_option("--tmflow-version", options.settings.tmflow_version, "which functions scripts have")
+  app.add_option("--tmflow-version", options.settings.tmflow_version,
+                 "decides which functions scripts have, and which items there are")
       ->check(CLI::IsMember(simulator::knownTmflowVersions()))
       ->capture_default_str();
   app.add_flag("--accept-empty-length", options.settings.accept_empty_length, "take frames without a length");
   tools::describeProject(app, options.settings);
+  describeStatusPort(app, options.settings);
   app.add_flag("--log-traffic,--verbose", options.log_traffic,
                "print what is sent and received, in words; but the status stream");
   app.add_flag("--control", options.control, "take the operator's commands from standard input, see below");
@@ -88,6 +125,10 @@ int serve(Options options) {
   auto arm = arm::ArmModel::named(options.model);
   if (!arm) {
     fmt::print(stderr, "tm_simulator: {}\n", arm.error().message);
+    return BadUsage;
+  }
+  if (const auto fault = simulator::faultIn(options.settings)) {
+    fmt::print(stderr, "tm_simulator: {}\n", *fault);
     return BadUsage;
   }
   boost::asio::io_context context;

@@ -57,8 +57,10 @@ void describeProject(CLI::App& app, simulator::Settings& settings) {
            [&settings](const std::string& name, const Six& six) {
              settings.points[name] = arm::toJointVector(six);
            });
-  app.add_option("--variable", settings.variables, "a variable of the project: \"int var_i = 5\"")
-      ->check([](const std::string& text) { return simulator::whyNoVariable(text).value_or(""); });
+  app.add_option(
+      "--variable", settings.variables,
+      "a variable of the project: \"int var_i = 5\"; a global one if its name begins with g_; on the "
+      "status port when --stream-items names it");
 }
 
 }  // namespace cobot_command::tools

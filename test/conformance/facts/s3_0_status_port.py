@@ -200,8 +200,8 @@ def binary_writing(robot):
 @check('TM-3.0.41', 'mode 2 writes in STRING: `$TMSVR,15,S0,2,Ctrl_DO0=1,*76`', 'M 10')
 def string_writing(robot):
     robot.svr.send_bytes(b'$TMSVR,15,S0,2,Ctrl_DO0=1,*76\r\n')
-    robot.svr.until(lambda frame: frame.data.startswith(b'S0,'))
-    equal(robot.svr.frames[-1].text, 'S0,0,00,OK')
+    answer = robot.svr.until(lambda frame: frame.data.startswith(b'S0,'))[-1]
+    equal(answer.text, 'S0,0,00,OK')
     robot.wait_for('Ctrl_DO0', 1, 1)
 
 
@@ -243,8 +243,8 @@ def writing_wrong_values(robot):
 @check('TM-3.0.48', 'a write whose content does not fit its mode: `03,InvalidData`', 'M 10')
 def writing_invalid_data(robot):
     robot.svr.send_bytes(b'$TMSVR,15,S3,3,Ctrl_DO0=1,*74\r\n')
-    robot.svr.until(lambda frame: frame.data.startswith(b'S3,'))
-    equal(robot.svr.frames[-1].text, 'S3,0,03,InvalidData')
+    answer = robot.svr.until(lambda frame: frame.data.startswith(b'S3,'))[-1]
+    equal(answer.text, 'S3,0,03,InvalidData')
     equal(robot.svr.refusal(1, '[{}]'), '03,InvalidData')
     equal(robot.svr.refusal(2, 'Ctrl_DO0'), '03,InvalidData')
 
@@ -283,8 +283,8 @@ def the_first_offender_is_named(robot):
        stream_items='g_ss')
 def arrays_of_strings(robot):
     robot.svr.send_bytes(b'$TMSVR,25,T2,1,\x04\x00g_ss\x0C\x00Hello\x00\x00World,*02\r\n')
-    robot.svr.until(lambda frame: frame.data.startswith(b'T2,'))
-    equal(robot.svr.frames[-1].text, 'T2,0,00,OK')
+    answer = robot.svr.until(lambda frame: frame.data.startswith(b'T2,'))[-1]
+    equal(answer.text, 'T2,0,00,OK')
     equal(robot.svr.read_bytes('g_ss')['g_ss'], b'Hello\0\0World')
 
 
@@ -292,8 +292,8 @@ def arrays_of_strings(robot):
        variable='int[] adata={0,0,0,0}', stream_items='adata')
 def arrays_keep_their_size(robot):
     robot.svr.send_bytes(b'$TMSVR,18,S7,2,adata={1,2,3},*47\r\n')
-    robot.svr.until(lambda frame: frame.data.startswith(b'S7,'))
-    equal(robot.svr.frames[-1].text, 'S7,0,07,ValueError;adata')
+    answer = robot.svr.until(lambda frame: frame.data.startswith(b'S7,'))[-1]
+    equal(answer.text, 'S7,0,07,ValueError;adata')
 
 
 # Values -----------------------------------------------------------------------------------------

@@ -284,8 +284,8 @@ def other_items_can_only_be_read(robot):
 @check('TM-3.1.55', 'the frame `$TMSVR,20,local,2,Stick_Stop=1,*12` stops the project', 'C; W', since='1.80')
 def stop_is_pressed(robot):
     robot.svr.send_bytes(b'$TMSVR,20,local,2,Stick_Stop=1,*12\r\n')
-    robot.svr.until(lambda frame: frame.data.startswith(b'local,'))
-    equal(robot.svr.frames[-1].text, 'local,0,00,OK')
+    answer = robot.svr.until(lambda frame: frame.data.startswith(b'local,'))[-1]
+    equal(answer.text, 'local,0,00,OK')
     robot.wait_for('Project_Run', False, 1)
 
 

@@ -1,0 +1,115 @@
+#include "item_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <ctime>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::simulator {
+
+namespace {
+
+Eigen::Matrix<double, 6, 1> twistOf(const ItemSource& source) {
+  const RobotState& robot = source.state;
+  Eigen::Matrix<double, 6, 1> twist = arm::jacobianAt(source.arm, robot.joints) * robot.velocities;
+  const Eigen::Vector3d lever = robot.flange.linear() * robot.tcp.translation();
+  const Eigen::Vector3d angular = twist.tail<3>();
+  twist.head<3>() += angular.cross(lever);
+  return twist;
+}
+
+}  // namespace
+
+ItemValues::ItemValues(const ItemSource& from)
+    : source(from), state(from.state), robot_tool(state.flange * state.tcp), tool_twist(twistOf(from)) {}
+
+Floats poseFloats(const arm::Pose& pose) {
+  const arm::ControllerPose numbers = arm::toControllerPose(pose);
+  Floats floats;
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(floats),
+                 [](double number) { return static_cast<float>(number); });
+  return floats;
+}
+
+Floats degrees(const arm::JointVector& joints) {
+  Floats floats;
+  for (const double joint : joints) floats.push_back(static_cast<float>(radToDeg(joint)));
+  return floats;
+}
+
+Floats twistFloats(const Eigen::Matrix<double, 6, 1>& twist) {
+  Floats floats;
+  for (int i = 0; i < 6; ++i) {
+    floats.push_back(static_cast<float>(i < 3 ? mToMm(twist[i]) : radToDeg(twist[i])));
+  }
+  return floats;
+}
+
+float linearSpeed(const Eigen::Matrix<double, 6, 1>& twist) {
+  return static_cast<float>(mToMm(twist.head<3>().norm()));
+}
+
+Floats dhTable(const arm::ArmModel& arm) {
+  const arm::DhLengths& l = arm.lengths();
+  const std::array<std::array<double, 4>, arm::kJointCount> rows{{{0, -90, 0, l.d1},
+                                                                  {-90, 0, l.a2, 0},
+                                                                  {0, 0, l.a3, 0},
+                                                                  {90, 90, 0, l.d4},
+                                                                  {0, 90, 0, l.d5},
+                                                                  {0, 0, 0, l.d6}}};
+  Floats table;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const arm::JointLimit& limit = arm.limits()[i];
+    for (const double number : {rows[i][0], rows[i][1], mToMm(rows[i][2]), mToMm(rows[i][3]), 0.0,
+                                radToDeg(limit.lower), radToDeg(limit.upper)}) {
+      table.push_back(static_cast<float>(number));
+    }
+  }
+  return table;
+}
+
+Floats jointLimits(const arm::ArmModel& arm, double arm::JointLimit::*number) {
+  Floats floats;
+  for (const arm::JointLimit& limit : arm.limits())
+    floats.push_back(static_cast<float>(radToDeg(limit.*number)));
+  return floats;
+}
+
+int robotLight(const RobotState& state) {
+  constexpr int kOff = 0;
+  constexpr struct { int standby, running, error; } kAutomatic{3, 4, 9}, kManual{5, 6, 10};
+  if (state.emergency_stop) return kOff;
+  const auto& lights = state.mode == OperatingMode::Manual ? kManual : kAutomatic;
+  if (state.error) return lights.error;
+  return state.project_running ? lights.running : lights.standby;
+}
+
+std::string upperCase(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  return name;
+}
+
+std::string clockText(Instant time) {
+  constexpr std::time_t kYear2000 = 946684800;
+  const std::time_t now =
+      kYear2000 + std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", parts.tm_year + 1900, parts.tm_mon + 1,
+                     parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
+}
+
+std::string durationText(Duration duration) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(duration).count();
+  return fmt::format("{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+}
+
+}  // namespace cobot_command::simulator

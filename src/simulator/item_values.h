@@ -1,0 +1,53 @@
+// Values of items out of the state of the robot, in the units of the controller.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/language/variables.h"
+#include "cobot_command/protocol/item_content.h"
+#include "cobot_command/simulator/robot_state.h"
+#include "cobot_command/simulator/settings.h"
+
+namespace cobot_command::simulator {
+
+/// All that the items are made from.
+struct ItemSource {
+  const arm::ArmModel& arm;
+  const Settings& settings;
+  const RobotState& state;
+  const FaultSwitch& hidden;  ///< its text names items that are not there
+  const language::Variables& variables;
+};
+
+/// The source, and what several items need of it, computed once.
+struct ItemValues {
+  explicit ItemValues(const ItemSource& from);
+
+  const ItemSource& source;
+  const RobotState& state;
+  arm::Pose robot_tool;                    ///< the TCP in the robot base [m]
+  Eigen::Matrix<double, 6, 1> tool_twist;  ///< of the TCP in the robot base [m/s, rad/s]
+};
+
+using Floats = std::vector<float>;
+
+[[nodiscard]] Floats poseFloats(const arm::Pose& pose);                      ///< [mm, deg]
+[[nodiscard]] Floats degrees(const arm::JointVector& joints);                ///< [deg] or [deg/s]
+[[nodiscard]] Floats twistFloats(const Eigen::Matrix<double, 6, 1>& twist);  ///< [mm/s, deg/s]
+[[nodiscard]] float linearSpeed(const Eigen::Matrix<double, 6, 1>& twist);   ///< [mm/s]
+/// Six rows of offset, alpha, a, d, type, lower and upper limit [mm, deg].
+[[nodiscard]] Floats dhTable(const arm::ArmModel& arm);
+/// One number of each joint's limits [deg, deg/s].
+[[nodiscard]] Floats jointLimits(const arm::ArmModel& arm, double arm::JointLimit::*number);
+[[nodiscard]] int robotLight(const RobotState& state);
+[[nodiscard]] std::string upperCase(std::string text);
+/// The controller's clock: 2000-01-01 00:00:00 at Instant{}.
+[[nodiscard]] std::string clockText(Instant time);
+/// Hours, minutes and seconds: 00:01:05.
+[[nodiscard]] std::string durationText(Duration duration);
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,63 @@
+#include "variable_items.h"
+
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cobot_command::simulator {
+
+namespace {
+
+using language::Array;
+using language::Scalar;
+using protocol::ItemValue;
+
+template <class T>
+ItemValue elementsOf(const Array& array) {
+  std::vector<T> elements;
+  elements.reserve(array.items.size());
+  for (const Scalar& item : array.items) elements.push_back(std::get<T>(item));
+  return elements;
+}
+
+ItemValue toItem(const Array& array) {
+  switch (array.element) {
+    case language::ScalarType::Byte:
+      return elementsOf<std::uint8_t>(array);
+    case language::ScalarType::Int:
+      return elementsOf<std::int32_t>(array);
+    case language::ScalarType::Float:
+      return elementsOf<float>(array);
+    case language::ScalarType::Double:
+      return elementsOf<double>(array);
+    case language::ScalarType::Bool:
+      return elementsOf<bool>(array);
+    case language::ScalarType::String:
+      break;
+  }
+  return elementsOf<std::string>(array);
+}
+
+template <class T>
+language::Value fromItem(const T& scalar) {
+  return Scalar(scalar);
+}
+template <class T>
+language::Value fromItem(const std::vector<T>& elements) {
+  Array array{language::typeOf(Scalar(T())), {}};
+  for (const T& element : elements) array.items.emplace_back(element);
+  return array;
+}
+
+}  // namespace
+
+ItemValue toItem(const language::Value& value) {
+  if (const auto* array = std::get_if<Array>(&value)) return toItem(*array);
+  return std::visit([](const auto& scalar) { return ItemValue(scalar); }, std::get<Scalar>(value));
+}
+
+language::Value toLanguage(const ItemValue& value) {
+  return std::visit([](const auto& content) { return fromItem(content); }, value);
+}
+
+}  // namespace cobot_command::simulator
