@@ -121,6 +121,32 @@ void readAnnouncedPorts(const ros::NodeHandle& node, Reader& reader, CommandPara
   parameters.link.status_port = *status;
 }
 
+/// A parameter that is written as text: `use` gets what `parse` makes of it, or the complaint is kept.
+template <class Parse, class Use>
+void readText(Reader& reader, const std::string& name, const Parse& parse, const Use& use) {
+  const auto text = reader.read<std::string>(name, "");
+  if (text.empty() || reader.error()) return;
+  const auto value = parse(text);
+  if (value) return use(*value);
+  reader.complain(name, "is not usable: " + value.error(), "what README.md lists");
+}
+
+void readStatusPort(Reader& reader, simulator::Settings& settings) {
+  settings.tmflow_version = reader.read("tmflow_version", settings.tmflow_version);
+  settings.status_period = reader.readSeconds("status_period", settings.status_period, 0.001, 1.0);
+  readText(reader, "stream_format", simulator::parseStreamFormat,
+           [&](auto format) { settings.stream_format = format; });
+  const auto items = reader.read<std::string>("stream_items", "");
+  if (!items.empty()) settings.stream_items = simulator::parseNames(items);
+  readText(reader, "write_clients", simulator::parseWriteClients,
+           [&](const auto& clients) { settings.write_clients = clients; });
+  settings.variables = reader.read("variables", settings.variables);
+  if (const auto fault = simulator::faultIn(settings)) {
+    reader.complain("stream_items", "does not fit tmflow_version and variables: " + *fault,
+                    "what README.md lists");
+  }
+}
+
 simulator::Settings readSettings(Reader& reader) {
   simulator::Settings settings;
   settings.listen_node_message = reader.read<std::string>("listen_node", settings.listen_node_message);
@@ -128,7 +154,7 @@ simulator::Settings readSettings(Reader& reader) {
   settings.project_speed_percent =
       reader.readInRange("project_speed", settings.project_speed_percent, 5, 100);
   settings.faults.stale_tag.on = reader.read("reports_stale_tags", false);
-  settings.status_period = reader.readSeconds("status_period", settings.status_period, 0.001, 1.0);
+  readStatusPort(reader, settings);
   const auto start = reader.read("start_posture_deg", std::vector<double>{});
   if (start.size() == arm::kJointCount) {
     arm::ControllerJoints joints{};
