@@ -147,6 +147,25 @@ void readStatusPort(Reader& reader, simulator::Settings& settings) {
   }
 }
 
+/// A list of texts NAME=1,2,3,4,5,6.
+template <class Use>
+void readNamed(Reader& reader, const std::string& name, const Use& use) {
+  for (const std::string& text : reader.read(name, std::vector<std::string>{})) {
+    const auto named = simulator::parseNamedNumbers(text);
+    if (!named)
+      return reader.complain(name, "holds what is not usable: " + named.error(), "a list of such texts");
+    use(named->first, named->second);
+  }
+}
+
+void readProject(Reader& reader, simulator::Settings& settings) {
+  readNamed(reader, "bases",
+            [&](const auto& base, const auto& six) { settings.bases[base] = arm::toPose(six); });
+  readNamed(reader, "tcps", [&](const auto& tcp, const auto& six) { settings.tcps[tcp] = arm::toPose(six); });
+  readNamed(reader, "points",
+            [&](const auto& point, const auto& six) { settings.points[point] = arm::toJointVector(six); });
+}
+
 simulator::Settings readSettings(Reader& reader) {
   simulator::Settings settings;
   settings.listen_node_message = reader.read<std::string>("listen_node", settings.listen_node_message);
@@ -154,6 +173,7 @@ simulator::Settings readSettings(Reader& reader) {
   settings.project_speed_percent =
       reader.readInRange("project_speed", settings.project_speed_percent, 5, 100);
   settings.faults.stale_tag.on = reader.read("reports_stale_tags", false);
+  readProject(reader, settings);
   readStatusPort(reader, settings);
   const auto start = reader.read("start_posture_deg", std::vector<double>{});
   if (start.size() == arm::kJointCount) {

@@ -75,6 +75,18 @@ std::vector<std::string> parseNames(std::string_view text) {
   return names;
 }
 
+Result<std::pair<std::string, std::array<double, 6>>, std::string> parseNamedNumbers(std::string_view text) {
+  const std::size_t sign = std::min(text.find('='), text.size());
+  const std::string list = fmt::format("{{{}}}", text.substr(std::min(sign + 1, text.size())));
+  const auto value = protocol::parseValue(ItemFormat::String, list, std::vector<double>());
+  std::array<double, 6> numbers{};
+  if (sign == 0 || !value || protocol::elementCount(*value) != numbers.size())
+    return refuse(fmt::format("\"{}\" is not usable: allowed is NAME=1,2,3,4,5,6", text));
+  const auto& found = std::get<std::vector<double>>(*value);
+  std::copy(found.begin(), found.end(), numbers.begin());
+  return std::pair(std::string(text.substr(0, sign)), numbers);
+}
+
 Result<std::optional<std::set<std::string, std::less<>>>, std::string> parseWriteClients(
     std::string_view text) {
   using Clients = std::set<std::string, std::less<>>;

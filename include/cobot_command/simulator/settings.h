@@ -2,12 +2,14 @@
 // show.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cobot_command/arm/types.h"
@@ -79,6 +81,9 @@ struct Settings {
 [[nodiscard]] Result<protocol::ItemFormat, std::string> parseStreamFormat(std::string_view text);
 /// Names, separated by commas.
 [[nodiscard]] std::vector<std::string> parseNames(std::string_view text);
+/// "NAME=1,2,3,4,5,6": a pose [mm, deg], or joint angles [deg].
+[[nodiscard]] Result<std::pair<std::string, std::array<double, 6>>, std::string> parseNamedNumbers(
+    std::string_view text);
 /// "all", "none", or addresses, separated by commas.
 [[nodiscard]] Result<std::optional<std::set<std::string, std::less<>>>, std::string> parseWriteClients(
     std::string_view text);

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cobot_command/arm/controller_pose.h"
@@ -13,37 +12,19 @@ namespace {
 
 using Six = std::array<double, 6>;
 
-/// NAME=N1,N2,N3,N4,N5,N6
-std::pair<std::string, Six> namedNumbers(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  Six numbers{};
-  std::size_t count = 0;
-  if (equals != std::string::npos && equals > 0) {
-    for (const std::string& number : CLI::detail::split(text.substr(equals + 1), ',')) {
-      double value = 0;
-      if (count == numbers.size() || !CLI::detail::lexical_cast(number, value)) return {"", numbers};
-      numbers[count++] = value;
-    }
-  }
-  if (count != numbers.size()) return {"", numbers};
-  return {text.substr(0, equals), numbers};
-}
-
+/// An option that may be given several times, each time as NAME=1,2,3,4,5,6.
 template <class Use>
 void addNamed(CLI::App& app, const std::string& option, const std::string& meaning, Use use) {
   app.add_option_function<std::vector<std::string>>(
-         option,
-         [use](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) {
-             const auto [name, numbers] = namedNumbers(text);
-             use(name, numbers);
-           }
-         },
-         meaning)
-      ->check([](const std::string& text) {
-        return namedNumbers(text).first.empty() ? "a name, = and six numbers are wanted, not " + text
-                                                : std::string();
-      });
+      option,
+      [option, use](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) {
+          const auto named = simulator::parseNamedNumbers(text);
+          if (!named) throw CLI::ValidationError(option, named.error());
+          use(named->first, named->second);
+        }
+      },
+      meaning);
 }
 
 }  // namespace

@@ -154,6 +154,14 @@ TEST(StatusVariables, areLeftOutOfTheStreamWhenBinaryCannotSayThem) {
   EXPECT_EQ(stream.frame.content, std::string("\x0a\0Robot_Link\x01\0\x01\x05\0ESTOP\x01\0\0", 25));
 }
 
+TEST(SettingsText, namesSixNumbers) {
+  const auto named = parseNamedNumbers("My base=1,-2.5,3,1e2,0,90");
+  EXPECT_EQ(named->first, "My base");
+  EXPECT_THAT(named->second, ElementsAre(1, -2.5, 3, 100, 0, 90));
+  for (const char* text : {"", "b", "b=", "=1,2,3,4,5,6", "b=1,2,3,4,5", "b=1,2,3,4,5,6,7", "b=1,2,3,4,5,x"})
+    EXPECT_THAT(parseNamedNumbers(text).error(), HasSubstr("NAME=1,2,3,4,5,6")) << text;
+}
+
 TEST(SettingsText, areCheckedAsAWhole) {
   EXPECT_EQ(faultIn(Settings{}), std::nullopt);
   EXPECT_THAT(faultIn(streaming({"Bogus"})).value(), HasSubstr("\"Bogus\""));
