@@ -61,11 +61,11 @@ class SimulatedController::Impl {
   void on(const TagSettled& settled) { node_.on(settled); }
   void on(const TagDropped& dropped) { node_.on(dropped); }
   void on(const protocol::WriteOutput& write) { io_.write(write); }
+  void on(const SetAnalogOutput& write) { io_.write(write); }
+  void on(const SetCameraLight& write) { io_.write(write); }
   void on(const MotionStarted& started);
   void on(const MotionFailed& failed);
   void on(const PressButton& press);
-  void on(const SetCameraLight& light);
-  void on(const SetAnalogOutput& output);
   void on(const SetProjectName& project);
   void on(const SetAutoRemote& remote);
   void on(const SetVariable& variable);
@@ -86,8 +86,6 @@ class SimulatedController::Impl {
   bool safeguard_ = false;
   OperatingMode mode_ = OperatingMode::Automatic;
   bool stops_project_ = false;
-  bool camera_light_ = false;
-  float analog_output_ = 0;
   bool auto_remote_ = false;
   Instant started_;
   Instant project_started_{};

@@ -65,26 +65,32 @@ std::optional<std::string> ScriptEnvironment::write(const language::ItemName& it
     items_.write(item, index, value);
     return std::nullopt;
   }
-  if (index) return writeOutput(item, *index, std::get<Scalar>(value));
-  const auto& all = std::get<language::Array>(value).items;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (auto reason = writeOutput(item, i, all[i])) return reason;
+  const auto* array = std::get_if<language::Array>(&value);
+  const std::size_t count = array == nullptr ? 1 : array->items.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto answer = array == nullptr ? writeOutput(item, index.value_or(0), std::get<Scalar>(value))
+                                         : writeOutput(item, i, array->items[i]);
+    const auto* failure = std::get_if<language::CallFailure>(&answer);
+    if (failure != nullptr) return failure->reason;
+  }
   return std::nullopt;
 }
 
-std::optional<std::string> ScriptEnvironment::writeOutput(const language::ItemName& item, std::size_t index,
-                                                          const Scalar& value) {
+language::CallAnswer ScriptEnvironment::writeOutput(const language::ItemName& item, std::size_t index,
+                                                    const Scalar& value) {
+  if (const auto* volt = std::get_if<float>(&value)) {
+    if (isAnalogOutput(*volt)) return effects_.set({*volt}, item.attribute == "InstantAO");
+    return language::CallFailure{fmt::format("an analog output is -10 to 10 V, not {}", *volt)};
+  }
   const auto level = std::get<std::uint8_t>(value);
-  if (level > 1) return fmt::format("an output is 0 or 1, not {}", level);
+  if (level > 1) return language::CallFailure{fmt::format("an output is 0 or 1, not {}", level)};
   protocol::WriteOutput write;
   const bool is_box = std::get<std::string>(item.keys.front()) == "ControlBox";
   write.module = is_box ? protocol::IoModule::ControlBox : protocol::IoModule::EndModule;
   write.index = static_cast<int>(index);
   write.on = level == 1;
   write.instant = item.attribute == "InstantDO";
-  const auto answer = effects_.execute(write);
-  const auto* failure = std::get_if<language::CallFailure>(&answer);
-  return failure == nullptr ? std::nullopt : std::optional(failure->reason);
+  return effects_.execute(write);
 }
 
 language::CallAnswer ScriptEnvironment::call(const std::string& function,

@@ -20,6 +20,7 @@ class ScriptEnvironment final : public language::Environment {
   /// What comes of a script.
   struct Effects {
     std::function<language::CallAnswer(const protocol::ScriptCommand&)> execute;
+    std::function<language::CallAnswer(const SetAnalogOutput&, bool is_instant)> set;
     std::function<void(const protocol::ListenData&)> send;
   };
 
@@ -45,8 +46,8 @@ class ScriptEnvironment final : public language::Environment {
                                           const language::Arguments& arguments) override;
 
  private:
-  [[nodiscard]] std::optional<std::string> writeOutput(const language::ItemName& item, std::size_t index,
-                                                       const language::Scalar& value);
+  [[nodiscard]] language::CallAnswer writeOutput(const language::ItemName& item, std::size_t index,
+                                                 const language::Scalar& value);
   [[nodiscard]] language::CallAnswer listenSend(const language::Arguments& arguments);
 
   RobotItems items_;

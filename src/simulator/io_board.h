@@ -1,4 +1,4 @@
-// The digital inputs and outputs of the control box and of the end module.
+// The inputs and outputs of the control box and of the end module, and the light of the camera.
 #pragma once
 
 #include "outbox.h"
@@ -9,6 +9,20 @@
 
 namespace cobot_command::simulator {
 
+/// The analog output of the control box.
+struct SetAnalogOutput {
+  float volt = 0;
+};
+struct SetCameraLight {
+  bool on = true;
+};
+
+/// What the output can give.
+[[nodiscard]] inline bool isAnalogOutput(float volt) {
+  constexpr float kMost = 10.0F;
+  return volt >= -kMost && volt <= kMost;
+}
+
 class IoBoard {
  public:
   explicit IoBoard(Outbox& outbox) : outbox_(outbox) {}
@@ -16,6 +30,14 @@ class IoBoard {
   void write(const protocol::WriteOutput& write) {
     outputs_.at(write.module, write.index) = write.on;
     outbox_.log(protocol::toText(write));
+  }
+  void write(const SetAnalogOutput& write) {
+    analog_output_ = write.volt;
+    outbox_.log(fmt::format("the analog output of the control box is {} V", write.volt));
+  }
+  void write(const SetCameraLight& write) {
+    camera_light_ = write.on;
+    outbox_.log(fmt::format("the light of the camera is {}", write.on ? "on" : "off"));
   }
   void setInput(protocol::IoModule module, int index, bool on) {
     inputs_.at(module, index) = on;
@@ -26,10 +48,14 @@ class IoBoard {
 
   [[nodiscard]] const DigitalIo& inputs() const { return inputs_; }
   [[nodiscard]] const DigitalIo& outputs() const { return outputs_; }
+  [[nodiscard]] float analogOutput() const { return analog_output_; }
+  [[nodiscard]] bool cameraLight() const { return camera_light_; }
 
  private:
   Outbox& outbox_;
   DigitalIo inputs_, outputs_;
+  float analog_output_ = 0;
+  bool camera_light_ = false;
 };
 
 }  // namespace cobot_command::simulator

@@ -69,7 +69,8 @@ Written writeLight(const ItemValue& value, N) {
   return SetCameraLight{*on};
 }
 Written writeAnalog(const ItemValue& value, N) {
-  return SetAnalogOutput{std::get<float>(value)};
+  const SetAnalogOutput output{std::get<float>(value)};
+  return isAnalogOutput(output.volt) ? Written(output) : std::nullopt;
 }
 Written writeSpeed(const ItemValue& value, N) {
   const SetProjectSpeed speed{std::get<std::int32_t>(value)};

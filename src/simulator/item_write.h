@@ -4,6 +4,8 @@
 #include <string>
 #include <variant>
 
+#include "io_board.h"
+
 #include "cobot_command/protocol/item_content.h"
 #include "cobot_command/protocol/script_command.h"
 #include "cobot_command/simulator/operator_action.h"
@@ -16,12 +18,6 @@ enum class Button { PlayPause, Plus, Minus, Stop };
 struct PressButton {
   Button button = Button::Stop;
   bool pressed = true;
-};
-struct SetCameraLight {
-  bool on = true;
-};
-struct SetAnalogOutput {
-  float volt = 0;  ///< of the control box
 };
 struct SetProjectName {
   std::string name;

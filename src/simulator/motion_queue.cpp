@@ -172,6 +172,10 @@ void MotionQueue::apply(const protocol::WriteOutput& write, Instant) {
   events_.emplace_back(write);
 }
 
+void MotionQueue::apply(const SetAnalogOutput& write, Instant) {
+  events_.emplace_back(write);
+}
+
 void MotionQueue::fail(RobotError error) {
   error_ = std::move(error);
   for (const QueueItem& item : std::exchange(items_, {})) {

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "io_board.h"
 #include "path_clock.h"
 #include "robot_error.h"
 #include "tag_table.h"
@@ -39,8 +40,8 @@ struct TcpChange {
 struct LoadChange {
   double mass = 0;  ///< [kg]
 };
-using QueueItem =
-    std::variant<MotionRequest, BaseChange, TcpChange, LoadChange, QueuedTag, protocol::WriteOutput>;
+using QueueItem = std::variant<MotionRequest, BaseChange, TcpChange, LoadChange, QueuedTag,
+                               protocol::WriteOutput, SetAnalogOutput>;
 
 /// What the queue tells: a tag came to its end.
 struct TagSettled {
@@ -57,8 +58,9 @@ struct MotionStarted {
 struct MotionFailed {
   RobotError error;
 };
-/// WriteOutput: the motions before it are done, it is to be written now.
-using QueueEvent = std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed, protocol::WriteOutput>;
+/// WriteOutput, SetAnalogOutput: the motions before it are done, it is to be written now.
+using QueueEvent = std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed, protocol::WriteOutput,
+                                SetAnalogOutput>;
 
 class MotionQueue {
  public:
@@ -143,6 +145,7 @@ class MotionQueue {
   void apply(const LoadChange& change, Instant now);
   void apply(const QueuedTag& tag, Instant now);
   void apply(const protocol::WriteOutput& write, Instant now);
+  void apply(const SetAnalogOutput& write, Instant now);
   void fail(RobotError error);
   void dropQueue();
   void brake(Instant now);

@@ -34,6 +34,8 @@ constexpr std::array<Attribute, 40> kAttributes{{
     {"IO", "ControlBox", "DO", ScalarType::Byte, 16, true},
     {"IO", "ControlBox", "InstantDO", ScalarType::Byte, 16, true},
     {"IO", "ControlBox", "AI", ScalarType::Float, 2},
+    {"IO", "ControlBox", "AO", ScalarType::Float, 1, true},
+    {"IO", "ControlBox", "InstantAO", ScalarType::Float, 1, true},
     {"IO", "EndModule", "DI", ScalarType::Byte, 4},
     {"IO", "EndModule", "DO", ScalarType::Byte, 4, true},
     {"IO", "EndModule", "InstantDO", ScalarType::Byte, 4, true},
@@ -47,6 +49,7 @@ constexpr std::array<Attribute, 40> kAttributes{{
     {"Robot", "", "TCPName", ScalarType::String},
     {"Robot", "", "TCPForce3D", ScalarType::Float},
     {"Robot", "", "TCPSpeed3D", ScalarType::Float},
+    {"Robot", "", "CameraLight", ScalarType::Byte, 0, true},
     {"Base", "", "Value", ScalarType::Float, 6, true},
     {"Base", "", "Type", ScalarType::String},
     {"Base", "", "TeachValue", ScalarType::Float, 6},
@@ -66,13 +69,10 @@ constexpr std::array<Attribute, 40> kAttributes{{
     {"Point", "", "TeachValue", ScalarType::Float, 6},
     {"Point", "", "TeachPose", ScalarType::Int, 3},
     // Known, but not simulated.
-    {"IO", "", "AO", ScalarType::Float},
-    {"IO", "", "InstantAO", ScalarType::Float},
-    {"Robot", "", "CameraLight", ScalarType::Byte},
     {"VPoint", "", "", ScalarType::Float},
     {"FT", "", "", ScalarType::Float},
 }};
-constexpr std::size_t kSimulated = 35;
+constexpr std::size_t kSimulated = 38;
 
 template <class Range>
 Value arrayOf(ScalarType type, const Range& range) {
@@ -158,7 +158,7 @@ Result<ItemShape, std::string> RobotItems::shapeOf(const std::string& object,
   const Attribute& known = **found;
   ItemShape shape{{known.type, known.length > 0}, known.is_writable, std::nullopt};
   if (known.length > 0 && (keys.front() || object != "IO")) shape.length = known.length;
-  if (object == "IO" && known.type == ScalarType::Byte) shape.most = 1;
+  if ((object == "IO" || object == "Robot") && known.type == ScalarType::Byte) shape.most = 1;
   if (!keys.front()) return shape;
   const auto fixed = isFixed(project_, object, *keys.front());
   if (!fixed) return refuse(fixed.error());
@@ -177,6 +177,8 @@ Result<Value, std::string> RobotItems::read(const language::ItemName& item) cons
 Value RobotItems::ofIo(const std::string& module, const std::string& attribute) const {
   const bool is_box = module == "ControlBox";
   if (attribute == "AI") return arrayOf(ScalarType::Float, std::vector<float>(is_box ? 2 : 1, 0.0F));
+  if (attribute == "AO" || attribute == "InstantAO")
+    return arrayOf(ScalarType::Float, std::array<float, 1>{io_.analogOutput()});
   if (attribute == "SI" || attribute == "SO") return bytesOf(std::array<bool, 5>{});
   const DigitalIo& digital = attribute == "DI" ? io_.inputs() : io_.outputs();
   return is_box ? bytesOf(digital.control_box) : bytesOf(digital.end_module);
@@ -191,6 +193,7 @@ Value RobotItems::ofRobot(const std::string& attribute) const {
   if (attribute == "TCPName") return Scalar(state.tcp_name);
   if (attribute == "TCPSpeed3D") return Scalar(tcpSpeed(model_, state));
   if (attribute == "TCPForce3D") return Scalar(0.0F);
+  if (attribute == "CameraLight") return Scalar(std::uint8_t{state.camera_light});
   Array joints{ScalarType::Float, {}};
   for (const double joint : arm::toControllerJoints(state.joints))
     joints.items.emplace_back(static_cast<float>(joint));
@@ -223,6 +226,8 @@ Value RobotItems::ofProject(const std::string& object, const std::string& name,
 }
 
 void RobotItems::write(const language::ItemName& item, std::optional<std::size_t> index, const Value& value) {
+  if (item.object == "Robot")
+    return io_.write(SetCameraLight{std::get<std::uint8_t>(std::get<Scalar>(value)) == 1});
   const auto& name = std::get<std::string>(item.keys.front());
   Value whole = index ? ofProject(item.object, name, item.attribute) : value;
   if (index) std::get<Array>(whole).items[*index] = std::get<Scalar>(value);

@@ -17,7 +17,7 @@ namespace cobot_command::simulator {
 
 class RobotItems {
  public:
-  RobotItems(const arm::ArmModel& model, const IoBoard& io, ProjectData& project,
+  RobotItems(const arm::ArmModel& model, IoBoard& io, ProjectData& project,
              std::function<RobotState()> state)
       : model_(model), io_(io), project_(project), state_(std::move(state)) {}
 
@@ -26,7 +26,8 @@ class RobotItems {
       const std::string& object, const std::vector<std::optional<language::Scalar>>& keys,
       const std::string& attribute) const;
   [[nodiscard]] Result<language::Value, std::string> read(const language::ItemName& item) const;
-  /// Changes a base, a TCP or a point. Precondition: a writable item of these, and a value of its type.
+  /// Changes a base, a TCP, a point or the light. Precondition: a writable item of these, and a value of its
+  /// type.
   void write(const language::ItemName& item, std::optional<std::size_t> index, const language::Value& value);
 
  private:
@@ -36,7 +37,7 @@ class RobotItems {
                                           const std::string& attribute) const;
 
   const arm::ArmModel& model_;
-  const IoBoard& io_;
+  IoBoard& io_;
   ProjectData& project_;
   std::function<RobotState()> state_;
 };

@@ -14,13 +14,25 @@ namespace {
 language::CallAnswer done() {
   return language::Value(language::Scalar(true));
 }
+language::CallAnswer full() {
+  return language::CallFailure{"the queue of motions is full"};
+}
 
 }  // namespace
 
 language::CallAnswer ScriptInterpreter::perform(const protocol::ScriptCommand& command) {
-  if (isQueued(command) && robot_.queue.size() >= kMostWaiting)
-    return language::CallFailure{"the queue of motions is full"};
+  if (isQueued(command) && isFull()) return full();
   return std::visit([this](const auto& what) { return execute(what); }, command);
+}
+
+language::CallAnswer ScriptInterpreter::set(const SetAnalogOutput& output, bool is_instant) {
+  if (!is_instant && isFull()) return full();
+  if (is_instant) {
+    robot_.io.write(output);
+  } else {
+    robot_.queue.push(output);
+  }
+  return done();
 }
 
 template <class Motion>

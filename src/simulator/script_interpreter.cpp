@@ -33,7 +33,7 @@ bool goesIntoTheQueue(const language::Statement& statement) {
   if (const auto* call = std::get_if<language::Call>(&expression->node)) return isQueued(call->function);
   const auto* assignment = std::get_if<language::Assignment>(&expression->node);
   const auto* item = assignment == nullptr ? nullptr : itemIn(assignment->targets.front());
-  return item != nullptr && item->object == "IO" && item->attribute == "DO";
+  return item != nullptr && item->object == "IO" && (item->attribute == "DO" || item->attribute == "AO");
 }
 
 }  // namespace
@@ -49,6 +49,7 @@ ScriptInterpreter::ScriptInterpreter(const Settings& settings, Robot robot, TagT
       functions_(tmflow_),
       environment_(RobotItems(robot_.model, robot_.io, robot_.project, robot_.state), robot_.project,
                    {[this](const protocol::ScriptCommand& command) { return perform(command); },
+                    [this](const SetAnalogOutput& output, bool is_instant) { return set(output, is_instant); },
                     [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {
   declareRobotFunctions(functions_);
 }

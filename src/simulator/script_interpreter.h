@@ -97,6 +97,8 @@ class ScriptInterpreter {
   void resumeWaiting();
   [[nodiscard]] language::Scope scope() { return {locals_, robot_.project.variables}; }
   language::CallAnswer perform(const protocol::ScriptCommand& command);
+  language::CallAnswer set(const SetAnalogOutput& output, bool is_instant);
+  [[nodiscard]] bool isFull() const { return robot_.queue.size() >= kMostWaiting; }
 
   template <class Motion>
   language::CallAnswer execute(const Motion& motion);

@@ -127,8 +127,8 @@ RobotState SimulatedController::Impl::state() const {
   state.load = queue_.load();
   state.inputs = io_.inputs();
   state.outputs = io_.outputs();
-  state.analog_output = analog_output_;
-  state.camera_light = camera_light_;
+  state.analog_output = io_.analogOutput();
+  state.camera_light = io_.cameraLight();
   state.auto_remote = auto_remote_;
   state.in_motion = queue_.inMotion(now_);
   state.project_running = node_.projectRuns();

@@ -45,14 +45,6 @@ void SimulatedController::Impl::on(const PressButton& press) {
   outbox_.log("stick: " + reply.text);
 }
 
-void SimulatedController::Impl::on(const SetCameraLight& light) {
-  camera_light_ = light.on;
-}
-
-void SimulatedController::Impl::on(const SetAnalogOutput& output) {
-  analog_output_ = output.volt;
-}
-
 void SimulatedController::Impl::on(const SetProjectName& project) {
   settings_.project_name = project.name;
 }

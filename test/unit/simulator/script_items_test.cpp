@@ -52,6 +52,25 @@ TEST_F(ScriptItemsTest, writeAWholeModuleWithAllItsOutputs) {
   EXPECT_FALSE(robot.state().outputs.end_module[1]);
 }
 
+TEST_F(ScriptItemsTest, setTheAnalogOutputInTheQueueOrAtOnce) {
+  EXPECT_EQ(run("IO[\"ControlBox\"].AO={2.5}"), ok("1"));
+  EXPECT_EQ(robot.state().analog_output, 2.5F);
+  EXPECT_EQ(run("PTP(\"JPP\",10,0,90,0,90,0,100,200,0,false)\r\nIO[\"ControlBox\"].AO[0]=-3\r\n"
+                "IO[\"ControlBox\"].InstantAO[0]=5"),
+            ok("1"));
+  expectValue("IO[\"ControlBox\"].AO[0]", "5");
+  robot.waitUntilIdle();
+  EXPECT_EQ(robot.state().analog_output, -3.0F);
+  EXPECT_EQ(run("IO[\"ControlBox\"].InstantAO[0]=10.5"), error("1", "1"));
+}
+
+TEST_F(ScriptItemsTest, switchTheLightOfTheCamera) {
+  EXPECT_EQ(run("Robot[0].CameraLight=1"), ok("1"));
+  EXPECT_TRUE(robot.state().camera_light);
+  expectValue("Robot[0].CameraLight", "1");
+  EXPECT_EQ(run("Robot[0].CameraLight=2"), error("1", "1"));
+}
+
 TEST_F(ScriptItemsTest, leaveAloneWhatCanOnlyBeRead) {
   EXPECT_EQ(run("IO[\"ControlBox\"].DI[0]=1\r\nTCP[\"NOTOOL\"].Value={1,2,3,0,0,0}"), ok("1"));
   EXPECT_FALSE(robot.state().inputs.control_box[0]);

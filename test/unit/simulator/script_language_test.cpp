@@ -153,7 +153,7 @@ TEST_F(ScriptLanguageTest, waitsForTheTimeAloneSince182) {
 }
 
 TEST_F(ScriptLanguageTest, refusesByNameWhatIsNotSimulated) {
-  EXPECT_EQ(run("PLine(\"CAP\",0,0,0,0,0,0,100,200,0)\r\nIO[\"ControlBox\"].AO[0]=1\r\nPVTEnter(0)"),
+  EXPECT_EQ(run("PLine(\"CAP\",0,0,0,0,0,0,100,200,0)\r\nVPoint[\"v\"].Value[0]=1\r\nPVTEnter(0)"),
             error("1", "1;2;3"));
   std::string log;
   for (const LogLine& line : robot.log()) log += line.text + '\n';
