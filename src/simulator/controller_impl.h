@@ -56,7 +56,7 @@ class SimulatedController::Impl {
   void streamStatus();
   void receivedOnStatus(ClientId client, std::string_view bytes);  // status_writes.cpp
   [[nodiscard]] ItemSource source(const RobotState& robot) const {
-    return {arm_, settings_, robot, faults_.hide_items, project_.variables};
+    return {arm_, settings_, robot, faults_.hide_items, project_};
   }
   void on(const TagSettled& settled) { node_.on(settled); }
   void on(const TagDropped& dropped) { node_.on(dropped); }

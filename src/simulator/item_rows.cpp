@@ -141,11 +141,14 @@ const std::vector<ItemRow>& itemRows() {
       {"TCP_Name", 1, [](const V& v, N) -> ItemValue { return v.state.tcp_name; }},
       {"TCP_Value", 1, [](const V& v, N) -> ItemValue { return poseFloats(v.state.tcp); }},
       {"TCP_Mass", 1, [](const V& v, N) -> ItemValue { return static_cast<float>(v.state.tcp_mass); }},
-      {"TCP_MOI", 1, zeroFloats<3>},
-      {"TCP_MCF", 1, zeroFloats<6>},
+      {"TCP_MOI", 1, [](const V& v, N) -> ItemValue { return inertiaMoments(v.state.tcp_inertia); }},
+      {"TCP_MCF", 1, [](const V& v, N) -> ItemValue { return massCenter(v.state.tcp_inertia); }},
       {"Base_Name", 1, [](const V& v, N) -> ItemValue { return v.state.base_name; }},
       {"Base_Value", 1, [](const V& v, N) -> ItemValue { return poseFloats(v.state.base); }},
-      {"HandCamera_Value", 1, zeroFloats<6>},
+      {"HandCamera_Value", 1,
+       [](const V& v, N) -> ItemValue {
+         return poseFloats(v.source.project.tools.at("HandCamera").now.frame.pose);
+       }},
       // The project, and the stick. A button is up again before anybody can read it.
       {"Project_Name", 1, [](const V& v, N) -> ItemValue { return v.source.settings.project_name; }, 0, 9999,
        Access::Automatic, writeName},

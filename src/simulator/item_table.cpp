@@ -35,7 +35,7 @@ bool isOfVersion(const ItemRow& row, int version) {
 }  // namespace
 
 ItemValue Item::read(const ItemValues& values) const {
-  return row == nullptr ? toItem(*values.source.variables.find(name)) : row->read(values, number);
+  return row == nullptr ? toItem(*values.source.project.variables.find(name)) : row->read(values, number);
 }
 
 std::optional<ItemWrite> Item::write(const ItemValue& value, const ItemValue& old) const {

@@ -4,11 +4,9 @@
 #include <array>
 #include <cctype>
 #include <ctime>
-#include <iterator>
 
 #include <fmt/format.h>
 
-#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/common/units.h"
 
@@ -16,26 +14,40 @@ namespace cobot_command::simulator {
 
 namespace {
 
-Eigen::Matrix<double, 6, 1> twistOf(const ItemSource& source) {
-  const RobotState& robot = source.state;
-  Eigen::Matrix<double, 6, 1> twist = arm::jacobianAt(source.arm, robot.joints) * robot.velocities;
+template <class Numbers>
+Floats floatsOf(const Numbers& numbers) {
+  Floats floats;
+  for (const double number : numbers) floats.push_back(static_cast<float>(number));
+  return floats;
+}
+
+}  // namespace
+
+ItemValues::ItemValues(const ItemSource& from)
+    : source(from),
+      state(from.state),
+      robot_tool(state.flange * state.tcp),
+      tool_twist(toolTwist(from.arm, from.state)) {}
+
+Eigen::Matrix<double, 6, 1> toolTwist(const arm::ArmModel& arm, const RobotState& robot) {
+  Eigen::Matrix<double, 6, 1> twist = arm::jacobianAt(arm, robot.joints) * robot.velocities;
   const Eigen::Vector3d lever = robot.flange.linear() * robot.tcp.translation();
   const Eigen::Vector3d angular = twist.tail<3>();
   twist.head<3>() += angular.cross(lever);
   return twist;
 }
 
-}  // namespace
-
-ItemValues::ItemValues(const ItemSource& from)
-    : source(from), state(from.state), robot_tool(state.flange * state.tcp), tool_twist(twistOf(from)) {}
-
 Floats poseFloats(const arm::Pose& pose) {
-  const arm::ControllerPose numbers = arm::toControllerPose(pose);
-  Floats floats;
-  std::transform(numbers.begin(), numbers.end(), std::back_inserter(floats),
-                 [](double number) { return static_cast<float>(number); });
-  return floats;
+  const SixFloats numbers = toFloats(pose);
+  return {numbers.begin(), numbers.end()};
+}
+
+Floats inertiaMoments(const protocol::ToolInertia& inertia) {
+  return floatsOf(inertia.moment);
+}
+
+Floats massCenter(const protocol::ToolInertia& inertia) {
+  return floatsOf(inertia.mass_center);
 }
 
 Floats degrees(const arm::JointVector& joints) {

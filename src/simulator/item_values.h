@@ -6,8 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "project_data.h"
+
 #include "cobot_command/arm/arm_model.h"
-#include "cobot_command/language/variables.h"
 #include "cobot_command/protocol/item_content.h"
 #include "cobot_command/simulator/robot_state.h"
 #include "cobot_command/simulator/settings.h"
@@ -20,7 +21,7 @@ struct ItemSource {
   const Settings& settings;
   const RobotState& state;
   const FaultSwitch& hidden;  ///< its text names items that are not there
-  const language::Variables& variables;
+  const ProjectData& project;
 };
 
 /// The source, and what several items need of it, computed once.
@@ -29,13 +30,18 @@ struct ItemValues {
 
   const ItemSource& source;
   const RobotState& state;
-  arm::Pose robot_tool;                    ///< the TCP in the robot base [m]
-  Eigen::Matrix<double, 6, 1> tool_twist;  ///< of the TCP in the robot base [m/s, rad/s]
+  arm::Pose robot_tool;  ///< the TCP in the robot base [m]
+  Eigen::Matrix<double, 6, 1> tool_twist;
 };
+
+/// Of the TCP in the robot base [m/s, rad/s].
+[[nodiscard]] Eigen::Matrix<double, 6, 1> toolTwist(const arm::ArmModel& arm, const RobotState& robot);
 
 using Floats = std::vector<float>;
 
 [[nodiscard]] Floats poseFloats(const arm::Pose& pose);                      ///< [mm, deg]
+[[nodiscard]] Floats inertiaMoments(const protocol::ToolInertia& inertia);   ///< [kg mm^2]
+[[nodiscard]] Floats massCenter(const protocol::ToolInertia& inertia);       ///< [mm, deg]
 [[nodiscard]] Floats degrees(const arm::JointVector& joints);                ///< [deg] or [deg/s]
 [[nodiscard]] Floats twistFloats(const Eigen::Matrix<double, 6, 1>& twist);  ///< [mm/s, deg/s]
 [[nodiscard]] float linearSpeed(const Eigen::Matrix<double, 6, 1>& twist);   ///< [mm/s]

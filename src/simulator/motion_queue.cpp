@@ -38,6 +38,7 @@ void MotionQueue::resetSetting() {
   base_name_ = "RobotBase";
   tcp_name_ = "NOTOOL";
   tcp_mass_ = load_ = 0.0;
+  tcp_inertia_ = {};
   paused_ = false;
   clearError();
   stale_tags_.clear();
@@ -158,6 +159,7 @@ void MotionQueue::apply(const TcpChange& change, Instant) {
   setting_.tcp = change.pose;
   tcp_name_ = change.name;
   tcp_mass_ = change.mass.value_or(tcp_mass_);
+  tcp_inertia_ = change.inertia.value_or(tcp_inertia_);
 }
 
 void MotionQueue::apply(const LoadChange& change, Instant) {

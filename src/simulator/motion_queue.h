@@ -33,9 +33,10 @@ struct BaseChange {
   std::string name;  ///< empty when given by value
 };
 struct TcpChange {
-  arm::Pose pose;              ///< in the flange [m]
-  std::string name;            ///< empty when given by value
-  std::optional<double> mass;  ///< [kg]; absent: as before
+  arm::Pose pose;                                ///< in the flange [m]
+  std::string name;                              ///< empty when given by value
+  std::optional<double> mass;                    ///< [kg]; absent: as before
+  std::optional<protocol::ToolInertia> inertia;  ///< likewise
 };
 struct LoadChange {
   double mass = 0;  ///< [kg]
@@ -59,8 +60,8 @@ struct MotionFailed {
   RobotError error;
 };
 /// WriteOutput, SetAnalogOutput: the motions before it are done, it is to be written now.
-using QueueEvent = std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed, protocol::WriteOutput,
-                                SetAnalogOutput>;
+using QueueEvent =
+    std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed, protocol::WriteOutput, SetAnalogOutput>;
 
 class MotionQueue {
  public:
@@ -112,6 +113,7 @@ class MotionQueue {
   [[nodiscard]] const std::string& baseName() const { return base_name_; }
   [[nodiscard]] const std::string& tcpName() const { return tcp_name_; }
   [[nodiscard]] double tcpMass() const { return tcp_mass_; }
+  [[nodiscard]] const protocol::ToolInertia& tcpInertia() const { return tcp_inertia_; }
   [[nodiscard]] double load() const { return load_; }
   /// Why the last motion was not made; until the next one is queued.
   [[nodiscard]] const std::optional<RobotError>& error() const { return error_; }
@@ -158,6 +160,7 @@ class MotionQueue {
   motion::Setting setting_;
   std::string base_name_, tcp_name_;
   double tcp_mass_ = 0.0;
+  protocol::ToolInertia tcp_inertia_;
   double load_ = 0.0;
 
   arm::JointVector posture_;  // where the arm stands, while nothing is active

@@ -4,11 +4,10 @@
 #include <array>
 #include <string_view>
 
+#include "item_values.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/arm/forward_kinematics.h"
-#include "cobot_command/common/units.h"
 
 namespace cobot_command::simulator {
 
@@ -139,14 +138,6 @@ Result<const Attribute*, std::string> find(const std::string& object, const std:
   return found;
 }
 
-/// Of the TCP [mm/s].
-float tcpSpeed(const arm::ArmModel& model, const RobotState& state) {
-  const Eigen::Matrix<double, 6, 1> twist = arm::jacobianAt(model, state.joints) * state.velocities;
-  const Eigen::Vector3d angular = twist.tail<3>();
-  const Eigen::Vector3d lever = state.flange.linear() * state.tcp.translation();
-  return static_cast<float>(mToMm((twist.head<3>() + angular.cross(lever)).norm()));
-}
-
 }  // namespace
 
 Result<ItemShape, std::string> RobotItems::shapeOf(const std::string& object,
@@ -191,7 +182,7 @@ Value RobotItems::ofRobot(const std::string& attribute) const {
   if (attribute == "CoordBase") return arrayOf(ScalarType::Float, toFloats(state.base.inverse() * tool));
   if (attribute == "BaseName") return Scalar(state.base_name);
   if (attribute == "TCPName") return Scalar(state.tcp_name);
-  if (attribute == "TCPSpeed3D") return Scalar(tcpSpeed(model_, state));
+  if (attribute == "TCPSpeed3D") return Scalar(linearSpeed(toolTwist(model_, state)));
   if (attribute == "TCPForce3D") return Scalar(0.0F);
   if (attribute == "CameraLight") return Scalar(std::uint8_t{state.camera_light});
   Array joints{ScalarType::Float, {}};

@@ -17,8 +17,7 @@ namespace cobot_command::simulator {
 
 class RobotItems {
  public:
-  RobotItems(const arm::ArmModel& model, IoBoard& io, ProjectData& project,
-             std::function<RobotState()> state)
+  RobotItems(const arm::ArmModel& model, IoBoard& io, ProjectData& project, std::function<RobotState()> state)
       : model_(model), io_(io), project_(project), state_(std::move(state)) {}
 
   /// The error says what there is instead.

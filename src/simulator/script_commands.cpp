@@ -1,4 +1,5 @@
 // What the commands of a script do.
+#include <algorithm>
 #include <chrono>
 
 #include "robot_functions.h"
@@ -13,6 +14,12 @@ namespace {
 
 language::CallAnswer done() {
   return language::Value(language::Scalar(true));
+}
+protocol::ToolInertia inertiaOf(const Tool& tool) {
+  protocol::ToolInertia inertia;
+  std::copy(tool.moment.begin(), tool.moment.end(), inertia.moment.begin());
+  std::copy(tool.mass_center.begin(), tool.mass_center.end(), inertia.mass_center.begin());
+  return inertia;
 }
 language::CallAnswer full() {
   return language::CallFailure{"the queue of motions is full"};
@@ -53,9 +60,10 @@ language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeBase& chan
 language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeTcp& change) {
   if (const auto* name = std::get_if<std::string>(&change.tcp)) {
     const Tool& tool = robot_.project.tools.at(*name).now;
-    robot_.queue.push(TcpChange{tool.frame.pose, *name, double{tool.mass}});
+    robot_.queue.push(TcpChange{tool.frame.pose, *name, double{tool.mass}, inertiaOf(tool)});
   } else {
-    robot_.queue.push(TcpChange{arm::toPose(std::get<protocol::SixNumbers>(change.tcp)), "", change.weight});
+    robot_.queue.push(TcpChange{arm::toPose(std::get<protocol::SixNumbers>(change.tcp)), "", change.weight,
+                                change.inertia});
   }
   return done();
 }

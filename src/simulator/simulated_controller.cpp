@@ -124,6 +124,7 @@ RobotState SimulatedController::Impl::state() const {
   state.base_name = queue_.baseName();
   state.tcp_name = queue_.tcpName();
   state.tcp_mass = queue_.tcpMass();
+  state.tcp_inertia = queue_.tcpInertia();
   state.load = queue_.load();
   state.inputs = io_.inputs();
   state.outputs = io_.outputs();

@@ -43,7 +43,8 @@ struct RobotState {
   std::string base_name = "RobotBase";                     ///< empty when it was given by value
   std::string tcp_name = "NOTOOL";                         ///< empty when it was given by value
   double tcp_mass = 0;                                     ///< [kg], of the tool (ChangeTCP)
-  double load = 0;                                         ///< [kg], of what it holds (ChangeLoad)
+  protocol::ToolInertia tcp_inertia;
+  double load = 0;  ///< [kg], of what it holds (ChangeLoad)
   DigitalIo inputs;
   DigitalIo outputs;
   float analog_output = 0;  ///< the first one of the control box [V]

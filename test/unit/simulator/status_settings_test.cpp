@@ -92,6 +92,20 @@ INSTANTIATE_TEST_SUITE_P(
                     std::tuple("1.82", "Robot_Mode", false), std::tuple("1.82", "Joint_Torque_Min", false),
                     std::tuple("1.84", "Joint_Torque_Min", true), std::tuple("1.84", "Ctrl_AO1", false)));
 
+TEST(StatusItems, tellTheToolAsItWasChanged) {
+  Settings settings;
+  settings.tcps["HandCamera"] = arm::toPose({0, 80, 40, 0, 0, 0});
+  settings.tcps["gripper"] = arm::toPose({0, 0, 150, 0, 0, 0});
+  Streaming stream(settings);
+  EXPECT_EQ(stream.read("HandCamera_Value"), "HandCamera_Value={0,80,40,0,0,0}");
+  const ClientId client = stream.robot.connect();
+  stream.robot.script(client, "1", "ChangeTCP({0,0,100,0,0,0},2,{2,0.5,0.25,0,0,-80,0,0,0})");
+  EXPECT_EQ(stream.read("TCP_Mass\r\nTCP_MOI\r\nTCP_MCF"),
+            "TCP_Mass=2\r\nTCP_MOI={2,0.5,0.25}\r\nTCP_MCF={0,0,-80,0,0,0}");
+  stream.robot.script(client, "2", "TCP[\"gripper\"].MOI[1]=3\r\nChangeTCP(\"gripper\")");
+  EXPECT_EQ(stream.read("TCP_MOI"), "TCP_MOI={0,3,0}");
+}
+
 TEST(StatusItems, tellTheTimesOfTheSimulatedClock) {
   Streaming stream({});
   stream.robot.wait(65s);
