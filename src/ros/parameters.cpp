@@ -167,8 +167,14 @@ void readProject(Reader& reader, simulator::Settings& settings) {
 }
 
 simulator::Settings readSettings(Reader& reader) {
+  constexpr double kLongestWait = 86400.0;  // [s]
   simulator::Settings settings;
   settings.listen_node_message = reader.read<std::string>("listen_node", settings.listen_node_message);
+  settings.connection_timeout =
+      reader.readSeconds("connection_timeout", settings.connection_timeout, 0, kLongestWait);
+  settings.data_timeout = reader.readSeconds("data_timeout", settings.data_timeout, 0, kLongestWait);
+  const Duration reentry = reader.readSeconds("reentry_delay", *settings.reentry_delay, -1, kLongestWait);
+  settings.reentry_delay = reentry < Duration::zero() ? std::nullopt : std::optional(reentry);
   settings.project_running = reader.read("project_running", settings.project_running);
   settings.project_speed_percent =
       reader.readInRange("project_speed", settings.project_speed_percent, 5, 100);

@@ -54,9 +54,10 @@ ListenNode::ListenNode(const Settings& settings, const ScriptInterpreter::Robot&
       clients_({settings.accept_empty_length}, faults, outgoing, outbox),
       interpreter_(settings, robot, tags_, faults, clients_, outbox) {}
 
-void ListenNode::connected(ClientId client) {
+void ListenNode::connected(ClientId client, Instant now) {
   if (port_open_) {
     clients_.connect(client);
+    if (!heard_at_) heard_at_ = now;
   } else {
     outbox_.closeClient(Port::Script, client);
   }
@@ -64,11 +65,11 @@ void ListenNode::connected(ClientId client) {
 
 // --- The project ---------------------------------------------------------------------------------------
 
-void ListenNode::run() {
+void ListenNode::run(Instant now) {
   flow_ = after(flow_, FlowEvent::Run);
   tags_ = TagTable();
   updatePort();
-  enter();
+  enter(now);
 }
 
 void ListenNode::stop() {
@@ -88,7 +89,9 @@ void ListenNode::updatePort() {
   outbox_.closePort(Port::Script);
 }
 
-void ListenNode::enter() {
+void ListenNode::enter(Instant now) {
+  entered_at_ = now;
+  heard_at_ = clients_.empty() ? std::nullopt : std::optional(now);
   reenter_at_.reset();
   reentry_delay_ = settings_.reentry_delay;
   interpreter_.forgetVariables();
@@ -118,7 +121,19 @@ void ListenNode::comeBack(Instant now) {
   if (flow_ == FlowState::Elsewhere) reenter_at_ = now;
 }
 
+Instant ListenNode::timeout() const {
+  if (!listening()) return Instant::max();
+  const Duration limit = heard_at_ ? settings_.data_timeout : settings_.connection_timeout;
+  return limit > Duration::zero() ? heard_at_.value_or(entered_at_) + limit : Instant::max();
+}
+
 bool ListenNode::step(Instant now) {
+  if (timeout() <= now) {
+    outbox_.log(fmt::format("{} timeout of the Listen node", heard_at_ ? "data" : "connection"));
+    interpreter_.endCurrent();
+    leave();
+    return true;
+  }
   if (flow_ == FlowState::Listening) {
     const auto step = interpreter_.run(now);
     if (step == ScriptInterpreter::Step::Exited) leave();
@@ -132,14 +147,14 @@ bool ListenNode::step(Instant now) {
   }
   if (flow_ == FlowState::Elsewhere && reenter_at_ && *reenter_at_ <= now) {
     flow_ = after(flow_, FlowEvent::Reenter);
-    enter();
+    enter(now);
     return true;
   }
   return false;
 }
 
 Instant ListenNode::nextEvent() const {
-  return std::min(interpreter_.nextEvent(), reenter_at_.value_or(Instant::max()));
+  return std::min({interpreter_.nextEvent(), reenter_at_.value_or(Instant::max()), timeout()});
 }
 
 void ListenNode::on(const TagSettled& settled) {
@@ -162,6 +177,7 @@ void ListenNode::abandonScripts() {
 bool ListenNode::handleNext(ClientId client, Instant now) {
   const std::optional<protocol::DecodeEvent> event = clients_.next(client);
   if (!event) return false;
+  heard_at_ = now;
   if (const auto* fault = std::get_if<protocol::DecodeFault>(&*event)) {
     handle(client, *fault);
   } else {

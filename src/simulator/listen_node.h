@@ -23,7 +23,7 @@ class ListenNode {
              Outgoing& outgoing, Outbox& outbox);
 
   // --- The wire.
-  void connected(ClientId client);
+  void connected(ClientId client, Instant now);
   void disconnected(ClientId client) { clients_.disconnect(client); }
   void feed(ClientId client, std::string_view bytes) { clients_.feed(client, bytes); }
   /// Takes the client's next frame; false when there is none.
@@ -33,7 +33,7 @@ class ListenNode {
   void updatePort();
 
   // --- The project.
-  void run();
+  void run(Instant now);
   /// Closes the port and its clients, forgets all scripts and tags.
   void stop();
   /// The operator lets the flow go elsewhere, once the queued motions are done, and back.
@@ -65,8 +65,9 @@ class ListenNode {
   bool runPriorityCommand(const PendingScript& script, Instant now);
   void exit(Instant now);
   void stopAndClear(int mode, Instant now);
-  void enter();
+  void enter(Instant now);
   void leave();
+  [[nodiscard]] Instant timeout() const;
 
   const Settings& settings_;
   MotionQueue& queue_;
@@ -79,6 +80,8 @@ class ListenNode {
   bool port_open_ = false;
   std::optional<Duration> reentry_delay_;  // from the next leaving
   std::optional<Instant> reenter_at_;
+  Instant entered_at_{};
+  std::optional<Instant> heard_at_;  // the last frame; before one the first connection, or the entry
 };
 
 }  // namespace cobot_command::simulator

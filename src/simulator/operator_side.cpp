@@ -33,7 +33,7 @@ OperatorReply SimulatedController::Impl::act(const RunProject&) {
     queue_.resetSetting();
     project_.beginAnew();
     project_started_ = now_;
-    node_.run();
+    node_.run(now_);
     settle();
   }
   return done("the project runs");

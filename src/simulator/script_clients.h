@@ -22,6 +22,7 @@ class ScriptClients {
   void connect(ClientId client);
   void disconnect(ClientId client);
   void closeAll();
+  [[nodiscard]] bool empty() const { return clients_.empty(); }
 
   void feed(ClientId client, std::string_view bytes);
   /// The next whole frame or fault of that client; nothing too when it is not connected.

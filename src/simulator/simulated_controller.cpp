@@ -91,7 +91,7 @@ void SimulatedController::Impl::clientConnected(Port port, ClientId client, Inst
                                                 std::string_view address) {
   advance(now);
   if (port == Port::Status) return status_.connected(client, address, now_);
-  node_.connected(client);
+  node_.connected(client, now_);
 }
 
 void SimulatedController::Impl::clientDisconnected(Port port, ClientId client, Instant now) {

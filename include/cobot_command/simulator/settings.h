@@ -54,6 +54,10 @@ struct Settings {
   bool safeguard_resets_itself = true;
   /// From leaving the Listen node (ScriptExit) until the project's loop enters it again; absent: never.
   std::optional<Duration> reentry_delay = std::chrono::milliseconds(100);
+  /// The Listen node is left when nobody connects, or when no client sends anything, for so long; not above
+  /// 0: never.
+  Duration connection_timeout{};
+  Duration data_timeout{};
   std::string project_name = "ListenProject";
   std::string tmflow_version = "1.80";  ///< decides which functions scripts have, and which items there are
   /// What ChangeBase("name") and ChangeTCP("name") know besides RobotBase and NOTOOL: bases in the robot

@@ -42,6 +42,31 @@ Value valueOf(const std::string& option, Result<Value, std::string> result) {
   return std::move(*result);
 }
 
+/// An option in milliseconds.
+template <class Use>
+void addDuration(CLI::App& app, const std::string& option, const std::string& meaning, Use use) {
+  constexpr double kLongest = 86.4e6;  // a day
+  app.add_option_function<double>(
+         option, [use](double milliseconds) { use(fromSeconds(milliseconds / 1000)); }, meaning)
+      ->check(CLI::Range(-1.0, kLongest));
+}
+
+void describeListenNode(CLI::App& app, simulator::Settings& settings) {
+  app.add_option("--listen-node", settings.listen_node_message, "message of the Listen node")
+      ->capture_default_str();
+  addDuration(app, "--connection-timeout",
+              "the Listen node is left when nobody connects for so long [ms]; 0: never",
+              [&](Duration limit) { settings.connection_timeout = limit; });
+  addDuration(app, "--data-timeout",
+              "the Listen node is left when clients send nothing for so long [ms]; 0: never",
+              [&](Duration limit) { settings.data_timeout = limit; });
+  addDuration(app, "--reentry-delay",
+              "from leaving the Listen node until it is entered again [ms]; -1: it is not",
+              [&](Duration delay) {
+                settings.reentry_delay = delay < Duration::zero() ? std::nullopt : std::optional(delay);
+              });
+}
+
 void describeStatusPort(CLI::App& app, simulator::Settings& settings) {
   app.add_option_function<double>(
          "--status-period",
@@ -92,8 +117,7 @@ void describe(CLI::App& app, Options& options) {
                      runtime::kSlowestTimeScale, runtime::kFastestTimeScale))
       ->transform([](std::string text) { return text == "max" ? std::string("0") : text; })
       ->capture_default_str();
-  app.add_option("--listen-node", options.settings.listen_node_message, "message of the Listen node")
-      ->capture_default_str();
+  describeListenNode(app, options.settings);
   app.add_option("--tmflow-version", options.settings.tmflow_version,
                  "decides which functions scripts have, and which items there are")
       ->check(CLI::IsMember(simulator::knownTmflowVersions()))
