@@ -3,17 +3,42 @@
 #include <algorithm>
 #include <utility>
 
+#include "cobot_command/common/overloaded.h"
 #include "cobot_command/motion/planner.h"
 
 namespace cobot_command::simulator {
 namespace {
 
-Result<motion::TrajectoryPtr, motion::Refusal> plan(const arm::ArmModel& arm, const arm::JointVector& start,
-                                                    const MotionRequest& request,
-                                                    const motion::Setting& setting) {
+/// What comes to where a line or an arc ends, but on any way.
+std::optional<motion::Command> toTheSameEnd(const motion::Command& command) {
+  using Wanted = std::optional<motion::Command>;
+  return std::visit(
+      Overloaded{[](const motion::Line& line) -> Wanted {
+                   return motion::Ptp{motion::PoseTarget{line.target, {}}, 1.0, line.time_to_top_speed};
+                 },
+                 [](const motion::Circle& circle) -> Wanted {
+                   return motion::Ptp{motion::PoseTarget{circle.end, {}}, 1.0, circle.time_to_top_speed};
+                 },
+                 [](const motion::MoveLine& line) -> Wanted {
+                   return motion::MovePtp{line.offset, 1.0, line.time_to_top_speed};
+                 },
+                 [](const auto&) -> Wanted { return std::nullopt; }},
+      command);
+}
+
+bool isUnreachable(const Result<motion::TrajectoryPtr, motion::Refusal>& planned) {
+  return !planned && planned.error().reason == motion::Refusal::Reason::Unreachable;
+}
+
+Result<motion::TrajectoryPtr, RobotError> plan(const arm::ArmModel& arm, const arm::JointVector& start,
+                                               const MotionRequest& request, const motion::Setting& setting) {
   const auto command = planning::toMotion(request);
-  if (!command) return refuse(command.error());
-  return motion::plan(arm, start, *command, setting);
+  if (!command) return refuse(robotErrorFor(command.error(), false));
+  auto planned = motion::plan(arm, start, *command, setting);
+  if (planned) return *planned;
+  const auto other = isUnreachable(planned) ? toTheSameEnd(*command) : std::nullopt;
+  const bool reaches_end = other && !isUnreachable(motion::plan(arm, start, *other, setting));
+  return refuse(robotErrorFor(planned.error(), reaches_end));
 }
 
 bool isMotionOrTcpChange(const QueueItem& item) {
@@ -145,7 +170,7 @@ void MotionQueue::schedule(Instant now) {
 void MotionQueue::apply(const MotionRequest& request, Instant now) {
   if (error_stands_) return fail(*error_);
   const auto planned = plan(arm_, posture_, request, setting_);
-  if (!planned) return fail(robotErrorFor(planned.error()));
+  if (!planned) return fail(planned.error());
   clock_.start(now);
   begin(request, *planned, Duration::zero(), now);
 }

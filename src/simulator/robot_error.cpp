@@ -4,11 +4,11 @@ namespace cobot_command::simulator {
 
 namespace {
 
-int codeFor(motion::Refusal::Reason reason) {
+int codeFor(motion::Refusal::Reason reason, bool reaches_end) {
   using Reason = motion::Refusal::Reason;
   switch (reason) {
     case Reason::Unreachable:
-      return 0x01;  // IK failed, working range
+      return reaches_end ? 0x12 : 0x01;  // IK failed: in interpolation; working range
     case Reason::DegenerateCircle:
       return 0x15;  // circle
     case Reason::BadParameter:
@@ -29,8 +29,9 @@ int codeFor(motion::Refusal::Reason reason) {
 
 }  // namespace
 
-RobotError robotErrorFor(const motion::Refusal& refusal) {
-  return {codeFor(refusal.reason), std::string(motion::toString(refusal.reason)) + ": " + refusal.message};
+RobotError robotErrorFor(const motion::Refusal& refusal, bool reaches_end) {
+  return {codeFor(refusal.reason, reaches_end),
+          std::string(motion::toString(refusal.reason)) + ": " + refusal.message};
 }
 
 }  // namespace cobot_command::simulator

@@ -12,7 +12,8 @@ struct RobotError {
   std::string text;  ///< for Error_Content and the log
 };
 
-/// The mapping is ours where the fact sheet only names the codes; see doc/simulator.md.
-[[nodiscard]] RobotError robotErrorFor(const motion::Refusal& refusal);
+/// The mapping is ours where the fact sheet only names the codes; see doc/simulator.md. `reaches_end`: the
+/// arm could be where the motion ends.
+[[nodiscard]] RobotError robotErrorFor(const motion::Refusal& refusal, bool reaches_end);
 
 }  // namespace cobot_command::simulator

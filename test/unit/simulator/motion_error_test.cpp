@@ -30,6 +30,14 @@ TEST_F(MotionErrorTest, anUnreachableTargetIsAcceptedAndThenFails) {
   EXPECT_EQ(robot.ask(client, "01,03"), tag("03,false"));
 }
 
+TEST_F(MotionErrorTest, anUnreachablePlaceBetweenReachableEndsHasACodeOfItsOwn) {
+  robot.script(client, "1",
+               "PTP(\"CPP\",417.5,-60,461.05,180,0,90,100,200,0,false)\r\n"
+               "Line(\"CAP\",-382.5,-60,461.05,180,0,90,500,200,0,false)");
+  robot.waitUntilIdle();
+  EXPECT_EQ(robot.state().error_code, 0x12);
+}
+
 TEST_F(MotionErrorTest, everythingBehindTheMotionIsGivenUp) {
   robot.script(client, "1",
                std::string(kGood) + "\r\nQueueTag(1)\r\n" + kOutOfReach + "\r\nQueueTag(2)\r\n" + kGood +
