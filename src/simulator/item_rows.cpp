@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "controller_clock.h"
+
 #include "cobot_command/protocol/script_command.h"
 
 namespace cobot_command::simulator {

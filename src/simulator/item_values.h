@@ -51,9 +51,5 @@ using Floats = std::vector<float>;
 [[nodiscard]] Floats jointLimits(const arm::ArmModel& arm, double arm::JointLimit::*number);
 [[nodiscard]] int robotLight(const RobotState& state);
 [[nodiscard]] std::string upperCase(std::string text);
-/// The controller's clock: 2000-01-01 00:00:00 at Instant{}.
-[[nodiscard]] std::string clockText(Instant time);
-/// Hours, minutes and seconds: 00:01:05.
-[[nodiscard]] std::string durationText(Duration duration);
 
 }  // namespace cobot_command::simulator

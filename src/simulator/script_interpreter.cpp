@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "controller_functions.h"
 #include "robot_functions.h"
 #include "tmflow_version.h"
 #include <fmt/format.h>
@@ -53,6 +54,7 @@ ScriptInterpreter::ScriptInterpreter(const Settings& settings, Robot robot, TagT
            [this](const SetAnalogOutput& output, bool is_instant) { return set(output, is_instant); },
            [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {
   declareRobotFunctions(functions_);
+  defineControllerFunctions(functions_, robot_.state);
 }
 
 void ScriptInterpreter::add(PendingScript script) {

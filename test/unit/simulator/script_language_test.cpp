@@ -56,6 +56,31 @@ TEST_F(ScriptLanguageTest, keepsProjectVariablesUntilTheProjectBeginsAnew) {
   EXPECT_EQ(run(other, to, "ListenSend(90,GetString(counter))"), sent("5") + ok("1"));
 }
 
+TEST_F(ScriptLanguageTest, tellsTheTimeOfTheController) {
+  robot.wait(13h + 65s + 250ms);
+  EXPECT_EQ(valueOf("GetNow()"), sent("01/01/2000 13:01:05") + ok("1"));
+  EXPECT_EQ(valueOf("GetNow(\"yy-M-d h:mm:ss.ff tt\")"), sent("00-1-1 1:01:05.25 PM") + ok("1"));
+  EXPECT_EQ(valueOf("GetNow(\"\")"), sent("") + ok("1"));
+  robot.stopProject();
+  robot.runProject();
+  client = robot.connect();
+  robot.wait(1500ms);
+  EXPECT_EQ(valueOf("GetNowStamp()"), sent("1500") + ok("1"));
+  EXPECT_EQ(valueOf("GetNowStamp(true)"), sent("1500") + ok("1"));
+}
+
+TEST_F(ScriptLanguageTest, hasTheSameRandomNumbersOnEveryRun) {
+  SimulatedRobot other;
+  const ClientId to = other.connect();
+  for (const char* call : {"random()", "random()", "random(1,6)", "random(-2147483647,2147483647)"}) {
+    const std::string first = valueOf(call);
+    EXPECT_EQ(run(other, to, std::string("ListenSend(90,GetString(") + call + "))"), first);
+  }
+  EXPECT_NE(valueOf("random()"), valueOf("random()"));
+  EXPECT_EQ(valueOf("random(3,3)"), sent("3") + ok("1"));
+  EXPECT_EQ(run("int i = 0\r\ni = random(6,1)"), error("1", "2"));
+}
+
 TEST_F(ScriptLanguageTest, namesTheLinesOfWarnings) {
   EXPECT_EQ(run("int a = 300\r\nint b = 1.5\r\nbyte c = a"), warned("1", "2;3"));
   EXPECT_EQ(run("int d = 1.5\r\nBogus()"), error("1", "2")) << "errors hide warnings";
