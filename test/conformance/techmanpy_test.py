@@ -171,7 +171,6 @@ class Motion(Case):
                      ('move_to_relative_point_path', [-20, 0, 0, 0, 0, 0], 200, 200),
                      ('move_to_relative_point_path', [20, 0, 0, 0, 0, 0], 200, 200))
 
-    @unittest.expectedFailure  # no exponents
     def test_numbers_are_sent_as_python_writes_them(self):
         self.reaches('Joint_Angle', POSTURE, ('move_to_joint_angles_ptp', [1e-5] + POSTURE[1:], 1.0, 200))
 

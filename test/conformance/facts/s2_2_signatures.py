@@ -200,15 +200,15 @@ BY_VERSION = {
         'StopAndClearBuffer()', 'Pause()', 'Resume()', 'PVTEnter(0)', 'PVTPoint(0,0,90,0,90,0,0,0,0,0,0,0,2.0)',
         'PVTExit()', 'PVTPause()', 'PVTResume()'
     ],
-    '1.76': [
-        'QueueTag(1)', 'WaitQueueTag(1,100)', 'ListenSend(90,"x")', 'socket_send("127.0.0.1",9,"x")',
-        'int[] {0}a = Array_Append({{1}},2)'
-    ],
-    '1.82': [
-        'Vision_DoJob("j")', 'Vision_DoJob_PTP("j",10,200,false)', 'Vision_DoJob_Line("j",10,200)',
-        'Vision_IsJobAvailable("j")'
-    ],
+    '1.76': ['QueueTag(1)', 'WaitQueueTag(1,100)', 'ListenSend(90,"x")', 'int[] {0}a = Array_Append({{1}},2)'],
+    '1.82': ['float[] {0}b = points2coord({{0,0,0,0,0,0}},{{1,0,0,0,0,0}},{{0,1,0,0,0,0}})'],
 }
+# Of other machines and of cameras: a simulator of an arm may do without.
+SOCKET = ['socket_send("127.0.0.1",9,"x")']
+VISION = [
+    'Vision_DoJob("j")', 'Vision_DoJob_PTP("j",10,200,false)', 'Vision_DoJob_Line("j",10,200)',
+    'Vision_IsJobAvailable("j")'
+]
 
 
 def lines_of(robot, version):
@@ -227,28 +227,42 @@ def has_and_lacks(robot, has, lacks):
        until='1.68')
 def functions_of_1_68(robot):
     has_and_lacks(robot, ('1.68', ), ('1.72', '1.76', '1.82'))
+    robot.refuses(*SOCKET, *VISION)
 
 
 @check('TM-2.2.27', '1.72 adds StopAndClearBuffer, Pause, Resume and PVT*', 'M 8', since='1.72', until='1.72')
 def functions_of_1_72(robot):
     has_and_lacks(robot, ('1.68', '1.72'), ('1.76', '1.82'))
+    robot.refuses(*SOCKET, *VISION)
 
 
-@check('TM-2.2.28', '1.76 adds tags, ListenSend, socket_send and Array_*', 'M 8', since='1.76', until='1.76')
+@check('TM-2.2.28', '1.76 adds tags, ListenSend and Array_*', 'M 8', since='1.76', until='1.76')
 def functions_of_1_76(robot):
     has_and_lacks(robot, ('1.68', '1.72', '1.76'), ('1.82', ))
+    robot.refuses(*VISION)
 
 
 @check('TM-2.2.29', '1.80 has what 1.76 has', 'M 8', since='1.80', until='1.80')
 def functions_of_1_80(robot):
     has_and_lacks(robot, ('1.68', '1.72', '1.76'), ('1.82', ))
+    robot.refuses(*VISION)
 
 
-@check('TM-2.2.30', '1.82 adds Vision_*', 'M84 8', since='1.82', until='1.82')
+@check('TM-2.2.30', '1.82 adds points2coord', 'M84 8', since='1.82', until='1.82')
 def functions_of_1_82(robot):
-    has_and_lacks(robot, ('1.68', '1.72', '1.82'), ())
+    has_and_lacks(robot, ('1.68', '1.72', '1.76', '1.82'), ())
 
 
 @check('TM-2.2.31', '1.84 has what 1.82 has', 'M84 8', since='1.84', until='1.84')
 def functions_of_1_84(robot):
-    has_and_lacks(robot, ('1.68', '1.72', '1.82'), ())
+    has_and_lacks(robot, ('1.68', '1.72', '1.76', '1.82'), ())
+
+
+@check('TM-2.2.90', 'from 1.76 on there is socket_send', 'M 8', since='1.76')
+def a_socket_is_sent_to(robot):
+    robot.accepts(*SOCKET)
+
+
+@check('TM-2.2.91', 'from 1.82 on there is Vision_*', 'M84 8', since='1.82')
+def there_are_cameras(robot):
+    robot.accepts(*VISION)

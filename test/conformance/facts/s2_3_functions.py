@@ -123,9 +123,10 @@ def lengths_of_arrays(robot):
     equal(robot.evaluate('Length(%s)' % name, 'int[] %s = {3,1,2}' % name), '3')
 
 
-@check('TM-2.3.19', 'GetString of numbers, bools and arrays', 'M', **SEEN)
+@check('TM-2.3.19', 'GetString of numbers, bools and arrays', 'M: the names; bools: as (string)True', DERIVED,
+       **SEEN)
 def texts(robot):
-    robot.evaluates(('12', '12'), ('-0.5', '-0.5'), ('true', 'true'), ('false', 'false'))
+    robot.evaluates(('12', '12'), ('-0.5', '-0.5'), ('true', 'True'), ('false', 'False'))
     name = robot.name()
     equal(robot.evaluate(name, 'float[] %s = {1.5,-2}' % name), '{1.5,-2}')
 
