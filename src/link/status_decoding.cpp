@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/protocol/controller_error.h"
 
 namespace cobot_command::link {
 namespace {
@@ -61,7 +62,7 @@ struct ItemRow {
   Reader read;
 };
 
-// Error_Content is streamed by TMflow 1.76 and older only.
+// Error_Content is streamed by TMflow 1.76 and older only (fact sheet 3.1).
 constexpr ItemRow kItems[] = {
     {"Robot_Link", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.linked); }},
     {"Joint_Angle", [](const StatusItem& i, RobotStatus& s) { readJoints(i, s.joints); }},
@@ -95,6 +96,8 @@ RobotStatus toRobotStatus(const std::vector<StatusItem>& items, Instant received
                                    [&](const ItemRow& known) { return known.name == item.name; });
     if (row != std::end(kItems)) row->read(item, status);
   }
+  const std::string_view meaning = protocol::meaningOfError(status.error_code.value_or(0));
+  if (!status.error_text && !meaning.empty()) status.error_text = meaning;
   return status;
 }
 

@@ -109,7 +109,7 @@ class Failures(CobotTestCase):
         sent = self.robot.start_slowly(move_script(5))
         self.robot.fault("drop_tag")  # the error itself, not the tag that it fails, is to be seen
         self.robot.operate("raise_error", 0x14058, "joint 3")
-        self.assert_aborted(sent.finish(), 0x222, "joint 3")
+        self.assert_aborted(sent.finish(), 0x222, "0x14058: no posture")
 
     # --- None of it is a failure.
     def test_never_of_messages_that_are_late_doubled_or_lost_without_need(self):

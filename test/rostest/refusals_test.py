@@ -53,7 +53,7 @@ class Refusals(CobotTestCase):
         self.robot.establish()
         self.robot.operate("raise_error", 0x14058, "joint 3")
         self.robot.robot_status.wait_for(lambda s: s.in_error == RobotStatus.TRUE, "the error")
-        self.assert_all_rejected(queued(), 0x222, "error 0x14058: joint 3")
+        self.assert_all_rejected(queued(), 0x222, "error 0x14058: no posture")
         self.robot.operate("clear_error")
         self.robot.robot_status.wait_for(lambda s: s.in_error == RobotStatus.FALSE, "the end of the error")
         self.assert_done(self.robot.run(to_joints(*HOME)))

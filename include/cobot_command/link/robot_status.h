@@ -25,7 +25,7 @@ struct RobotStatus {
   std::optional<bool> linked;  ///< the stream's server reaches the controller
   std::optional<bool> error;
   std::optional<int> error_code;
-  std::optional<std::string> error_text;
+  std::optional<std::string> error_text;  ///< Error_Content, or in few words what the code means, if known
   std::optional<bool> emergency_stop;
   std::optional<bool> safeguard;
   std::optional<bool> project_running;

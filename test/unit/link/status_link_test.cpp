@@ -95,6 +95,15 @@ class StatusLinkTest : public ::testing::Test {
   Instant now{50s};
 };
 
+TEST(StatusDecoding, saysWhatAKnownErrorMeansWhereTheControllerDoesNot) {
+  const auto textOf = [](int code) {
+    return toRobotStatus({item::ofInt("Error_Code", code)}, Instant{}).error_text;
+  };
+  EXPECT_EQ(textOf(0x1405A), "a joint outside its range");
+  EXPECT_EQ(textOf(0), std::nullopt);
+  EXPECT_EQ(textOf(0x7FFFFFFF), std::nullopt);
+}
+
 TEST_F(StatusLinkTest, streamsWithTheFirstFrame) {
   link.start("robot", 5891, now);
   EXPECT_EQ(wire.opened, std::vector<std::string>{"robot:5891"});
