@@ -27,7 +27,8 @@ def main():
     arguments = parse_arguments()
     rospy.init_node("pick_and_place", anonymous=True)
     connect = actionlib.SimpleActionClient("connect", ConnectAction)
-    pick_and_place = actionlib.SimpleActionClient("pick_and_place", PickAndPlaceAction)
+    # Not a simple one, which would miss the feedback of the first moments (doc/actions/README.md).
+    pick_and_place = actionlib.ActionClient("pick_and_place", PickAndPlaceAction)
     for client, name in ((connect, "connect"), (pick_and_place, "pick_and_place")):
         if not client.wait_for_server(rospy.Duration(CONNECT_TIMEOUT)):
             print(f"no action server {rospy.resolve_name(name)}: is the command node running?")
@@ -73,15 +74,15 @@ def connected(client, arguments):
 
 def run(client, arguments):
     table = Table(arguments.steps)
-    client.send_goal(PickAndPlaceGoal(steps_file=arguments.steps, cycles=arguments.cycles), feedback_cb=table.take)
+    goal = client.send_goal(PickAndPlaceGoal(steps_file=arguments.steps, cycles=arguments.cycles),
+                            feedback_cb=lambda _, feedback: table.take(feedback))
     try:
-        # wait_for_result would wait for ever for a goal that ended before send_goal returned (doc/actions/README.md).
-        while client.get_state() in UNDER_WAY and not rospy.is_shutdown():
+        while goal.get_goal_status() in UNDER_WAY and not rospy.is_shutdown():
             time.sleep(0.1)
     finally:
-        client.cancel_goal()  # changes nothing once it has ended
-    result = client.get_result()
-    if client.get_state() == GoalStatus.SUCCEEDED:
+        goal.cancel()  # changes nothing once it has ended
+    result = goal.get_result()
+    if goal.get_goal_status() == GoalStatus.SUCCEEDED:
         table.end("Done")
         print(f"\n{result.cycles_done} cycle(s), all steps Done")
         return 0
