@@ -39,7 +39,7 @@ class PathCheck {
     return (to.joints - from.joints).cwiseAbs().maxCoeff() > kJump;
   }
   [[nodiscard]] double way(const Sample& from, const Sample& to) const {
-    const TcpPath& path = timed_.postures.path();
+    const TcpCurve& path = timed_.postures.path();
     return (to.progress - from.progress) * (path.length() + path.turn());
   }
   [[nodiscard]] Result<Sample, Refusal> sampleAt(double time, const Sample& previous) const;

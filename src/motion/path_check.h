@@ -31,7 +31,7 @@ struct TimedPath {
   const PathPostures& postures;
   const Trapezoid& profile;
   const char* name;        ///< "line", "circle": for messages
-  const PathSpeed& speed;  ///< as it was asked for: for messages
+  const PathSpeed* speed;  ///< as it was asked for: for messages; null: the times were
   const arm::Pose& base;   ///< the active base in the robot base: for messages
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -24,13 +25,13 @@ arm::JointVector turnedTo(const arm::JointVector& reference, arm::JointVector jo
 
 }  // namespace
 
-PathPostures::PathPostures(const arm::ArmModel& arm, const TcpPath& path, const arm::Pose& tcp,
+PathPostures::PathPostures(const arm::ArmModel& arm, TcpCurvePtr path, const arm::Pose& tcp,
                            const arm::PoseBits& bits)
-    : arm_(arm), path_(path), flange_in_tcp_(tcp.inverse()), bits_(bits) {}
+    : arm_(arm), path_(std::move(path)), flange_in_tcp_(tcp.inverse()), bits_(bits) {}
 
 Result<arm::JointVector, Refusal::Reason> PathPostures::at(double progress,
                                                            const arm::JointVector& reference) const {
-  const auto branches = arm::allBranches(arm_, path_.at(progress) * flange_in_tcp_, reference);
+  const auto branches = arm::allBranches(arm_, path_->at(progress) * flange_in_tcp_, reference);
   const auto same_bits = std::find_if(branches.begin(), branches.end(),
                                       [this](const arm::Branch& branch) { return branch.bits == bits_; });
   if (same_bits == branches.end()) {
@@ -41,8 +42,8 @@ Result<arm::JointVector, Refusal::Reason> PathPostures::at(double progress,
 
 arm::JointVector PathPostures::velocityAt(double progress, double rate,
                                           const arm::JointVector& joints) const {
-  PathRate twist = rate * path_.rateAt(progress);
-  const arm::Pose tcp = path_.at(progress);
+  PathRate twist = rate * path_->rateAt(progress);
+  const arm::Pose tcp = path_->at(progress);
   const Eigen::Vector3d tcp_to_flange = tcp.linear() * flange_in_tcp_.translation();
   twist.head<3>() += twist.tail<3>().cross(tcp_to_flange);
   return arm::jacobianAt(arm_, joints).partialPivLu().solve(twist);

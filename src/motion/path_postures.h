@@ -2,7 +2,7 @@
 // turn.
 #pragma once
 
-#include "tcp_path.h"
+#include "tcp_curve.h"
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/pose_bits.h"
@@ -15,11 +15,10 @@ namespace cobot_command::motion {
 class PathPostures {
  public:
   /// `path` of the TCP in the robot base; `tcp` in the flange.
-  PathPostures(const arm::ArmModel& arm, const TcpPath& path, const arm::Pose& tcp,
-               const arm::PoseBits& bits);
+  PathPostures(const arm::ArmModel& arm, TcpCurvePtr path, const arm::Pose& tcp, const arm::PoseBits& bits);
 
   [[nodiscard]] const arm::ArmModel& arm() const { return arm_; }
-  [[nodiscard]] const TcpPath& path() const { return path_; }
+  [[nodiscard]] const TcpCurve& path() const { return *path_; }
   [[nodiscard]] const arm::PoseBits& bits() const { return bits_; }
 
   /// The posture at `progress`, each joint at the turn nearest to `reference`, whatever the limits. Refused
@@ -34,7 +33,7 @@ class PathPostures {
 
  private:
   arm::ArmModel arm_;
-  TcpPath path_;
+  TcpCurvePtr path_;
   arm::Pose flange_in_tcp_;
   arm::PoseBits bits_;
 };

@@ -33,10 +33,14 @@ const arm::JointLimit& limitOf(const TimedPath& timed, int joint) {
 }
 
 /// The share of the asked speed, in the unit in which it was asked, rounded down so that it does.
-std::string speedAdvice(const PathSpeed& speed, double share) {
-  const bool percent = std::holds_alternative<SpeedRatio>(speed);
-  const double asked = percent ? 100.0 * std::get<SpeedRatio>(speed).value
-                               : mToMm(std::get<TcpSpeed>(speed).metres_per_second);
+std::string speedAdvice(const PathSpeed* speed, double share) {
+  if (speed == nullptr) {
+    return fmt::format("{:.2f} times the time would do: give it more time, or choose another path",
+                       std::ceil(100.0 / share) / 100.0);
+  }
+  const bool percent = std::holds_alternative<SpeedRatio>(*speed);
+  const double asked = percent ? 100.0 * std::get<SpeedRatio>(*speed).value
+                               : mToMm(std::get<TcpSpeed>(*speed).metres_per_second);
   const double usable = std::floor(10.0 * asked * share) / 10.0;
   if (usable <= 0.0) {
     return "no useful speed is slow enough: choose another path, or PTP";

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "input_check.h"
-#include "rest_to_rest.h"
+#include "profiled.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
@@ -14,10 +14,10 @@
 namespace cobot_command::motion {
 namespace {
 
-class JointTrajectory final : public RestToRest {
+class JointTrajectory final : public Profiled {
  public:
   JointTrajectory(const arm::JointVector& start, const arm::JointVector& target, const Trapezoid& profile)
-      : RestToRest(start, target, profile) {}
+      : Profiled(start, target, profile) {}
 
  private:
   [[nodiscard]] JointState during(double time) const override {

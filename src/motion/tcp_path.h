@@ -1,16 +1,12 @@
 // Where the TCP goes, without time: a straight line or an arc, with a turn about one axis in step with it.
 #pragma once
 
-#include "cobot_command/arm/types.h"
+#include "tcp_curve.h"
 
 namespace cobot_command::motion {
 
-/// How a TCP moves for each unit of progress: rows 0..2 linear [m], rows 3..5 angular [rad], in the frame of
-/// the path.
-using PathRate = Eigen::Matrix<double, 6, 1>;
-
-/// A path from progress 0 to 1, in any one frame. A value.
-class TcpPath {
+/// A value.
+class TcpPath final : public TcpCurve {
  public:
   /// Straight, turning the shortest way.
   [[nodiscard]] static TcpPath line(const arm::Pose& from, const arm::Pose& to);
@@ -21,11 +17,11 @@ class TcpPath {
                                    const Eigen::Vector3d& normal, double angle,
                                    const Eigen::Matrix3d& end_orientation);
 
-  [[nodiscard]] double length() const { return length_; }  ///< [m]
-  [[nodiscard]] double turn() const { return turn_; }      ///< [rad], 0..pi
+  [[nodiscard]] double length() const override { return length_; }  ///< [m]
+  [[nodiscard]] double turn() const override { return turn_; }      ///< [rad], 0..pi
 
-  [[nodiscard]] arm::Pose at(double progress) const;
-  [[nodiscard]] PathRate rateAt(double progress) const;
+  [[nodiscard]] arm::Pose at(double progress) const override;
+  [[nodiscard]] PathRate rateAt(double progress) const override;
 
  private:
   TcpPath(const arm::Pose& from, const Eigen::Matrix3d& end_orientation);

@@ -1,4 +1,4 @@
-// The one velocity profile: from rest to rest, speeding up and slowing down equally.
+// The one velocity profile: to rest, from rest or from a speed, speeding up and slowing down equally.
 #pragma once
 
 namespace cobot_command::motion {
@@ -12,23 +12,33 @@ class Trapezoid {
   static constexpr double kNoTravel = 1e-12;
 
   /// Both in s and finite, travel >= 0, ramp > 0.
-  Trapezoid(double travel, double ramp);
+  Trapezoid(double travel, double ramp) : Trapezoid(travel, ramp, 0.0) {}
+  /// Begins at `start_share` (0..1) of the top speed. Where the travel is too short to come to rest from it,
+  /// it brakes as hard as it must.
+  Trapezoid(double travel, double ramp, double start_share);
+  /// At one speed from the start to the end, without any ramp; duration > 0 [s].
+  [[nodiscard]] static Trapezoid steady(double duration);
 
   /// [s]
   [[nodiscard]] double duration() const { return duration_; }
-  /// From rest to its highest speed, and back [s]; at most half of the duration.
-  [[nodiscard]] double rampTime() const { return ramp_used_; }
-  /// Precondition of the next three: 0 <= time <= duration() [s], travel >= kNoTravel.
+  /// From its highest speed to rest [s]; from rest to rest at most half of the duration.
+  [[nodiscard]] double rampTime() const { return down_; }
+  [[nodiscard]] bool startsAtRest() const { return start_share_ == 0.0; }
+  /// Precondition of the next four: 0 <= time <= duration() [s], travel >= kNoTravel.
   [[nodiscard]] double progress(double time) const;
   /// [1/s]
   [[nodiscard]] double rate(double time) const;
   /// The speed as a share (0..1) of the top speed.
   [[nodiscard]] double shareOfTopSpeed(double time) const { return rate(time) * travel_; }
+  /// When `progress` is reached [s], but not later than it begins to slow down.
+  [[nodiscard]] double timeBeforeBraking(double progress) const;
 
  private:
   double travel_;
-  double ramp_;       // from rest to top speed
-  double ramp_used_;  // shorter than ramp_ in a triangle
+  double ramp_;  // from rest to top speed
+  double start_share_;
+  double up_;    // shorter than ramp_ in a triangle, and from a speed
+  double down_;  // shorter than ramp_ in a triangle
   double duration_;
 };
 

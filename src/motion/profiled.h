@@ -1,5 +1,8 @@
-// What all trajectories share: they stand still before the start and after the end.
+// What the trajectories with one profile share: they stand still after the end, and before the start if they
+// start from rest.
 #pragma once
+
+#include <algorithm>
 
 #include "trapezoid.h"
 
@@ -8,7 +11,7 @@
 
 namespace cobot_command::motion {
 
-class RestToRest : public Trajectory {
+class Profiled : public Trajectory {
  public:
   [[nodiscard]] Duration duration() const final { return duration_; }
   [[nodiscard]] Duration rampTime() const final {
@@ -19,11 +22,14 @@ class RestToRest : public Trajectory {
     if (time >= duration_) {
       return {end_, arm::JointVector::Zero()};
     }
-    return time <= Duration::zero() ? JointState{start_, arm::JointVector::Zero()} : during(toSeconds(time));
+    if (time > Duration::zero()) {
+      return during(std::min(toSeconds(time), profile_.duration()));
+    }
+    return {start_, profile_.startsAtRest() ? arm::JointVector::Zero() : during(0.0).velocity};
   }
 
  protected:
-  RestToRest(const arm::JointVector& start, const arm::JointVector& end, const Trapezoid& profile)
+  Profiled(const arm::JointVector& start, const arm::JointVector& end, const Trapezoid& profile)
       : start_(start), end_(end), profile_(profile), duration_(fromSeconds(profile.duration())) {}
 
   [[nodiscard]] const arm::JointVector& start() const { return start_; }
@@ -31,7 +37,7 @@ class RestToRest : public Trajectory {
   [[nodiscard]] const Trapezoid& profile() const { return profile_; }
 
  private:
-  /// 0 < time [s] < duration.
+  /// 0 <= time [s] <= duration; 0 only where it does not start from rest.
   [[nodiscard]] virtual JointState during(double time) const = 0;
 
   arm::JointVector start_;
