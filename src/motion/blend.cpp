@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "path_check.h"
+#include "pline_motion.h"
 
 #include "cobot_command/arm/forward_kinematics.h"
 
@@ -134,6 +135,15 @@ TrajectoryPtr blended(const TrajectoryPtr& before, const TrajectoryPtr& next, Du
     return next;
   }
   return std::make_shared<BlendedTrajectory>(before, next, overlap);
+}
+
+Passage passInto(const arm::ArmModel& arm, const TrajectoryPtr& before, const TrajectoryPtr& next,
+                 const arm::Pose& tcp, const Blend& blend, Duration left) {
+  if (const auto* share = std::get_if<BlendShare>(&blend)) {
+    if (auto passage = passOn(arm, *before, *next, *share, left)) return std::move(*passage);
+  }
+  const Duration overlap = overlapAt(arm, {*before, *next, tcp}, blend, left);
+  return {overlap, blended(before, next, overlap), next};
 }
 
 }  // namespace cobot_command::motion

@@ -139,6 +139,58 @@ Finding checkCommand(const Circle& circle) {
                 checkRamp(circle.time_to_top_speed)});
 }
 
+Finding checkCommand(const PLine& line) {
+  const auto* joints = std::get_if<arm::JointVector>(&line.target);
+  return first({joints ? checkFinite(joints->allFinite(), "the joint target")
+                       : checkPose(std::get<arm::Pose>(line.target), "the target"),
+                checkSpeed(line.speed), checkRamp(line.time_to_top_speed)});
+}
+
+Finding checkCommand(const MovePLine& move) {
+  const auto* joints = std::get_if<arm::JointVector>(&move.offset);
+  return first({joints ? checkFinite(joints->allFinite(), "the joint offset")
+                       : checkPose(std::get<PoseOffset>(move.offset).by, "the offset"),
+                checkSpeed(move.speed), checkRamp(move.time_to_top_speed)});
+}
+
+Finding checkPoint(const PvtJointPoint& point) {
+  return first({checkFinite(point.position.allFinite(), "the position of a point"),
+                checkFinite(point.velocity.allFinite(), "the velocity of a point")});
+}
+
+Finding checkPoint(const PvtPosePoint& point) {
+  return first({checkPose(point.pose, "a point"),
+                checkFinite(point.velocity.linear.allFinite() && point.velocity.angular.allFinite(),
+                            "the velocity of a point")});
+}
+
+template <class Point>
+Finding checkTimedPoint(const Point& point) {
+  const double duration = point.duration;
+  auto found = first({checkPoint(point), checkFinite(std::isfinite(duration), "the duration of a point")});
+  if (found || duration >= kMinPvtDuration) {
+    return found;
+  }
+  return refusal(
+      Reason::BadParameter,
+      fmt::format("the duration of a point is {:.6g} s, at least {:.3f} s is allowed: give it more "
+                  "time",
+                  duration, kMinPvtDuration));
+}
+
+Finding checkCommand(const Pvt& pvt) {
+  return std::visit(
+      [](const auto& points) -> Finding {
+        for (const auto& point : points) {
+          if (auto found = checkTimedPoint(point)) {
+            return found;
+          }
+        }
+        return std::nullopt;
+      },
+      pvt.points);
+}
+
 }  // namespace
 
 Finding checkInput(const arm::JointVector& start, const Command& command, const Setting& setting) {

@@ -16,6 +16,9 @@ inline constexpr double kMaxArcAngle = 2.0 * 3.14159265358979323846;
 /// of 5 %, takes 2.5 h.
 inline constexpr double kMaxDuration = 3.0 * 3600.0;
 
+/// The shortest time between two PVT points [s].
+inline constexpr double kMinPvtDuration = 1e-3;
+
 /// The first thing that is wrong with the request; nothing when it can be planned.
 [[nodiscard]] std::optional<Refusal> checkInput(const arm::JointVector& start, const Command& command,
                                                 const Setting& setting);

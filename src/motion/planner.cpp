@@ -4,7 +4,9 @@
 
 #include "input_check.h"
 #include "path_motion.h"
+#include "pline_motion.h"
 #include "ptp_motion.h"
+#include "pvt_motion.h"
 #include "relative_motion.h"
 
 namespace cobot_command::motion {
@@ -24,6 +26,11 @@ struct Planner {
   auto operator()(const MoveLine& move) const {
     return planLine(arm, start, absolute(move, arm, start, setting), setting);
   }
+  auto operator()(const PLine& line) const { return planPLine(arm, start, line, setting); }
+  auto operator()(const MovePLine& move) const {
+    return planPLine(arm, start, absolute(move, arm, start, setting), setting);
+  }
+  auto operator()(const Pvt& pvt) const { return planPvt(arm, start, pvt, setting); }
 };
 
 }  // namespace

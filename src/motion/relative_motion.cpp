@@ -37,4 +37,17 @@ Line absolute(const MoveLine& move, const arm::ArmModel& arm, const arm::JointVe
   return {displaced(move.offset, arm, start, setting), move.speed, move.time_to_top_speed};
 }
 
+PLine absolute(const MovePLine& move, const arm::ArmModel& arm, const arm::JointVector& start,
+               const Setting& setting) {
+  PLine line;
+  line.speed = move.speed;
+  line.time_to_top_speed = move.time_to_top_speed;
+  if (const auto* joints = std::get_if<arm::JointVector>(&move.offset)) {
+    line.target = arm::JointVector(start + *joints);
+  } else {
+    line.target = displaced(std::get<PoseOffset>(move.offset), arm, start, setting);
+  }
+  return line;
+}
+
 }  // namespace cobot_command::motion

@@ -9,5 +9,7 @@ namespace cobot_command::motion {
                            const Setting& setting);
 [[nodiscard]] Line absolute(const MoveLine& move, const arm::ArmModel& arm, const arm::JointVector& start,
                             const Setting& setting);
+[[nodiscard]] PLine absolute(const MovePLine& move, const arm::ArmModel& arm, const arm::JointVector& start,
+                             const Setting& setting);
 
 }  // namespace cobot_command::motion

@@ -2,7 +2,8 @@
 //
 // The next motion starts while the one before it still slows down, and for that time the two add up in joint
 // space: q(t) = before(t) + next(t - start) - corner. Both are continuous in position and speed, so their sum
-// is. See doc/motion.md.
+// is. Two PLines do not slow down: the next one takes over before the first one does, and rounds the corner
+// itself. See doc/motion.md.
 #pragma once
 
 #include <variant>
@@ -41,5 +42,18 @@ struct Corner {
 /// The next motion as the arm makes it: over its first `overlap` the end of the one before it fades out.
 /// `next` itself where `overlap` is zero.
 [[nodiscard]] TrajectoryPtr blended(const TrajectoryPtr& before, const TrajectoryPtr& next, Duration overlap);
+
+/// How the next motion takes over.
+struct Passage {
+  Duration overlap{};     ///< so long before the end of the motion before it; zero: behind it
+  TrajectoryPtr path;     ///< as the arm makes it from there on
+  TrajectoryPtr planned;  ///< what passes into the motion behind it: `path` without the end of the one before
+};
+
+/// `before` and `next` as in Corner, but `before` may be the `planned` of a passage. PLines with a BlendShare
+/// pass on at their speed where the arm can; all else blends by overlapAt().
+[[nodiscard]] Passage passInto(const arm::ArmModel& arm, const TrajectoryPtr& before,
+                               const TrajectoryPtr& next, const arm::Pose& tcp, const Blend& blend,
+                               Duration left = Duration::max());
 
 }  // namespace cobot_command::motion

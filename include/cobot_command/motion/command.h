@@ -1,9 +1,10 @@
-// What can be asked of an arm: point-to-point, line and circle, to a place or by an offset, as plain values
-// in SI.
+// What can be asked of an arm: point-to-point, line and circle, to a place or by an offset, lines through
+// many points, and points with their speeds and times; as plain values in SI.
 #pragma once
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/pose_bits.h"
@@ -78,7 +79,43 @@ struct MoveLine {
   Duration time_to_top_speed{};
 };
 
-using Command = std::variant<Ptp, Line, Circle, MovePtp, MoveLine>;
+/// A straight line of the TCP to where `target` puts it, one of a chain: with a blend the TCP passes on into
+/// the next one at its speed (blend.h).
+struct PLine {
+  std::variant<arm::JointVector, arm::Pose> target;  ///< [rad]; or the TCP in the active base
+  PathSpeed speed;
+  Duration time_to_top_speed{};
+};
+
+/// A PLine by an offset: of each joint [rad], or of the TCP.
+struct MovePLine {
+  std::variant<arm::JointVector, PoseOffset> offset;
+  PathSpeed speed;
+  Duration time_to_top_speed{};
+};
+
+/// Of a TCP, along and about the axes of the active base.
+struct TcpVelocity {
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< [m/s]
+  Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
+};
+
+/// Points that are passed at given velocities and times: cubics between them, from rest to rest.
+struct PvtJointPoint {
+  arm::JointVector position;  ///< [rad]
+  arm::JointVector velocity;  ///< [rad/s]
+  double duration = 0.0;      ///< from the point before [s]
+};
+struct PvtPosePoint {
+  arm::Pose pose;  ///< TCP in the active base
+  TcpVelocity velocity;
+  double duration = 0.0;
+};
+struct Pvt {
+  std::variant<std::vector<PvtJointPoint>, std::vector<PvtPosePoint>> points;
+};
+
+using Command = std::variant<Ptp, Line, Circle, MovePtp, MoveLine, PLine, MovePLine, Pvt>;
 
 /// What the controller knows when it plans a motion.
 struct Setting {

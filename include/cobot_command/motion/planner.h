@@ -19,7 +19,10 @@ namespace cobot_command::motion {
 /// Line, Circle: a trapezoid along the path; every sample (at most 1 ms apart) must be reachable with the
 /// pose bits of the start, inside the joint limits and the rated joint speeds, and away from the
 /// singularities.
-/// MovePtp, MoveLine: the same, to where the offset leads from `start`.
+/// MovePtp, MoveLine, MovePLine: the same, to where the offset leads from `start`.
+/// PLine: as a Line; to joints it must end in the very posture that they name.
+/// Pvt: cubics between the points, of the joints or of the TCP, all times 1 / speed_override as long; joints
+/// inside their limits and rated speeds everywhere, a TCP path as any other.
 [[nodiscard]] Result<TrajectoryPtr, Refusal> plan(const arm::ArmModel& arm, const arm::JointVector& start,
                                                   const Command& command, const Setting& setting);
 
