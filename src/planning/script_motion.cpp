@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -85,16 +86,56 @@ Made toMotion(const protocol::MoveLine& move) {
                           timeToTopSpeed(move.options)};
 }
 
+Made toMotion(const protocol::PLine& line) {
+  motion::PLine made{arm::toPose(line.target), pathSpeed(line.format, line.options),
+                     timeToTopSpeed(line.options)};
+  if (line.format.target == DataFormat::Target::Joint) made.target = arm::toJointVector(line.target);
+  return made;
+}
+
+Made toMotion(const protocol::MovePLine& move) {
+  motion::MovePLine made{poseOffset(move.format, move.offset), pathSpeed(move.format, move.options),
+                         timeToTopSpeed(move.options)};
+  if (move.format.target == DataFormat::Target::Joint) made.offset = arm::toJointVector(move.offset);
+  return made;
+}
+
+Made toMotion(const PvtBlock& pvt) {
+  if (!pvt.cartesian) {
+    std::vector<motion::PvtJointPoint> points;
+    for (const protocol::PvtPoint& point : pvt.points) {
+      points.push_back(
+          {arm::toJointVector(point.position), arm::toJointVector(point.velocity), point.duration});
+    }
+    return motion::Pvt{std::move(points)};
+  }
+  std::vector<motion::PvtPosePoint> points;
+  for (const protocol::PvtPoint& point : pvt.points) {
+    const auto& [x, y, z, rx, ry, rz] = point.velocity;
+    points.push_back({arm::toPose(point.position),
+                      {{mmToM(x), mmToM(y), mmToM(z)}, {degToRad(rx), degToRad(ry), degToRad(rz)}},
+                      point.duration});
+  }
+  return motion::Pvt{std::move(points)};
+}
+
 Made toMotion(const ScriptMotion& any) {
   return std::visit([](const auto& one) { return toMotion(one); }, any);
 }
 
 std::optional<motion::Blend> blendOf(const ScriptMotion& motion) {
-  const auto& [format, options] =
-      std::visit([](const auto& one) { return std::pair(one.format, one.options); }, motion);
-  if (options.blending <= 0) return std::nullopt;
-  if (format.blending == DataFormat::Blending::Radius) return motion::BlendRadius{mmToM(options.blending)};
-  return motion::BlendShare{std::min(options.blending / 100.0, 1.0)};
+  return std::visit(
+      [](const auto& one) -> std::optional<motion::Blend> {
+        if constexpr (std::is_same_v<decltype(one), const PvtBlock&>) {
+          return std::nullopt;
+        } else {
+          if (one.options.blending <= 0) return std::nullopt;
+          const bool radius = one.format.blending == DataFormat::Blending::Radius;
+          if (radius) return motion::BlendRadius{mmToM(one.options.blending)};
+          return motion::BlendShare{std::min(one.options.blending / 100.0, 1.0)};
+        }
+      },
+      motion);
 }
 
 }  // namespace cobot_command::planning

@@ -29,7 +29,9 @@ const arm::JointVector* jointTarget(const motion::Command& command) {
 
 bool isInJointSpace(const motion::Command& command) {
   const auto* move = std::get_if<motion::MovePtp>(&command);
-  return jointTarget(command) || (move && std::holds_alternative<arm::JointVector>(move->offset));
+  const auto* pvt = std::get_if<motion::Pvt>(&command);
+  return jointTarget(command) || (move && std::holds_alternative<arm::JointVector>(move->offset)) ||
+         (pvt && std::holds_alternative<std::vector<motion::PvtJointPoint>>(pvt->points));
 }
 
 /// [m]; 0: no blend, or none by radius.
@@ -71,6 +73,8 @@ Result<PlannedStep, motion::Refusal> ScriptPlanner::append(const protocol::Scrip
       [&](const auto& one) -> Appended {
         if constexpr (std::is_constructible_v<ScriptMotion, decltype(one)>) {
           return append(ScriptMotion(one), arrival);
+        } else if constexpr (std::is_same_v<decltype(one), const protocol::PvtExit&>) {
+          return append(ScriptMotion(pvt_), arrival);
         } else {
           note(one);
           PlannedStep no_motion;
@@ -106,6 +110,16 @@ void ScriptPlanner::follow(const Start& frames) {
   speed_override_ = frames.speed_override;
 }
 
+void ScriptPlanner::note(const protocol::ContinueVJog&) {
+  end_.reset();
+  blend_.reset();
+}
+
+void ScriptPlanner::note(const protocol::ContinueVLine&) {
+  end_.reset();
+  blend_.reset();
+}
+
 ScriptPlanner::Appended ScriptPlanner::append(const ScriptMotion& motion, Duration arrival) {
   const auto command = toMotion(motion);
   if (!command) return refuse(command.error());
@@ -116,16 +130,16 @@ ScriptPlanner::Appended ScriptPlanner::append(const ScriptMotion& motion, Durati
   const std::optional<motion::Blend> blend = blendOf(motion);
   PlannedStep step;
   step.misfit = misfitOf(**planned, blend);
-  Duration overlap{};
+  motion::Passage passage{Duration::zero(), *planned, *planned};
   if (blend_ && arrival < duration_) {
-    overlap = motion::overlapAt(arm_, {*last_, **planned, setting().tcp}, *blend_, duration_ - arrival);
+    passage = motion::passInto(arm_, last_, *planned, setting().tcp, *blend_, duration_ - arrival);
   }
-  step.trajectory = motion::blended(last_, *planned, overlap);
-  step.start = std::max(arrival, duration_ - overlap);
+  step.trajectory = passage.path;
+  step.start = std::max(arrival, duration_ - passage.overlap);
   step.duration = step.trajectory->duration();
   end_ = step.trajectory->end().position;
   duration_ = step.start + step.duration;
-  last_ = std::move(*planned);
+  last_ = passage.planned;
   blend_ = blend;
   return step;
 }

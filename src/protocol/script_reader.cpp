@@ -29,19 +29,22 @@ ScriptCommand readPtp(Arguments& arguments) {
   return ptp;
 }
 
-/// Line, Move_PTP and Move_Line differ in the formats that they take.
+/// Line, Move_PTP and Move_Line, PLine and Move_PLine differ in the formats that they take; the last two have
+/// no precise positioning.
 template <class Motion, std::size_t N>
 Motion readMotion(Arguments& arguments, const std::array<std::string_view, N>& allowed) {
   Motion motion;
   motion.format = arguments.format(allowed);
   const SixNumbers six = arguments.numbers<6>("target or offset");
-  if constexpr (std::is_same_v<Motion, Line>) {
+  if constexpr (std::is_same_v<Motion, Line> || std::is_same_v<Motion, PLine>) {
     motion.target = six;
   } else {
     motion.offset = six;
   }
   motion.options = arguments.motionOptions();
-  motion.options.disable_precise_positioning = arguments.boolean(kPrecision);
+  if constexpr (!std::is_same_v<Motion, PLine> && !std::is_same_v<Motion, MovePLine>) {
+    motion.options.disable_precise_positioning = arguments.boolean(kPrecision);
+  }
   return motion;
 }
 
@@ -106,6 +109,31 @@ ScriptCommand readWriteOutput(Arguments& arguments) {
   return write;
 }
 
+ScriptCommand readPvtEnter(Arguments& arguments) {
+  return PvtEnter{arguments.more() && arguments.integer("mode", 0, 1) == 1};
+}
+
+ScriptCommand readPvtPoint(Arguments& arguments) {
+  PvtPoint point;
+  point.position = arguments.numbers<6>("position");
+  point.velocity = arguments.numbers<6>("velocity");
+  point.duration = arguments.number("duration");
+  return point;
+}
+
+ScriptCommand readContinueVLine(Arguments& arguments) {
+  ContinueVLine mode;
+  mode.zero_timeout = arguments.integer("time to rest");
+  mode.stop_timeout = arguments.integer("time to the end");
+  return mode;
+}
+
+/// SetContinueVJog and SetContinueVLine.
+template <class Command>
+ScriptCommand readVelocity(Arguments& arguments) {
+  return Command{arguments.numbers<6>("velocity")};
+}
+
 template <class Command>
 ScriptCommand readPlain(Arguments&) {
   return Command{};
@@ -113,7 +141,7 @@ ScriptCommand readPlain(Arguments&) {
 
 using Reader = ScriptCommand (*)(Arguments&);
 
-constexpr std::array<std::pair<std::string_view, Reader>, 15> kReaders{{
+constexpr std::array<std::pair<std::string_view, Reader>, 28> kReaders{{
     {"PTP", readPtp},
     {"Line", [](Arguments& a) -> ScriptCommand { return readMotion<Line>(a, formats::kLine); }},
     {"Circle", readCircle},
@@ -129,6 +157,20 @@ constexpr std::array<std::pair<std::string_view, Reader>, 15> kReaders{{
     {"Resume", readPlain<Resume>},
     {"ScriptExit", readWithMode<ScriptExit, 1>},
     {kAssignOutput, readWriteOutput},
+    {"PLine", [](Arguments& a) -> ScriptCommand { return readMotion<PLine>(a, formats::kPLine); }},
+    {"Move_PLine",
+     [](Arguments& a) -> ScriptCommand { return readMotion<MovePLine>(a, formats::kMovePLine); }},
+    {"PVTEnter", readPvtEnter},
+    {"PVTPoint", readPvtPoint},
+    {"PVTExit", readPlain<PvtExit>},
+    {"PVTPause", readPlain<PvtPause>},
+    {"PVTResume", readPlain<PvtResume>},
+    {"ContinueVJog", readPlain<ContinueVJog>},
+    {"ContinueVLine", readContinueVLine},
+    {"SetContinueVJog", readVelocity<SetContinueVJog>},
+    {"SetContinueVLine", readVelocity<SetContinueVLine>},
+    {"StopContinueVmode", readPlain<StopContinueVmode>},
+    {"SuspendContinueVmode", readPlain<SuspendContinueVmode>},
 }};
 
 std::string unknownFunction(std::string_view function) {

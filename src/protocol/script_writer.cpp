@@ -134,6 +134,53 @@ std::string text(const MovePtp& move) {
 std::string text(const MoveLine& move) {
   return text("Move_Line", move, move.offset, formats::kMoveLine);
 }
+template <class Motion, std::size_t N>
+std::string chained(std::string_view function, const Motion& command, const SixNumbers& six,
+                    const std::array<std::string_view, N>& allowed) {
+  CallText call = motion(function, command.format, allowed);
+  call << six;
+  call.addOptions(command.options);
+  return std::move(call).str();
+}
+std::string text(const PLine& line) {
+  return chained("PLine", line, line.target, formats::kPLine);
+}
+std::string text(const MovePLine& move) {
+  return chained("Move_PLine", move, move.offset, formats::kMovePLine);
+}
+std::string text(const PvtEnter& enter) {
+  return std::move(CallText("PVTEnter") << (enter.cartesian ? 1 : 0)).str();
+}
+std::string text(const PvtPoint& point) {
+  return std::move(CallText("PVTPoint") << point.position << point.velocity << point.duration).str();
+}
+std::string text(const PvtExit&) {
+  return "PVTExit()";
+}
+std::string text(const PvtPause&) {
+  return "PVTPause()";
+}
+std::string text(const PvtResume&) {
+  return "PVTResume()";
+}
+std::string text(const ContinueVJog&) {
+  return "ContinueVJog()";
+}
+std::string text(const ContinueVLine& mode) {
+  return std::move(CallText("ContinueVLine") << mode.zero_timeout << mode.stop_timeout).str();
+}
+std::string text(const SetContinueVJog& set) {
+  return std::move(CallText("SetContinueVJog") << set.velocity).str();
+}
+std::string text(const SetContinueVLine& set) {
+  return std::move(CallText("SetContinueVLine") << set.velocity).str();
+}
+std::string text(const StopContinueVmode&) {
+  return "StopContinueVmode()";
+}
+std::string text(const SuspendContinueVmode&) {
+  return "SuspendContinueVmode()";
+}
 std::string text(const Circle& circle) {
   CallText call = motion("Circle", circle.format, formats::kCircle);
   call << circle.via << circle.end;

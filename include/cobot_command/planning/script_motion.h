@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "cobot_command/common/result.h"
 #include "cobot_command/motion/blend.h"
@@ -12,9 +13,15 @@
 
 namespace cobot_command::planning {
 
-/// The script commands that move the arm.
-using ScriptMotion =
-    std::variant<protocol::Ptp, protocol::Line, protocol::Circle, protocol::MovePtp, protocol::MoveLine>;
+/// What stands between PVTEnter and PVTExit: one motion.
+struct PvtBlock {
+  bool cartesian = false;
+  std::vector<protocol::PvtPoint> points;
+};
+
+/// The script commands that move the arm to a place.
+using ScriptMotion = std::variant<protocol::Ptp, protocol::Line, protocol::Circle, protocol::MovePtp,
+                                  protocol::MoveLine, protocol::PLine, protocol::MovePLine, PvtBlock>;
 
 /// Refused when the pose bits are not 0..1, 2..3, 4..5; all other checks are motion::plan's.
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::Ptp& ptp);
@@ -22,6 +29,9 @@ using ScriptMotion =
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::Circle& circle);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MovePtp& move);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MoveLine& move);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::PLine& line);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MovePLine& move);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const PvtBlock& pvt);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const ScriptMotion& any);
 
 /// How the motion passes into the one behind it; nothing when it stops: a blend value of 0 or below. Above

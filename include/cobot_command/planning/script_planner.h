@@ -55,8 +55,9 @@ class ScriptPlanner {
   /// A change of base or TCP counts for what follows: by value, or by the names RobotBase and NOTOOL. After
   /// any other name that frame is unknown, and only motions in joint space are planned. After a motion that
   /// was not planned nothing is, until the next joint target says where the arm is again. Everything else
-  /// takes no time. A motion with a blend value passes into the next one, unless the TCP changes or the
-  /// script waits for a tag between them.
+  /// takes no time; so do the points of a PVT, which is one motion, made at its PVTExit. Velocities that are
+  /// set are no motions here: nobody knows how long they last. A motion with a blend value passes into the
+  /// next one, unless the TCP changes or the script waits for a tag between them.
   ///
   /// `arrival`: when the robot gets the command, since the sequence began. One that arrives after the motion
   /// before it has ended starts from rest then; one that arrives after the place where it could have blended
@@ -87,6 +88,10 @@ class ScriptPlanner {
   void note(const protocol::ChangeBase& change);
   void note(const protocol::ChangeTcp& change);
   void note(const protocol::QueueTag& tag);
+  void note(const protocol::PvtEnter& enter) { pvt_ = PvtBlock{enter.cartesian, {}}; }
+  void note(const protocol::PvtPoint& point) { pvt_.points.push_back(point); }
+  void note(const protocol::ContinueVJog& mode);
+  void note(const protocol::ContinueVLine& mode);
   void note(const protocol::WaitQueueTag& wait);
   template <class Other>
   void note(const Other& /*changes nothing*/) {}
@@ -100,8 +105,9 @@ class ScriptPlanner {
   std::optional<arm::Pose> tcp_;
   double speed_override_;
   Duration duration_{};
-  motion::TrajectoryPtr last_;          // from rest to rest, without the blend into it
+  motion::TrajectoryPtr last_;          // what passes into the motion behind it
   std::optional<motion::Blend> blend_;  // of it; nothing when it stops
+  PvtBlock pvt_;                        // since its PVTEnter
 };
 
 }  // namespace cobot_command::planning

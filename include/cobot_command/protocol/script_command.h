@@ -74,6 +74,42 @@ struct MoveLine {  ///< CPP, CPR, CAP, CAR, TPP, TPR, TAP, TAR
   SixNumbers offset{};
   MotionOptions options;
 };
+struct PLine {  ///< JAP, CAP; nothing is said about precise positioning
+  DataFormat format;
+  SixNumbers target{};
+  MotionOptions options;
+};
+struct MovePLine {  ///< CAP, TAP, JAP; nothing is said about precise positioning
+  DataFormat format;
+  SixNumbers offset{};
+  MotionOptions options;
+};
+/// A trajectory of points: PVTEnter, its points and what is queued at them, PVTExit.
+struct PvtEnter {
+  bool cartesian = false;  ///< the points are poses of the TCP, not joints
+};
+struct PvtPoint {
+  SixNumbers position{};
+  SixNumbers velocity{};  ///< deg/s; or mm/s and deg/s
+  double duration = 0;    ///< from the point before [s]
+};
+struct PvtExit {};
+struct PvtPause {};
+struct PvtResume {};
+/// Continuous velocities, which need a licence (fact sheet 2.2).
+struct ContinueVJog {};
+struct ContinueVLine {
+  int zero_timeout = 0;  ///< without a new velocity the arm comes to rest [ms]
+  int stop_timeout = 0;  ///< and the mode ends [ms]
+};
+struct SetContinueVJog {
+  SixNumbers velocity{};  ///< of the joints [deg/s]
+};
+struct SetContinueVLine {
+  SixNumbers velocity{};  ///< of the TCP [mm/s, deg/s]
+};
+struct StopContinueVmode {};
+struct SuspendContinueVmode {};
 struct ChangeBase {
   std::variant<SixNumbers, std::string> base;  ///< value, or the name of a base in the project ("RobotBase")
 };
@@ -122,7 +158,9 @@ struct WriteOutput {
 
 using ScriptCommand =
     std::variant<Ptp, Line, Circle, MovePtp, MoveLine, ChangeBase, ChangeTcp, ChangeLoad, QueueTag,
-                 WaitQueueTag, StopAndClearBuffer, Pause, Resume, ScriptExit, WriteOutput>;
+                 WaitQueueTag, StopAndClearBuffer, Pause, Resume, ScriptExit, WriteOutput, PLine, MovePLine,
+                 PvtEnter, PvtPoint, PvtExit, PvtPause, PvtResume, ContinueVJog, ContinueVLine,
+                 SetContinueVJog, SetContinueVLine, StopContinueVmode, SuspendContinueVmode>;
 
 /// What can stand as the name of a base or TCP: UTF-8, not empty, without control characters (a line end
 /// would begin another command), at most kMaxNameLength bytes. Quotes are allowed: they are doubled in the
@@ -144,9 +182,9 @@ inline constexpr std::size_t kMaxNameLength = 255;
 /// range.
 ///
 /// Ranges that are checked: integers fit into 32 bits, QueueTag 1..15 with wait 0 or 1, the modes of
-/// StopAndClearBuffer and ScriptExit, module and index of an output and its value 0 or 1. Speeds, times,
-/// poses and pose bits are not: the controller accepts any and fails when it moves (fact sheet 1.3). Nor is
-/// the tag of WaitQueueTag, which has a result for unknown tags.
+/// StopAndClearBuffer, ScriptExit and PVTEnter, module and index of an output and its value 0 or 1. Speeds,
+/// times, poses and pose bits are not: the controller accepts any and fails when it moves (fact sheet 1.3).
+/// Nor is the tag of WaitQueueTag, which has a result for unknown tags.
 struct ScriptFault {
   int line = 1;         ///< from 1, empty lines count
   std::string message;  ///< found, expected

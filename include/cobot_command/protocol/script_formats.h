@@ -14,6 +14,8 @@ inline constexpr std::array<std::string_view, 2> kCircle{"CPP", "CAP"};
 inline constexpr std::array<std::string_view, 3> kMovePtp{"CPP", "TPP", "JPP"};
 inline constexpr std::array<std::string_view, 8> kMoveLine{"CPP", "CPR", "CAP", "CAR",
                                                            "TPP", "TPR", "TAP", "TAR"};
+inline constexpr std::array<std::string_view, 2> kPLine{"JAP", "CAP"};
+inline constexpr std::array<std::string_view, 3> kMovePLine{"CAP", "TAP", "JAP"};
 /// The only one that takes pose configuration bits.
 inline constexpr std::string_view kWithPoseBits = "CPP";
 /// In the order of IoModule.

@@ -109,5 +109,40 @@ TEST_F(BlendedScript, tellsOfNoMisfitWhereNothingIsBlendedByRadius) {
   EXPECT_FALSE(append(planner, "Move_PTP(\"JPP\",0,0,0,0,0,1,10,200,0,false)").misfit);
 }
 
+TEST(Chains, ofPLinesSpeedUpAndSlowDownOnce) {
+  // 5 x 20 mm at 100 mm/s, and one ramp of 100 ms.
+  ScriptPlanner planner(model(), workingPosture(), motion::Setting{});
+  for (int i = 0; i < 5; ++i) {
+    const PlannedStep step = append(planner, "Move_PLine(\"CAP\",0,20,0,0,0,0,100,100,50)");
+    EXPECT_LE(step.start + step.duration, planner.duration());
+  }
+  EXPECT_NEAR(toSeconds(planner.duration()), 1.0 + 0.1, 1e-6);
+}
+
+TEST(Chains, ofPvtPointsAreOneMotionAtTheirEnd) {
+  ScriptPlanner planner(model(), workingPosture(), motion::Setting{});
+  EXPECT_FALSE(append(planner, "PVTEnter(0)").trajectory);
+  EXPECT_FALSE(append(planner, "PVTPoint(12,15,80,-5,85,20,4,0,0,0,0,0,0.5)").trajectory);
+  EXPECT_FALSE(append(planner, "QueueTag(2)").trajectory);
+  EXPECT_FALSE(append(planner, "PVTPoint(14,15,80,-5,85,20,0,0,0,0,0,0,1)").trajectory);
+  const PlannedStep step = append(planner, "PVTExit()");
+  ASSERT_TRUE(step.trajectory);
+  EXPECT_EQ(step.duration, std::chrono::milliseconds(1500));
+  EXPECT_EQ(planner.joints(), arm::toJointVector({14, 15, 80, -5, 85, 20}));
+}
+
+TEST(Chains, ofPvtPointsThatCannotBeMadeAreRefused) {
+  ScriptPlanner planner(model(), workingPosture(), motion::Setting{});
+  append(planner, "PVTEnter(0)");
+  append(planner, "PVTPoint(100,15,80,-5,85,20,0,0,0,0,0,0,0.1)");
+  EXPECT_EQ(refusalOf(planner, "PVTExit()").reason, motion::Refusal::Reason::JointSpeed);
+}
+
+TEST(Chains, endWhereTheArmTakesVelocities) {
+  ScriptPlanner planner(model(), workingPosture(), motion::Setting{});
+  append(planner, "ContinueVLine(500,1000)");
+  EXPECT_FALSE(planner.jointsKnown());
+}
+
 }  // namespace
 }  // namespace cobot_command::planning

@@ -86,5 +86,33 @@ TEST(ScriptMotion, readsOffsetsOfJointsBaseAndTool) {
   }
 }
 
+TEST(ScriptMotion, readsPLinesToJointsPosesAndByOffsets) {
+  const auto joints = made<motion::PLine, protocol::PLine>("PLine(\"JAP\",1,2,3,4,5,6,35,250,50)");
+  EXPECT_EQ(std::get<arm::JointVector>(joints.target), arm::toJointVector({1, 2, 3, 4, 5, 6}));
+  EXPECT_DOUBLE_EQ(std::get<motion::TcpSpeed>(joints.speed).metres_per_second, 0.035);
+  EXPECT_EQ(joints.time_to_top_speed, 250ms);
+  const auto pose = made<motion::PLine, protocol::PLine>("PLine(\"CAP\",400,0,300,180,0,90,35,250,50)");
+  EXPECT_TRUE(std::get<arm::Pose>(pose.target).isApprox(arm::toPose({400, 0, 300, 180, 0, 90})));
+  const auto tool = made<motion::MovePLine, protocol::MovePLine>("Move_PLine(\"TAP\",1,2,3,4,5,6,35,250,50)");
+  EXPECT_EQ(std::get<motion::PoseOffset>(tool.offset).axes, motion::PoseOffset::Axes::Tool);
+  const auto by = made<motion::MovePLine, protocol::MovePLine>("Move_PLine(\"JAP\",1,2,3,4,5,6,35,250,50)");
+  EXPECT_EQ(std::get<arm::JointVector>(by.offset), arm::toJointVector({1, 2, 3, 4, 5, 6}));
+}
+
+TEST(ScriptMotion, readsDegreesMillimetresAndSecondsOfAPvt) {
+  const protocol::PvtPoint point{{400, -100, 300, 180, 0, 90}, {10, 20, 30, 40, 50, 60}, 0.5};
+  const auto joints = made<motion::Pvt>(PvtBlock{false, {point}});
+  const auto& of_joints = std::get<std::vector<motion::PvtJointPoint>>(joints.points).front();
+  EXPECT_EQ(of_joints.position, arm::toJointVector(point.position));
+  EXPECT_EQ(of_joints.velocity, arm::toJointVector(point.velocity));
+  EXPECT_DOUBLE_EQ(of_joints.duration, 0.5);
+  const auto poses = made<motion::Pvt>(PvtBlock{true, {point}});
+  const auto& of_poses = std::get<std::vector<motion::PvtPosePoint>>(poses.points).front();
+  EXPECT_TRUE(of_poses.pose.isApprox(arm::toPose(point.position)));
+  EXPECT_TRUE(of_poses.velocity.linear.isApprox(Eigen::Vector3d(0.01, 0.02, 0.03)));
+  EXPECT_TRUE(of_poses.velocity.angular.isApprox(Eigen::Vector3d(degToRad(40), degToRad(50), degToRad(60))));
+  EXPECT_FALSE(blendOf(PvtBlock{true, {point}}));
+}
+
 }  // namespace
 }  // namespace cobot_command::planning
