@@ -56,6 +56,7 @@ std::optional<std::string> ScriptEnvironment::objectionTo(
       arguments.size() == 1 && arguments[0] ? std::get_if<std::string>(&*arguments[0]) : nullptr;
   if (name != nullptr && function == "ChangeBase") return unknownName(project_.bases, *name);
   if (name != nullptr && function == "ChangeTCP") return unknownName(project_.tools, *name);
+  if (!velocity_licence_ && needsLicence(function)) return function + " needs a licence";
   return simulator::objectionTo(function, arguments);
 }
 

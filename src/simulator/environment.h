@@ -24,8 +24,11 @@ class ScriptEnvironment final : public language::Environment {
     std::function<void(const protocol::ListenData&)> send;
   };
 
-  ScriptEnvironment(RobotItems items, const ProjectData& project, Effects effects)
-      : items_(std::move(items)), project_(project), effects_(std::move(effects)) {}
+  ScriptEnvironment(RobotItems items, const ProjectData& project, bool velocity_licence, Effects effects)
+      : items_(std::move(items)),
+        project_(project),
+        velocity_licence_(velocity_licence),
+        effects_(std::move(effects)) {}
 
   [[nodiscard]] Result<language::ItemShape, std::string> shapeOf(
       const std::string& object, const std::vector<std::optional<language::Scalar>>& keys,
@@ -52,6 +55,7 @@ class ScriptEnvironment final : public language::Environment {
 
   RobotItems items_;
   const ProjectData& project_;
+  bool velocity_licence_;
   Effects effects_;
 };
 

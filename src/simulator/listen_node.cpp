@@ -100,19 +100,20 @@ void ListenNode::enter(Instant now) {
 }
 
 // Called when the flow starts to leave: what still waits can no longer run.
-void ListenNode::leave() {
+void ListenNode::leave(Instant now) {
+  queue_.leaveModes(now);
   flow_ = after(flow_, FlowEvent::Exit);
   for (const PendingScript& script : interpreter_.takePending()) {
     refuseFrame(script.client, Code::NotListening);
   }
 }
 
-void ListenNode::leaveForGood() {
+void ListenNode::leaveForGood(Instant now) {
   reentry_delay_.reset();
   reenter_at_.reset();
   if (!listening()) return;
   interpreter_.endCurrent();
-  leave();
+  leave(now);
 }
 
 void ListenNode::comeBack(Instant now) {
@@ -131,12 +132,12 @@ bool ListenNode::step(Instant now) {
   if (timeout() <= now) {
     outbox_.log(fmt::format("{} timeout of the Listen node", heard_at_ ? "data" : "connection"));
     interpreter_.endCurrent();
-    leave();
+    leave(now);
     return true;
   }
   if (flow_ == FlowState::Listening) {
     const auto step = interpreter_.run(now);
-    if (step == ScriptInterpreter::Step::Exited) leave();
+    if (step == ScriptInterpreter::Step::Exited) leave(now);
     return step != ScriptInterpreter::Step::Waits;
   }
   if (flow_ == FlowState::Leaving && queue_.idle()) {
@@ -262,7 +263,7 @@ bool ListenNode::runPriorityCommand(const PendingScript& script, Instant now) {
 void ListenNode::exit(Instant now) {
   queue_.stop(now);
   abandonScripts();
-  leave();
+  leave(now);
 }
 
 void ListenNode::stopAndClear(int mode, Instant now) {

@@ -37,7 +37,7 @@ class ListenNode {
   /// Closes the port and its clients, forgets all scripts and tags.
   void stop();
   /// The operator lets the flow go elsewhere, once the queued motions are done, and back.
-  void leaveForGood();
+  void leaveForGood(Instant now);
   void comeBack(Instant now);
   [[nodiscard]] bool projectRuns() const { return flow_ != FlowState::Stopped; }
   [[nodiscard]] bool listening() const { return flow_ == FlowState::Listening; }
@@ -66,7 +66,7 @@ class ListenNode {
   void exit(Instant now);
   void stopAndClear(int mode, Instant now);
   void enter(Instant now);
-  void leave();
+  void leave(Instant now);
   [[nodiscard]] Instant timeout() const;
 
   const Settings& settings_;

@@ -22,6 +22,14 @@ std::optional<motion::Command> toTheSameEnd(const motion::Command& command) {
                  [](const motion::MoveLine& line) -> Wanted {
                    return motion::MovePtp{line.offset, 1.0, line.time_to_top_speed};
                  },
+                 [](const motion::PLine& line) -> Wanted {
+                   const auto* pose = std::get_if<arm::Pose>(&line.target);
+                   if (pose == nullptr) return std::nullopt;
+                   return motion::Ptp{motion::PoseTarget{*pose, {}}, 1.0, line.time_to_top_speed};
+                 },
+                 [](const motion::MovePLine& line) -> Wanted {
+                   return motion::MovePtp{line.offset, 1.0, line.time_to_top_speed};
+                 },
                  [](const auto&) -> Wanted { return std::nullopt; }},
       command);
 }
@@ -41,8 +49,12 @@ Result<motion::TrajectoryPtr, RobotError> plan(const arm::ArmModel& arm, const a
   return refuse(robotErrorFor(planned.error(), reaches_end));
 }
 
-bool isMotionOrTcpChange(const QueueItem& item) {
-  return std::holds_alternative<MotionRequest>(item) || std::holds_alternative<TcpChange>(item);
+bool moves(const QueueItem& item) {
+  return std::holds_alternative<MotionRequest>(item) || std::holds_alternative<VelocityMode>(item);
+}
+
+bool movesOrChangesTcp(const QueueItem& item) {
+  return moves(item) || std::holds_alternative<TcpChange>(item);
 }
 
 bool isTag(const QueueItem& item) {
@@ -64,7 +76,7 @@ void MotionQueue::resetSetting() {
   tcp_name_ = "NOTOOL";
   tcp_mass_ = load_ = 0.0;
   tcp_inertia_ = {};
-  paused_ = false;
+  paused_ = pvt_paused_ = false;
   clearError();
   stale_tags_.clear();
 }
@@ -76,7 +88,12 @@ void MotionQueue::setSpeedOverride(double override) {
 }
 
 void MotionQueue::push(QueueItem item) {
-  if (std::holds_alternative<MotionRequest>(item) && !error_stands_) error_.reset();
+  if (pvt_) {
+    pvt_->between.emplace_back(PvtMark{pvt_->time});
+    pvt_->between.push_back(std::move(item));
+    return;
+  }
+  if (moves(item) && !error_stands_) error_.reset();
   items_.push_back(std::move(item));
 }
 
@@ -87,6 +104,8 @@ bool MotionQueue::run(Instant now) {
       lookAhead(now);
       if (next_ && next_->takes_over_at && *next_->takes_over_at <= now) {
         takeOver(now);
+      } else if (const auto mark = markAt(); mark && *mark <= now) {
+        passMark(now);
       } else if (end_at_ && *end_at_ <= now) {
         endActive();
       } else {
@@ -94,8 +113,13 @@ bool MotionQueue::run(Instant now) {
       }
       continue;
     }
+    if (velocity_) {
+      if (velocity_->ends_at > now) return ran;
+      velocity_.reset();
+      continue;
+    }
     if (items_.empty()) return ran;
-    if (held() && std::holds_alternative<MotionRequest>(items_.front())) return ran;
+    if (held() && moves(items_.front())) return ran;
     const QueueItem item = std::move(items_.front());
     items_.pop_front();
     std::visit([&](const auto& what) { apply(what, now); }, item);
@@ -104,9 +128,13 @@ bool MotionQueue::run(Instant now) {
 
 void MotionQueue::endActive() {
   posture_ = stopping_ ? at(*end_at_).position : active_->path->end().position;
+  auto obstacle = std::move(active_->obstacle);
   active_.reset();
   end_at_.reset();
-  if (!std::exchange(stopping_, false)) settleStaleTags();
+  pvt_paused_ = false;
+  if (std::exchange(stopping_, false)) return;
+  settleStaleTags();
+  if (obstacle) fail(std::move(*obstacle));
 }
 
 void MotionQueue::settleStaleTags() {
@@ -116,11 +144,11 @@ void MotionQueue::settleStaleTags() {
 // What comes behind a motion that blends is planned as soon as it is known: it takes over before the end.
 void MotionQueue::lookAhead(Instant now) {
   if (active_->looked_ahead || !active_->blend || stopping_) return;
-  const auto behind = std::find_if(items_.begin(), items_.end(), isMotionOrTcpChange);
+  const auto behind = std::find_if(items_.begin(), items_.end(), movesOrChangesTcp);
   if (behind == items_.end()) return;
   active_->looked_ahead = true;
   const auto* request = std::get_if<MotionRequest>(&*behind);
-  if (request == nullptr) return;  // at a change of the TCP the arm stops
+  if (request == nullptr) return;  // at a change of the TCP the arm stops, and for velocities
 
   motion::Setting setting = setting_;
   for (auto item = items_.begin(); item != behind; ++item) {
@@ -128,10 +156,10 @@ void MotionQueue::lookAhead(Instant now) {
   }
   const auto planned = plan(arm_, active_->planned->end().position, *request, setting);
   if (!planned) return;  // it fails when its turn comes
-  const Duration overlap = motion::overlapAt(arm_, {*active_->planned, **planned, setting.tcp},
-                                             *active_->blend, pathEnd() - clock_.pathTime(now));
-  if (overlap <= Duration::zero()) return;
-  next_ = Next{*planned, overlap, std::nullopt};
+  auto passage = motion::passInto(arm_, active_->planned, *planned, setting.tcp, *active_->blend,
+                                  pathEnd() - clock_.pathTime(now));
+  if (passage.overlap <= Duration::zero()) return;
+  next_ = Next{std::move(passage), std::nullopt};
   schedule(now);
 }
 
@@ -142,29 +170,32 @@ void MotionQueue::takeOver(Instant now) {
     const QueueItem item = std::move(items_.front());
     items_.pop_front();
     if (const auto* request = std::get_if<MotionRequest>(&item)) {
-      return begin(*request, next.planned, next.overlap, now);
+      return begin(*request, next.passage, now);
     }
     std::visit([&](const auto& what) { apply(what, now); }, item);
   }
 }
 
-void MotionQueue::begin(const MotionRequest& request, const motion::TrajectoryPtr& planned, Duration overlap,
-                        Instant now) {
-  Active active{planned, planned, planning::blendOf(request), Duration::zero(), false};
-  if (active_) {
-    active.path = motion::blended(active_->planned, planned, overlap);
-    active.start = pathEnd() - overlap;
-  }
-  active_ = std::move(active);
+void MotionQueue::begin(const MotionRequest& request, motion::Passage passage, Instant now) {
+  const Duration start = active_ ? pathEnd() - passage.overlap : Duration::zero();
+  const Duration duration = passage.planned->duration();
+  active_ = Active{std::move(passage.path),
+                   std::move(passage.planned),
+                   planning::blendOf(request),
+                   start,
+                   false,
+                   setting_.speed_override,
+                   std::nullopt,
+                   std::holds_alternative<planning::PvtBlock>(request)};
   schedule(now);
-  events_.emplace_back(MotionStarted{planned->duration()});
+  events_.emplace_back(MotionStarted{duration});
 }
 
 void MotionQueue::schedule(Instant now) {
   end_at_ = clock_.reaches(pathEnd());
   if (!next_) return;
   const bool stands = held() && clock_.rate(now) <= 0.0;
-  next_->takes_over_at = stands ? std::nullopt : clock_.reaches(pathEnd() - next_->overlap);
+  next_->takes_over_at = stands ? std::nullopt : clock_.reaches(pathEnd() - next_->passage.overlap);
 }
 
 void MotionQueue::apply(const MotionRequest& request, Instant now) {
@@ -172,7 +203,7 @@ void MotionQueue::apply(const MotionRequest& request, Instant now) {
   const auto planned = plan(arm_, posture_, request, setting_);
   if (!planned) return fail(planned.error());
   clock_.start(now);
-  begin(request, *planned, Duration::zero(), now);
+  begin(request, {Duration::zero(), *planned, *planned}, now);
 }
 
 void MotionQueue::apply(const BaseChange& change, Instant) {
@@ -205,6 +236,8 @@ void MotionQueue::apply(const SetAnalogOutput& write, Instant) {
 
 void MotionQueue::fail(RobotError error) {
   error_ = std::move(error);
+  velocity_.reset();
+  dropPvt();
   for (const QueueItem& item : std::exchange(items_, {})) {
     if (const auto* tag = std::get_if<QueuedTag>(&item)) settle(*tag, false);
   }
@@ -212,6 +245,8 @@ void MotionQueue::fail(RobotError error) {
 }
 
 void MotionQueue::dropQueue() {
+  velocity_.reset();
+  dropPvt();
   const bool keeps_tags = std::any_of(items_.begin(), items_.end(), isTag) && stale_tag_.take();
   next_.reset();
   for (const QueueItem& item : std::exchange(items_, {})) {
@@ -226,17 +261,31 @@ void MotionQueue::dropQueue() {
 }
 
 Instant MotionQueue::nextEvent() const {
-  const Instant end = end_at_.value_or(Instant::max());
-  return next_ ? std::min(end, next_->takes_over_at.value_or(Instant::max())) : end;
+  if (!active_) return velocity_ ? velocity_->ends_at : Instant::max();
+  const auto takes_over_at = next_ ? next_->takes_over_at : std::nullopt;
+  return std::min({end_at_.value_or(Instant::max()), takes_over_at.value_or(Instant::max()),
+                   markAt().value_or(Instant::max())});
 }
 
 std::vector<QueueEvent> MotionQueue::takeEvents() {
   return std::exchange(events_, {});
 }
 
+bool& MotionQueue::heldBy(Holder holder) {
+  switch (holder) {
+    case Holder::Safeguard:
+      return safeguarded_;
+    case Holder::Pvt:
+      return pvt_paused_;
+    case Holder::Project:
+      break;
+  }
+  return paused_;
+}
+
 void MotionQueue::pause(Instant now, Holder holder) {
   const bool stood = held();
-  (holder == Holder::Project ? paused_ : safeguarded_) = true;
+  heldBy(holder) = true;
   if (stood || !active_ || stopping_) return;
   clock_.slowDown(now);
   schedule(now);
@@ -244,7 +293,7 @@ void MotionQueue::pause(Instant now, Holder holder) {
 
 void MotionQueue::resume(Instant now, Holder holder) {
   const bool stood = held();
-  (holder == Holder::Project ? paused_ : safeguarded_) = false;
+  heldBy(holder) = false;
   if (!stood || held() || !active_ || stopping_) return;
   clock_.speedUp(now);
   schedule(now);
@@ -279,7 +328,7 @@ void MotionQueue::halt(Instant now) {
   posture_ = at(now).position;
   active_.reset();
   end_at_.reset();
-  stopping_ = false;
+  stopping_ = pvt_paused_ = false;
   dropQueue();
 }
 

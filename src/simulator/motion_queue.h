@@ -2,8 +2,9 @@
 //
 // Everything happens in order and at its exact time: a motion starts where the one before it ends, or,
 // blended, where it is to take over; that is where the one before it is done. A change of base, TCP or load
-// acts on the motions behind it; a tag is settled when all before it is done. Call run() at nextEvent() at
-// the latest.
+// acts on the motions behind it; a tag is settled when all before it is done. A PVT is one motion; what is
+// queued between its points acts when the arm is there. While the arm takes velocities, what is behind waits.
+// Call run() at nextEvent() at the latest.
 #pragma once
 
 #include <cstddef>
@@ -22,6 +23,7 @@
 #include "cobot_command/motion/blend.h"
 #include "cobot_command/motion/command.h"
 #include "cobot_command/motion/trajectory.h"
+#include "cobot_command/motion/velocity.h"
 #include "cobot_command/planning/script_motion.h"
 #include "cobot_command/simulator/fault_switches.h"
 
@@ -41,8 +43,21 @@ struct TcpChange {
 struct LoadChange {
   double mass = 0;  ///< [kg]
 };
-using QueueItem = std::variant<MotionRequest, BaseChange, TcpChange, LoadChange, QueuedTag,
-                               protocol::WriteOutput, SetAnalogOutput>;
+/// Within a PVT that is under way, what is behind this waits until so long after its start, at a project
+/// speed of 100 % [s].
+struct PvtMark {
+  double time = 0.0;
+};
+using Velocity = std::variant<arm::JointVector, motion::TcpVelocity>;
+/// From here on the arm takes velocities, of one kind.
+struct VelocityMode {
+  bool of_tcp = false;
+  /// Since the last velocity: the arm comes to rest, the mode ends.
+  std::optional<Duration> time_to_rest, time_to_end;
+  std::optional<Velocity> first{};  ///< came before the mode began
+};
+using QueueItem = std::variant<MotionRequest, BaseChange, TcpChange, LoadChange, QueuedTag, PvtMark,
+                               VelocityMode, protocol::WriteOutput, SetAnalogOutput>;
 
 /// What the queue tells: a tag came to its end.
 struct TagSettled {
@@ -85,9 +100,30 @@ class MotionQueue {
 
   /// Slows down on the path and stands; goes on when none of those who held it does any more. Each acts once
   /// however often it is called.
-  enum class Holder { Project, Safeguard };
+  enum class Holder { Project, Safeguard, Pvt };
   void pause(Instant now, Holder holder = Holder::Project);
   void resume(Instant now, Holder holder = Holder::Project);
+  // --- PVT: motion_modes.cpp
+  /// From here on points, and what is queued between them.
+  void openPvt(bool cartesian) { pvt_.emplace(OpenPvt{{cartesian, {}}, {}, 0.0}); }
+  void addPoint(const protocol::PvtPoint& point);
+  /// The whole is queued.
+  void closePvt();
+  [[nodiscard]] bool pvtIsOpen() const { return pvt_.has_value(); }
+  /// Holds a PVT that is under way, and no other motion.
+  void pausePvt(Instant now);
+  void resumePvt(Instant now) { resume(now, Holder::Pvt); }
+
+  // --- Velocities: motion_modes.cpp
+  /// Why not, if it cannot be taken: no mode of this kind is there or waits, or the arm is held.
+  [[nodiscard]] std::optional<std::string> setVelocity(const Velocity& velocity, Instant now);
+  /// The arm comes to rest.
+  void suspendVelocity(Instant now);
+  /// And the mode ends.
+  void endVelocity(Instant now);
+  /// Ends what a script has begun and nobody can end any more: an open PVT, velocities.
+  void leaveModes(Instant now);
+
   /// For the motions that start from now on, (0, 1].
   void setSpeedOverride(double override);
   /// Stops on the path; what is queued, and what will be until clearError(), fails with this error.
@@ -103,12 +139,12 @@ class MotionQueue {
   [[nodiscard]] motion::JointState at(Instant now) const;
   [[nodiscard]] bool inMotion(Instant now) const;
   /// No motion is under way and none waits.
-  [[nodiscard]] bool idle() const { return !active_ && items_.empty(); }
+  [[nodiscard]] bool idle() const { return !active_ && !velocity_ && items_.empty(); }
   /// By the project; a safeguard may hold it all the same.
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] int motionCount() const;
-  /// All items that wait, of whatever kind.
-  [[nodiscard]] std::size_t size() const { return items_.size(); }
+  /// All items that wait, of whatever kind, and the points of PVT.
+  [[nodiscard]] std::size_t size() const;
   [[nodiscard]] const motion::Setting& setting() const { return setting_; }
   [[nodiscard]] const std::string& baseName() const { return base_name_; }
   [[nodiscard]] const std::string& tcpName() const { return tcp_name_; }
@@ -125,33 +161,52 @@ class MotionQueue {
     std::optional<motion::Blend> blend;  // into the motion behind it
     Duration start{};                    // path time; it runs on through blends
     bool looked_ahead = false;           // whether it blends is settled
+    double speed_override = 1.0;         // as planned
+    std::optional<RobotError> obstacle;  // why a velocity ends there
+    bool is_pvt = false;
   };
   /// The motion that will take over from the active one.
   struct Next {
-    motion::TrajectoryPtr planned;
-    Duration overlap{};
+    motion::Passage passage;
     std::optional<Instant> takes_over_at;  // nothing while a pause holds the arm before
   };
 
-  void begin(const MotionRequest& request, const motion::TrajectoryPtr& planned, Duration overlap,
-             Instant now);
+  struct OpenPvt {
+    planning::PvtBlock block;
+    std::vector<QueueItem> between;  // each behind its mark
+    double time = 0.0;               // of the last point
+  };
+  struct Velocities {
+    VelocityMode mode;
+    Instant ends_at;  // once the arm is at rest
+  };
+
+  void begin(const MotionRequest& request, motion::Passage passage, Instant now);
   void lookAhead(Instant now);
   void takeOver(Instant now);
   void schedule(Instant now);
+  [[nodiscard]] bool& heldBy(Holder holder);
   [[nodiscard]] Duration pathEnd() const { return active_->start + active_->planned->duration(); }
   void settleStaleTags();
   void endActive();
+  /// What is to be done at a place within the PVT that is under way.
+  [[nodiscard]] std::optional<Instant> markAt() const;
+  void passMark(Instant now);
+  void drive(const Velocity& velocity, Instant now);
+  void dropPvt();
   void apply(const MotionRequest& request, Instant now);
   void apply(const BaseChange& change, Instant now);
   void apply(const TcpChange& change, Instant now);
   void apply(const LoadChange& change, Instant now);
   void apply(const QueuedTag& tag, Instant now);
+  void apply(const PvtMark&, Instant) {}  // the PVT is over
+  void apply(const VelocityMode& mode, Instant now);
   void apply(const protocol::WriteOutput& write, Instant now);
   void apply(const SetAnalogOutput& write, Instant now);
   void fail(RobotError error);
   void dropQueue();
   void brake(Instant now);
-  [[nodiscard]] bool held() const { return paused_ || safeguarded_; }
+  [[nodiscard]] bool held() const { return paused_ || safeguarded_ || pvt_paused_; }
   void settle(const QueuedTag& tag, bool complete) { events_.emplace_back(TagSettled{tag, complete}); }
 
   const arm::ArmModel& arm_;
@@ -171,8 +226,11 @@ class MotionQueue {
   bool stopping_ = false;
   bool paused_ = false;
   bool safeguarded_ = false;
+  bool pvt_paused_ = false;
 
   std::deque<QueueItem> items_;
+  std::optional<OpenPvt> pvt_;
+  std::optional<Velocities> velocity_;
   std::vector<QueuedTag> stale_tags_;
   std::vector<QueueEvent> events_;
   std::optional<RobotError> error_;

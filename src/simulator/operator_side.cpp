@@ -60,7 +60,7 @@ OperatorReply SimulatedController::Impl::act(const ResumeProject&) {
 
 OperatorReply SimulatedController::Impl::act(const LeaveListenNode&) {
   if (!node_.projectRuns()) return notDone(kNoProject);
-  node_.leaveForGood();
+  node_.leaveForGood(now_);
   settle();
   return done(queue_.idle() ? "the flow is in another node"
                             : "the flow leaves the Listen node when the queued motions are done");

@@ -86,6 +86,30 @@ ScriptCommand makeWithMode(CallArguments& arguments) {
   return command;
 }
 
+/// PLine and Move_PLine.
+template <class Motion>
+ScriptCommand makeChained(CallArguments& arguments) {
+  return Motion{arguments.format(), arguments.numbers<6>(), arguments.motionOptions()};
+}
+
+ScriptCommand makePvtEnter(CallArguments& arguments) {
+  return protocol::PvtEnter{arguments.more() && arguments.integer() == 1};
+}
+
+ScriptCommand makePvtPoint(CallArguments& arguments) {
+  return protocol::PvtPoint{arguments.numbers<6>(), arguments.numbers<6>(), arguments.number()};
+}
+
+ScriptCommand makeContinueVLine(CallArguments& arguments) {
+  return protocol::ContinueVLine{arguments.integer(), arguments.integer()};
+}
+
+/// SetContinueVJog and SetContinueVLine.
+template <class Command>
+ScriptCommand makeVelocity(CallArguments& arguments) {
+  return Command{arguments.numbers<6>()};
+}
+
 template <class Command>
 ScriptCommand makePlain(CallArguments&) {
   return Command{};
@@ -106,8 +130,8 @@ struct RobotFunction {
   /// p6 stands for six numbers or an array of six; so do p9, and i3 for integers.
   std::string_view declaration;
   language::Version since;
-  Formats formats{};
-  ScriptCommand (*make)(CallArguments&) = nullptr;  ///< nothing: known, but not simulated
+  Formats formats;
+  ScriptCommand (*make)(CallArguments&);
 
   [[nodiscard]] std::string_view name() const {
     const std::size_t blank = declaration.find(' ');
@@ -139,19 +163,19 @@ const std::vector<RobotFunction>& robotFunctions() {
       {"bool Resume()", {1, 72}, {}, makePlain<Resume>},
       {"bool QueueTag(int, int?)", {1, 76}, {}, makeQueueTag},
       {"int WaitQueueTag(int, int?)", {1, 76}, {}, makeWaitQueueTag},
-      {"bool PLine(string, p6, int, int, int)", {1, 68}},
-      {"bool Move_PLine(string, p6, int, int, int)", {1, 68}},
-      {"bool PVTEnter(int?)", {1, 72}},
-      {"bool PVTPoint(p6, p6, double)", {1, 72}},
-      {"bool PVTExit()", {1, 72}},
-      {"bool PVTPause()", {1, 72}},
-      {"bool PVTResume()", {1, 72}},
-      {"bool ContinueVJog()", {1, 68}},
-      {"bool ContinueVLine(int, int)", {1, 68}},
-      {"bool SetContinueVJog(6 double)", {1, 68}},
-      {"bool SetContinueVLine(6 double)", {1, 68}},
-      {"bool StopContinueVmode()", {1, 68}},
-      {"bool SuspendContinueVmode()", {1, 68}},
+      {"bool PLine(string, p6, int, int, int)", {1, 68}, formats::kPLine, makeChained<PLine>},
+      {"bool Move_PLine(string, p6, int, int, int)", {1, 68}, formats::kMovePLine, makeChained<MovePLine>},
+      {"bool PVTEnter(int?)", {1, 72}, {}, makePvtEnter},
+      {"bool PVTPoint(p6, p6, double)", {1, 72}, {}, makePvtPoint},
+      {"bool PVTExit()", {1, 72}, {}, makePlain<PvtExit>},
+      {"bool PVTPause()", {1, 72}, {}, makePlain<PvtPause>},
+      {"bool PVTResume()", {1, 72}, {}, makePlain<PvtResume>},
+      {"bool ContinueVJog()", {1, 68}, {}, makePlain<ContinueVJog>},
+      {"bool ContinueVLine(int, int)", {1, 68}, {}, makeContinueVLine},
+      {"bool SetContinueVJog(p6)", {1, 68}, {}, makeVelocity<SetContinueVJog>},
+      {"bool SetContinueVLine(p6)", {1, 68}, {}, makeVelocity<SetContinueVLine>},
+      {"bool StopContinueVmode()", {1, 68}, {}, makePlain<StopContinueVmode>},
+      {"bool SuspendContinueVmode()", {1, 68}, {}, makePlain<SuspendContinueVmode>},
   };
   return kFunctions;
 }
@@ -214,7 +238,6 @@ std::optional<std::string> objectionTo(const std::string& function,
   constexpr int kLastTag = 15;
   const RobotFunction* known = find(function);
   if (known == nullptr) return std::nullopt;
-  if (known->make == nullptr) return function + " is a known function, but not simulated";
   const auto* format =
       known->formats.count > 0 && arguments[0] ? std::get_if<std::string>(&*arguments[0]) : nullptr;
   if (format != nullptr) {
@@ -226,6 +249,7 @@ std::optional<std::string> objectionTo(const std::string& function,
     if (auto wrong = outside("the tag", arguments[0], 1, kLastTag)) return wrong;
     if (arguments.size() > 1) return outside("whether to wait", arguments[1], 0, 1);
   }
+  if (function == "PVTEnter" && !arguments.empty()) return outside("the mode", arguments[0], 0, 1);
   if (function == "StopAndClearBuffer" && !arguments.empty()) return outside("the mode", arguments[0], 0, 2);
   if (function == "ScriptExit" && !arguments.empty()) return outside("the mode", arguments[0], 0, 1);
   return std::nullopt;
@@ -237,20 +261,37 @@ ScriptCommand commandOf(const std::string& function, const language::Arguments& 
 }
 
 bool isQueued(std::string_view function) {
-  constexpr std::array<std::string_view, 5> kImmediate{"WaitQueueTag", "StopAndClearBuffer", "Pause",
-                                                       "Resume", "ScriptExit"};
+  constexpr std::array<std::string_view, 11> kImmediate{"WaitQueueTag",
+                                                        "StopAndClearBuffer",
+                                                        "Pause",
+                                                        "Resume",
+                                                        "ScriptExit",
+                                                        "PVTPause",
+                                                        "PVTResume",
+                                                        "SetContinueVJog",
+                                                        "SetContinueVLine",
+                                                        "StopContinueVmode",
+                                                        "SuspendContinueVmode"};
   return find(function) != nullptr &&
          std::find(kImmediate.begin(), kImmediate.end(), function) == kImmediate.end();
 }
 
 bool isQueued(const ScriptCommand& command) {
+  using namespace protocol;
   return std::visit(
-      Overloaded{[](const protocol::WriteOutput& write) { return !write.instant; },
-                 [](const protocol::WaitQueueTag&) { return false; },
-                 [](const protocol::StopAndClearBuffer&) { return false; },
-                 [](const protocol::Pause&) { return false; }, [](const protocol::Resume&) { return false; },
-                 [](const protocol::ScriptExit&) { return false; }, [](const auto&) { return true; }},
+      Overloaded{[](const WriteOutput& write) { return !write.instant; },
+                 [](const WaitQueueTag&) { return false; }, [](const StopAndClearBuffer&) { return false; },
+                 [](const Pause&) { return false; }, [](const Resume&) { return false; },
+                 [](const ScriptExit&) { return false; }, [](const PvtPause&) { return false; },
+                 [](const PvtResume&) { return false; }, [](const SetContinueVJog&) { return false; },
+                 [](const SetContinueVLine&) { return false; },
+                 [](const StopContinueVmode&) { return false; },
+                 [](const SuspendContinueVmode&) { return false; }, [](const auto&) { return true; }},
       command);
+}
+
+bool needsLicence(std::string_view function) {
+  return function.find("ContinueV") != std::string_view::npos && find(function) != nullptr;
 }
 
 }  // namespace cobot_command::simulator

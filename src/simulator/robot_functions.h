@@ -16,8 +16,7 @@ namespace cobot_command::simulator {
 void declareRobotFunctions(language::FunctionTable& functions);
 
 /// What is wrong with a call, as far as its arguments are known: a data format that the function does not
-/// take, a tag or mode that does not exist, a function that is not simulated. Names of bases and TCPs are not
-/// looked at.
+/// take, a tag or mode that does not exist. Names of bases and TCPs are not looked at, nor is the licence.
 [[nodiscard]] std::optional<std::string> objectionTo(
     const std::string& function, const std::vector<std::optional<language::Scalar>>& arguments);
 
@@ -29,5 +28,7 @@ void declareRobotFunctions(language::FunctionTable& functions);
 /// Does a call go into the queue of motions?
 [[nodiscard]] bool isQueued(std::string_view function);
 [[nodiscard]] bool isQueued(const protocol::ScriptCommand& command);
+/// The functions of continuous velocities.
+[[nodiscard]] bool needsLicence(std::string_view function);
 
 }  // namespace cobot_command::simulator

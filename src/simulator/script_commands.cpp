@@ -44,6 +44,7 @@ language::CallAnswer ScriptInterpreter::set(const SetAnalogOutput& output, bool 
 
 template <class Motion>
 language::CallAnswer ScriptInterpreter::execute(const Motion& motion) {
+  if (auto failure = withinPvt("another motion")) return *failure;
   robot_.queue.push(MotionRequest(motion));
   return done();
 }
@@ -74,6 +75,9 @@ language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeLoad& chan
 }
 
 language::CallAnswer ScriptInterpreter::execute(const protocol::QueueTag& tag) {
+  if (tag.wait) {
+    if (auto failure = withinPvt("a wait for a tag")) return *failure;
+  }
   QueuedTag queued = tags_.add(tag.tag);
   queued.reported = faults_.early_tag.take();
   if (queued.reported) clients_.broadcast(protocol::TagReport{tag.tag, protocol::TagState::Complete});

@@ -50,6 +50,7 @@ ScriptInterpreter::ScriptInterpreter(const Settings& settings, Robot robot, TagT
       functions_(tmflow_),
       environment_(
           RobotItems(robot_.model, robot_.io, robot_.project, robot_.state), robot_.project,
+          settings.velocity_licence,
           {[this](const protocol::ScriptCommand& command) { return perform(command); },
            [this](const SetAnalogOutput& output, bool is_instant) { return set(output, is_instant); },
            [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {

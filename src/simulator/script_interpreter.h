@@ -112,6 +112,20 @@ class ScriptInterpreter {
   language::CallAnswer execute(const protocol::Resume& resume);
   language::CallAnswer execute(const protocol::ScriptExit& exit);
   language::CallAnswer execute(const protocol::WriteOutput& write);
+  language::CallAnswer execute(const protocol::PvtEnter& enter);  // from here on: script_modes.cpp
+  language::CallAnswer execute(const protocol::PvtPoint& point);
+  language::CallAnswer execute(const protocol::PvtExit& exit);
+  language::CallAnswer execute(const protocol::PvtPause& pause);
+  language::CallAnswer execute(const protocol::PvtResume& resume);
+  language::CallAnswer execute(const protocol::ContinueVJog& mode);
+  language::CallAnswer execute(const protocol::ContinueVLine& mode);
+  language::CallAnswer execute(const protocol::SetContinueVJog& set);
+  language::CallAnswer execute(const protocol::SetContinueVLine& set);
+  language::CallAnswer execute(const protocol::StopContinueVmode& stop);
+  language::CallAnswer execute(const protocol::SuspendContinueVmode& suspend);
+  language::CallAnswer set(const Velocity& velocity);
+  /// What stands between PVTEnter and PVTExit does not run before the PVT has all its points.
+  [[nodiscard]] std::optional<language::CallFailure> withinPvt(const char* what) const;
 
   Robot robot_;
   TagTable& tags_;

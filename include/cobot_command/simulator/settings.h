@@ -58,6 +58,7 @@ struct Settings {
   /// 0: never.
   Duration connection_timeout{};
   Duration data_timeout{};
+  bool velocity_licence = false;  ///< are there continuous velocities (ContinueVJog, ContinueVLine, …)?
   std::string project_name = "ListenProject";
   std::string tmflow_version = "1.80";  ///< decides which functions scripts have, and which items there are
   /// What ChangeBase("name") and ChangeTCP("name") know besides RobotBase and NOTOOL: bases in the robot

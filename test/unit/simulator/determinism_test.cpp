@@ -19,7 +19,9 @@ struct Session {
 using Advance = std::function<void(SimulatedRobot&, Instant target)>;
 
 Session play(const Advance& advance) {
-  SimulatedRobot robot;
+  Settings settings;
+  settings.velocity_licence = true;
+  SimulatedRobot robot(settings);
   const ClientId client = robot.connect(), status = robot.connect(Port::Status);
   Session session;
   Instant time{};
@@ -48,6 +50,15 @@ Session play(const Advance& advance) {
   step(700ms, "Pause()");
   step(400ms, "Resume()\r\nMove_PTP(\"CPP\",0,30,0,0,0,0,20,300,0,false)");
   step(450ms, "StopAndClearBuffer()");
+  step(600ms, "Move_PLine(\"CAP\",0,0,-40,0,0,0,100,100,50)\r\nMove_PLine(\"CAP\",0,40,0,0,0,0,100,100,50)");
+  step(2s,
+       "Move_PLine(\"CAP\",0,0,40,0,0,10,50,100,0)\r\nPVTEnter(0)\r\nPVTPoint(0,20,80,0,90,0,5,0,0,0,0,0,2.5)"
+       "\r\n"
+       "QueueTag(9)\r\nPVTPoint(5,20,80,0,90,0,0,0,0,0,0,0,1.5)\r\nPVTExit()");
+  step(5s, "QueueTag(9)\r\nContinueVLine(400,600)\r\nSetContinueVLine(0,30,0,0,0,0)");
+  step(1s, "ContinueVJog()\r\nSetContinueVJog(0,0,5,0,0,0)");
+  step(300ms, "SetContinueVJog(0,5,-5,0,0,0)");
+  step(500ms, "StopContinueVmode()");
   step(10s, "PTP(\"CPP\",2000,0,0,0,0,0,100,200,0,false)\r\nQueueTag(6,1)");
   step(1s, "QueueTag(7)");
   session.script_bytes = robot.heard(client);
@@ -69,8 +80,11 @@ void expectEqual(const Session& one, const Session& other) {
 
 TEST(Determinism, twoRunsAreBitIdentical) {
   const Session session = play(inOneStep);
-  for (const char* done : {"04,true", "08,true"}) {
+  for (const char* done : {"04,true", "08,true", "09,true"}) {
     EXPECT_NE(session.script_bytes.find(tag(done)), std::string::npos) << done;
+  }
+  for (const char* wrong : {"09,false", "ERROR"}) {
+    EXPECT_EQ(session.script_bytes.find(wrong), std::string::npos) << wrong;
   }
   expectEqual(session, play(inOneStep));
 }

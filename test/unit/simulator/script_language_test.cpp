@@ -178,11 +178,10 @@ TEST_F(ScriptLanguageTest, waitsForTheTimeAloneSince182) {
 }
 
 TEST_F(ScriptLanguageTest, refusesByNameWhatIsNotSimulated) {
-  EXPECT_EQ(run("PLine(\"CAP\",0,0,0,0,0,0,100,200,0)\r\nVPoint[\"v\"].Value[0]=1\r\nPVTEnter(0)"),
-            error("1", "1;2;3"));
+  EXPECT_EQ(run("Pause()\r\nVPoint[\"v\"].Value[0]=1"), error("1", "2"));
   std::string log;
   for (const LogLine& line : robot.log()) log += line.text + '\n';
-  EXPECT_THAT(log, testing::HasSubstr("line 3: PVTEnter is a known function, but not simulated"));
+  EXPECT_THAT(log, testing::HasSubstr("line 2: VPoint[..].Value is known, but not simulated"));
 }
 
 }  // namespace
