@@ -159,12 +159,10 @@ class Motion(Case):
         self.reaches('Coord_Robot_Tool', [x - 50, y - 50, *rest],
                      ('move_on_circle', [x - 50, y + 50, *rest], [x - 100, y, *rest], 200, 200, 270, 0.0, True))
 
-    @unittest.expectedFailure  # no PLine
     def test_path(self):
         self.reaches('Coord_Robot_Tool', POINT, ('move_to_joint_angles_path', [5] + POSTURE[1:], 200, 200),
                      ('move_to_point_path', POINT, 200, 200))
 
-    @unittest.expectedFailure  # no Move_PLine
     def test_path_by_an_offset(self):
         self.reaches('Joint_Angle', [5] + POSTURE[1:],
                      ('move_to_relative_joint_angles_path', [5, 0, 0, 0, 0, 0], 200, 200),
@@ -174,7 +172,6 @@ class Motion(Case):
     def test_numbers_are_sent_as_python_writes_them(self):
         self.reaches('Joint_Angle', POSTURE, ('move_to_joint_angles_ptp', [1e-5] + POSTURE[1:], 1.0, 200))
 
-    @unittest.expectedFailure  # no PVT
     def test_pvt_of_joints(self):
 
         async def run():
@@ -190,11 +187,9 @@ class Motion(Case):
         asyncio.run(asyncio.wait_for(run(), 30))
         self.assert_at('Joint_Angle', [10] + POSTURE[1:])
 
-    @unittest.expectedFailure  # no PVT
     def test_pvt_of_points(self):
         self.script(('enter_point_pvt_mode', ), ('add_pvt_point', POINT, [0] * 6, 1000), ('exit_pvt_mode', ))
 
-    @unittest.expectedFailure  # no PVT
     def test_pvt_pauses(self):
         self.script(('pause_pvt_mode', ), ('resume_pvt_mode', ))
 
