@@ -102,8 +102,8 @@ class Planner {
  private:
   [[nodiscard]] Refusal refusal(Refusal::Reason reason, std::size_t joint, const arm::JointVector& there,
                                 std::string message) const {
-    return {reason, 1.0, static_cast<int>(joint), setting_.base.inverse() * tcpInRobotBase(arm_, there, setting_),
-            std::move(message)};
+    return {reason, 1.0, static_cast<int>(joint),
+            setting_.base.inverse() * tcpInRobotBase(arm_, there, setting_), std::move(message)};
   }
   [[nodiscard]] std::string range(std::size_t joint) const {
     return fmt::format("{:.1f}..{:.1f} deg", radToDeg(limit(joint).lower), radToDeg(limit(joint).upper));

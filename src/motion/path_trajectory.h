@@ -22,7 +22,7 @@ struct TimedCurve {
 
 /// The TCP in the robot base.
 [[nodiscard]] arm::Pose tcpInRobotBase(const arm::ArmModel& arm, const arm::JointVector& joints,
-                              const Setting& setting);
+                                       const Setting& setting);
 
 /// The time [s] that `length` [m] and `turn` [rad] take at top speed: of the two the slower one.
 [[nodiscard]] double timeAtTopSpeed(const arm::ArmModel& arm, double length, double turn,

@@ -37,6 +37,13 @@ class Reader {
     return value;
   }
 
+  /// Launch files and rosparam make a number of 1.80.
+  std::string readVersion(const std::string& name, const std::string& fallback) {
+    double number = 0;
+    if (self_.getParam(name, number)) return fmt::format("{:.2f}", number);
+    return read(name, fallback);
+  }
+
   Duration readSeconds(const std::string& name, Duration fallback, double lowest, double highest) {
     const double seconds = readInRange(name, toSeconds(fallback), lowest, highest);
     return error_ ? fallback : fromSeconds(seconds);
@@ -132,7 +139,7 @@ void readText(Reader& reader, const std::string& name, const Parse& parse, const
 }
 
 void readStatusPort(Reader& reader, simulator::Settings& settings) {
-  settings.tmflow_version = reader.read("tmflow_version", settings.tmflow_version);
+  settings.tmflow_version = reader.readVersion("tmflow_version", settings.tmflow_version);
   settings.status_period = reader.readSeconds("status_period", settings.status_period, 0.001, 1.0);
   readText(reader, "stream_format", simulator::parseStreamFormat,
            [&](auto format) { settings.stream_format = format; });
