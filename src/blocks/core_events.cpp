@@ -159,9 +159,22 @@ void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) 
     frames_.forget();
     preflight_.forget();
   } else {
-    for (const auto& command : *order.commands) frames_.accepted(command, mayStillMove() || order.moves, now);
+    for (const auto& command : *order.commands) {
+      frames_.accepted(command, mayStillMove() || order.moves, now);
+      warnOfWeight(command);
+    }
   }
   if (order.moves && !order.tag) loose_since_ = now;
+}
+
+/// A controller may take a tool that the arm cannot carry, and fail in the first motion (FB section 5).
+void CommandCore::Impl::warnOfWeight(const protocol::ScriptCommand& command) {
+  const auto* tool = std::get_if<protocol::ChangeTcp>(&command);
+  if (!tool || !tool->weight || !preflight_.arm()) return;
+  const double payload = preflight_.arm()->ratings().payload;
+  if (*tool->weight <= payload) return;
+  log(Severity::Warning, fmt::format("the tool has {} kg, {} carries {} kg: check weight of change_tcp",
+                                     *tool->weight, preflight_.arm()->name(), payload));
 }
 
 void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {

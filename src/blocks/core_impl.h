@@ -116,6 +116,7 @@ class CommandCore::Impl : private link::Wire {
   void handle(const link::TagQueryFailed& event, Instant now);
   void handle(const link::RobotStatus& status, Instant now);
   void commandAccepted(const CommandOrder& order, Instant now);
+  void warnOfWeight(const protocol::ScriptCommand& command);
   void robotChanged(Instant now);
 
   // --- What everyone may know (core_status.cpp).

@@ -185,6 +185,7 @@ simulator::Settings readSettings(Reader& reader) {
   settings.project_running = reader.read("project_running", settings.project_running);
   settings.project_speed_percent =
       reader.readInRange("project_speed", settings.project_speed_percent, 5, 100);
+  settings.checks_payload = reader.read("checks_payload", settings.checks_payload);
   settings.velocity_licence = reader.read("velocity_licence", settings.velocity_licence);
   settings.faults.stale_tag.on = reader.read("reports_stale_tags", false);
   readProject(reader, settings);

@@ -107,6 +107,10 @@ std::optional<std::string> MotionQueue::setVelocity(const Velocity& velocity, In
 // Each velocity is a motion of its own, from the state that the arm has.
 void MotionQueue::drive(const Velocity& velocity, Instant now) {
   if (isRest(velocity)) return suspendVelocity(now);
+  if (auto too_heavy = overloadBy(load_)) {
+    brake(now);
+    return fail(std::move(*too_heavy));
+  }
   const VelocityMode& mode = velocity_->mode;
   auto planned = motion::planVelocity(
       arm_, at(now), {velocity, options_.stop_time, shorter(mode.time_to_rest, mode.time_to_end)}, setting_);

@@ -151,11 +151,14 @@ void MotionQueue::lookAhead(Instant now) {
   if (request == nullptr) return;  // at a change of the TCP the arm stops, and for velocities
 
   motion::Setting setting = setting_;
+  double load = load_;
   for (auto item = items_.begin(); item != behind; ++item) {
     if (const auto* change = std::get_if<BaseChange>(&*item)) setting.base = change->pose;
+    if (const auto* change = std::get_if<LoadChange>(&*item)) load = change->mass;
   }
+  if (overloadBy(load)) return;  // it fails when its turn comes
   const auto planned = plan(arm_, active_->planned->end().position, *request, setting);
-  if (!planned) return;  // it fails when its turn comes
+  if (!planned) return;  // likewise
   auto passage = motion::passInto(arm_, active_->planned, *planned, setting.tcp, *active_->blend,
                                   pathEnd() - clock_.pathTime(now));
   if (passage.overlap <= Duration::zero()) return;
@@ -200,10 +203,15 @@ void MotionQueue::schedule(Instant now) {
 
 void MotionQueue::apply(const MotionRequest& request, Instant now) {
   if (error_stands_) return fail(*error_);
+  if (auto too_heavy = overloadBy(load_)) return fail(std::move(*too_heavy));
   const auto planned = plan(arm_, posture_, request, setting_);
   if (!planned) return fail(planned.error());
   clock_.start(now);
   begin(request, {Duration::zero(), *planned, *planned}, now);
+}
+
+std::optional<RobotError> MotionQueue::overloadBy(double load) const {
+  return options_.checks_payload ? overload(arm_, tcp_mass_, load) : std::nullopt;
 }
 
 void MotionQueue::apply(const BaseChange& change, Instant) {

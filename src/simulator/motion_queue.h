@@ -83,6 +83,7 @@ class MotionQueue {
   struct Options {
     Duration stop_time{};         ///< from full motion to standstill by pause() and stop()
     double speed_override = 1.0;  ///< project speed, (0, 1]
+    bool checks_payload = true;   ///< no motion with more than the model carries
   };
 
   /// `stale_tag`: does a stop report the tags that it drops with the next motion?
@@ -188,6 +189,7 @@ class MotionQueue {
   [[nodiscard]] bool& heldBy(Holder holder);
   [[nodiscard]] Duration pathEnd() const { return active_->start + active_->planned->duration(); }
   void settleStaleTags();
+  [[nodiscard]] std::optional<RobotError> overloadBy(double load) const;
   void endActive();
   /// What is to be done at a place within the PVT that is under way.
   [[nodiscard]] std::optional<Instant> markAt() const;

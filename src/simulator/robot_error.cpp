@@ -1,5 +1,7 @@
 #include "robot_error.h"
 
+#include <fmt/format.h>
+
 namespace cobot_command::simulator {
 
 namespace {
@@ -32,6 +34,16 @@ int codeFor(motion::Refusal::Reason reason, bool reaches_end) {
 RobotError robotErrorFor(const motion::Refusal& refusal, bool reaches_end) {
   return {codeFor(refusal.reason, reaches_end),
           std::string(motion::toString(refusal.reason)) + ": " + refusal.message};
+}
+
+std::optional<RobotError> overload(const arm::ArmModel& arm, double tool, double load) {
+  constexpr int kForceOverRange = 0x22;
+  const double rated = arm.ratings().payload;
+  if (tool >= 0 && load >= 0 && tool + load <= rated) return std::nullopt;
+  return RobotError{kForceOverRange,
+                    fmt::format("OVERLOAD: the tool has {} kg and the load {} kg, {} carries 0 "
+                                "to {} kg: check ChangeTCP and ChangeLoad",
+                                tool, load, arm.name(), rated)};
 }
 
 }  // namespace cobot_command::simulator

@@ -1,8 +1,10 @@
 // The controller's Error_Code for a motion that cannot be made (fact sheet 2.6).
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "cobot_command/arm/arm_model.h"
 #include "cobot_command/motion/refusal.h"
 
 namespace cobot_command::simulator {
@@ -15,5 +17,8 @@ struct RobotError {
 /// The mapping is ours where the fact sheet only names the codes; see doc/simulator.md. `reaches_end`: the
 /// arm could be where the motion ends.
 [[nodiscard]] RobotError robotErrorFor(const motion::Refusal& refusal, bool reaches_end);
+
+/// Why the arm does not move with these masses [kg]: one is below 0, or they are more than the model carries.
+[[nodiscard]] std::optional<RobotError> overload(const arm::ArmModel& arm, double tool, double load);
 
 }  // namespace cobot_command::simulator

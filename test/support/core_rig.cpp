@@ -249,6 +249,8 @@ void CoreRig::take(const FrameTraced& action) {
   traces.push_back(action);
 }
 
-void CoreRig::take(const LogMessage& /*action*/) {}
+void CoreRig::take(const LogMessage& action) {
+  if (action.severity == Severity::Warning) warnings.push_back(action.text);
+}
 
 }  // namespace cobot_command::testing

@@ -81,6 +81,7 @@ class CoreRig {
   std::vector<blocks::FrameTraced> traces;
   std::vector<link::RobotStatus> robot_statuses;
   std::vector<blocks::ActiveFrames> active_frames;  ///< every change
+  std::vector<std::string> warnings;                ///< of the log
 
   void pump();
 

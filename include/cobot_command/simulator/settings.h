@@ -58,6 +58,8 @@ struct Settings {
   /// 0: never.
   Duration connection_timeout{};
   Duration data_timeout{};
+  /// Does a motion fail when tool and load are more than the model carries?
+  bool checks_payload = true;
   bool velocity_licence = false;  ///< are there continuous velocities (ContinueVJog, ContinueVLine, …)?
   std::string project_name = "ListenProject";
   std::string tmflow_version = "1.80";  ///< decides which functions scripts have, and which items there are

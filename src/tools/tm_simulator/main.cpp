@@ -122,6 +122,8 @@ void describe(CLI::App& app, Options& options) {
                  "decides which functions scripts have, and which items there are")
       ->check(CLI::IsMember(simulator::knownTmflowVersions()))
       ->capture_default_str();
+  app.add_flag("!--any-payload", options.settings.checks_payload,
+               "move with more tool and load than the model carries, too");
   app.add_flag("--velocity-licence", options.settings.velocity_licence,
                "have the functions of continuous velocities (ContinueVJog, ContinueVLine)");
   app.add_flag("--accept-empty-length", options.settings.accept_empty_length, "take frames without a length");

@@ -72,6 +72,19 @@ TEST_F(Planning, tellsThePlannedDurationAndTheActualOneAndWhereTheRobotStands) {
   EXPECT_NEAR((*outcome.final_pose_mm_deg)[2], 150, 1e-3);
 }
 
+TEST_F(Planning, warnsOfAToolThatTheArmCannotCarry) {
+  ChangeTcpGoal tool;
+  tool.weight = 4;  // what a TM5-900 carries
+  rig.submit(tool);
+  rig.reply(rig.takeScript().id);
+  EXPECT_THAT(rig.warnings, ::testing::IsEmpty());
+  tool.weight = 4.5;
+  const GoalId goal = rig.submit(tool);
+  rig.reply(rig.takeScript().id);
+  EXPECT_THAT(rig.warnings, ::testing::ElementsAre(::testing::HasSubstr("4.5 kg, tm5-900 carries 4 kg")));
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
+}
+
 TEST_F(Planning, countsTheProjectSpeed) {
   rig.status(StatusFrames().with(item::ofInt("Project_Speed", 50)));
   const GoalId goal = rig.submit(toJoints(kAside));

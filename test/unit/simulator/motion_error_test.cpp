@@ -94,6 +94,22 @@ TEST_F(MotionErrorTest, stopsTheProjectWhenItIsSetToDoSo) {
   EXPECT_FALSE(strict.state().project_running);
 }
 
+TEST(Payload, isCarriedToItsFullRating) {
+  SimulatedRobot robot;  // a TM5-700: 6 kg
+  robot.script(robot.connect(), "1", "ChangeTCP(0,0,0,0,0,0,4)\r\nChangeLoad(2)\r\n" + std::string(kGood));
+  robot.waitUntilIdle();
+  EXPECT_FALSE(robot.state().error);
+}
+
+TEST(Payload, isNotAskedForWhereTheSettingSaysSo) {
+  Settings settings;
+  settings.checks_payload = false;
+  SimulatedRobot robot(settings);
+  robot.script(robot.connect(), "1", "ChangeLoad(20)\r\n" + std::string(kGood));
+  robot.waitUntilIdle();
+  EXPECT_FALSE(robot.state().error);
+}
+
 struct Case {
   const char* script;
   int code;
@@ -125,6 +141,13 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"PTP(\"CPP\",417.5,-122.3,361.05,180,0,90,10,200,0,false,0,2,9)", 0x14058, "POSE_BITS"},
         Case{"PTP(\"JPP\",0,0,170,0,90,0,10,200,0,false)", 0x1405A, "JOINT_LIMIT"},
         Case{"Move_PTP(\"JPP\",0,0,100,0,0,0,10,200,0,false)", 0x1405A, "JOINT_LIMIT"},
+        Case{"ChangeLoad(6.1)\r\nPTP(\"JPP\",0,0,80,0,90,0,10,200,0,false)", 0x22, "6.1 kg"},
+        Case{"ChangeLoad(-1)\r\nPTP(\"JPP\",0,0,80,0,90,0,10,200,0,false)", 0x22, "OVERLOAD"},
+        Case{"ChangeTCP(0,0,0,0,0,0,4)\r\nChangeLoad(2.1)\r\nMove_Line(\"CAP\",0,0,20,0,0,0,100,200,0,false)",
+             0x22, "OVERLOAD"},
+        Case{"Move_Line(\"CAP\",0,0,40,0,0,0,100,200,50,false)\r\nChangeLoad(7)\r\n"
+             "Move_Line(\"CAP\",0,40,0,0,0,0,100,200,0,false)",
+             0x22, "OVERLOAD"},
         Case{"PTP(\"JPP\",0,0,80,0,90,0,0,200,0,false)", 0x21, "BAD_PARAMETER"},
         Case{"PTP(\"JPP\",0,0,80,0,90,0,-10,200,0,false)", 0x21, "BAD_PARAMETER"},
         Case{"PTP(\"JPP\",0,0,80,0,90,0,101,200,0,false)", 0x21, "BAD_PARAMETER"},
