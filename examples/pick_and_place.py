@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Runs pick-and-place cycles through the action `pick_and_place` and prints what became of each step.
 
-Exit status: 0 only if every step is Done, 1 if not, 2 if the command node or the steps cannot be used.
+Ctrl-C stops the robot. Exit status: 0 only if every step is Done, 1 if not, 2 if the command node or the steps
+cannot be used.
 """
 import argparse
+import math
 import sys
 import time
 
@@ -11,35 +13,38 @@ import actionlib
 import rospkg
 import rospy
 import yaml
+from actionlib import CommState
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import (CommandStatus, ConnectAction, ConnectGoal, PickAndPlaceAction, PickAndPlaceFeedback,
                                PickAndPlaceGoal)
 
 CONNECT_TIMEOUT = 30.0  # [s]; the Connect block's own range is 10..300
+STOP_TIMEOUT = CLOSE_TIMEOUT = 5.0  # [s]
 STEPS_UNREADABLE = 0x256
-UNDER_WAY = (GoalStatus.PENDING, GoalStatus.ACTIVE)
 MOVING = (PickAndPlaceFeedback.ACTIVE, PickAndPlaceFeedback.HELD)
 ROW = "{:>5} {:>5}  {:<17} {:<5} {:<4} {:<36} {:>9} {:>9} {:>4}  {}"
 
 
 def main():
     arguments = parse_arguments()
-    rospy.init_node("pick_and_place", anonymous=True)
-    connect = actionlib.SimpleActionClient("connect", ConnectAction)
-    # Not a simple one, which would miss the feedback of the first moments (doc/actions/README.md).
+    # Ctrl-C must stop the robot: with signals of its own rospy would be shut down before that can be said.
+    rospy.init_node("pick_and_place", anonymous=True, disable_signals=True)
+    # Not simple ones, which would miss what comes in the first moments (doc/actions/README.md).
+    connect = actionlib.ActionClient("connect", ConnectAction)
     pick_and_place = actionlib.ActionClient("pick_and_place", PickAndPlaceAction)
     for client, name in ((connect, "connect"), (pick_and_place, "pick_and_place")):
         if not client.wait_for_server(rospy.Duration(CONNECT_TIMEOUT)):
             print(f"no action server {rospy.resolve_name(name)}: is the command node running?")
             return 2
-    if not connected(connect, arguments):
-        return 1
+    link = connect.send_goal(ConnectGoal(host=arguments.host, port=arguments.port, timeout=CONNECT_TIMEOUT))
     try:
-        return run(pick_and_place, arguments)
+        return run(pick_and_place, arguments) if is_ready(link) else 1
+    except KeyboardInterrupt:
+        return 1
     finally:
-        connect.cancel_goal()  # the normal end of Connect
-        connect.wait_for_result(rospy.Duration(5.0))
+        link.cancel()  # the normal end of Connect
+        wait_for_end(link, CLOSE_TIMEOUT)
 
 
 def parse_arguments():
@@ -53,21 +58,20 @@ def parse_arguments():
     return parser.parse_args(rospy.myargv()[1:])
 
 
-def connected(client, arguments):
-    """Sends the Connect goal, which stays active, and waits until commands can be sent."""
-    client.send_goal(ConnectGoal(host=arguments.host, port=arguments.port, timeout=CONNECT_TIMEOUT))
+def is_ready(link):
+    """Waits until commands can be sent over the link, whose goal stays active; False when it has ended."""
     deadline = rospy.Time.now() + rospy.Duration(CONNECT_TIMEOUT + 5.0)
     while rospy.Time.now() < deadline:
         try:
             status = rospy.wait_for_message("command_status", CommandStatus, timeout=1.0)
         except rospy.ROSException:
             continue
-        if client.get_state() not in UNDER_WAY:
+        if link.get_comm_state() == CommState.DONE:
             break
         if status.link_state == CommandStatus.READY and status.status_stream:
             print(f"connected to {status.host}:{status.port}, in Listen node \"{status.listen_node}\"\n")
             return True
-    result = client.get_result()
+    result = link.get_result()
     print("not connected: " + (f"{result.error_description} -> {result.remedy}" if result else "no answer"))
     return False
 
@@ -77,22 +81,30 @@ def run(client, arguments):
     goal = client.send_goal(PickAndPlaceGoal(steps_file=arguments.steps, cycles=arguments.cycles),
                             feedback_cb=lambda _, feedback: table.take(feedback))
     try:
-        while goal.get_goal_status() in UNDER_WAY and not rospy.is_shutdown():
-            time.sleep(0.1)
-    finally:
-        goal.cancel()  # changes nothing once it has ended
+        wait_for_end(goal)
+    except KeyboardInterrupt:
+        goal.cancel()
+        wait_for_end(goal, STOP_TIMEOUT)
     result = goal.get_result()
     if goal.get_goal_status() == GoalStatus.SUCCEEDED:
         table.end("Done")
         print(f"\n{result.cycles_done} cycle(s), all steps Done")
         return 0
     if result is None:
-        table.end("interrupted")
+        table.end("no answer")
         return 1
-    verdict = f"16#{result.error_id:X}: {result.error_description} -> {result.remedy}"
+    error = f"16#{result.error_id:X}: {result.error_description} -> {result.remedy}"
+    verdict = error if result.error_id else result.error_description
     table.end(f"Error {verdict}" if result.failed_step >= 0 else "interrupted")
     print(f"\nnot done, after {result.cycles_done} cycle(s): {verdict}")
     return 2 if result.error_id == STEPS_UNREADABLE else 1
+
+
+def wait_for_end(goal, seconds=math.inf):
+    """DONE and not the goal's status: that may come before its result."""
+    deadline = time.monotonic() + seconds
+    while goal.get_comm_state() != CommState.DONE and time.monotonic() < deadline:
+        time.sleep(0.05)
 
 
 class Table:

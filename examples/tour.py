@@ -8,6 +8,7 @@ import sys
 
 import actionlib
 import rospy
+from actionlib import CommState
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command import msg
@@ -36,7 +37,8 @@ class Failed(Exception):
 
 class Tour:
     def __init__(self):
-        self.clients = {}
+        self.clients = {}  # not simple ones, which would miss an answer that comes at once (doc/actions/README.md)
+        self.link = None
 
     def run(self):
         print("Connect: the goal stays active as long as the link lives")
@@ -82,19 +84,19 @@ class Tour:
         self.do("move_absolute", HOME)
 
     def connect(self):
-        client = self.start("connect", msg.ConnectGoal(timeout=20))
-        while client.get_state() == GoalStatus.ACTIVE:
+        self.link = self.start("connect", msg.ConnectGoal(timeout=20))
+        while self.link.get_goal_status() == GoalStatus.ACTIVE:
             # Latched: the newest is there at once.
             status = rospy.wait_for_message("command_status", CommandStatus, timeout=10)
             if status.link_state == CommandStatus.READY and status.status_stream:
                 return
-        self.expect("connect", client, GoalStatus.ACTIVE)
+        self.expect("connect", self.link, GoalStatus.ACTIVE)
 
     def disconnect(self):
         """The normal end of connect. Without one it does nothing."""
-        if "connect" in self.clients and self.clients["connect"].get_state() == GoalStatus.ACTIVE:
-            self.clients["connect"].cancel_goal()
-            self.expect("connect", self.clients["connect"], GoalStatus.SUCCEEDED)
+        if self.link and self.link.get_goal_status() == GoalStatus.ACTIVE:
+            self.link.cancel()
+            self.expect("connect", self.link, GoalStatus.SUCCEEDED)
 
     def do(self, action, goal):
         """Runs a goal to its end and returns its result; anything but SUCCEEDED is a failure."""
@@ -102,31 +104,30 @@ class Tour:
 
     def start(self, action, goal):
         """Sends a goal and waits until it is taken, that is until it may be cancelled."""
-        kind = getattr(msg, type(goal).__name__.replace("Goal", "Action"))
-        client = self.clients.setdefault(action, actionlib.SimpleActionClient(action, kind))
-        if not client.wait_for_server(TIMEOUT):
+        if action not in self.clients:
+            kind = getattr(msg, type(goal).__name__.replace("Goal", "Action"))
+            self.clients[action] = actionlib.ActionClient(action, kind)
+        if not self.clients[action].wait_for_server(TIMEOUT):
             raise Failed(f"no action server {rospy.resolve_name(action)}: is the command node running?")
-        client.send_goal(goal)
-        self.wait_while(client, (GoalStatus.PENDING, ))
-        return client
+        sent = self.clients[action].send_goal(goal)
+        wait_until(lambda: sent.get_goal_status() != GoalStatus.PENDING, f"an answer of {action}")
+        return sent
 
-    def expect(self, action, client, state):
-        if not self.wait_while(client, (GoalStatus.PENDING, GoalStatus.ACTIVE)):
-            raise Failed(f"{action} did not end")
-        result = client.get_result()
-        if client.get_state() != state:
+    @staticmethod
+    def expect(action, sent, state):
+        wait_until(lambda: sent.get_comm_state() == CommState.DONE, f"the end of {action}")
+        result = sent.get_result()
+        if sent.get_goal_status() != state:
             raise Failed(f"{action}: 16#{result.error_id:X} {result.error_description} -> {result.remedy}")
         return result
 
-    @staticmethod
-    def wait_while(client, states):
-        """False when it took too long. wait_for_result would miss a goal that ended before send_goal returned."""
-        deadline = rospy.Time.now() + TIMEOUT
-        while client.get_state() in states:
-            if rospy.Time.now() > deadline:
-                return False
-            rospy.sleep(0.01)
-        return True
+
+def wait_until(condition, what):
+    deadline = rospy.Time.now() + TIMEOUT
+    while not condition():
+        if rospy.Time.now() > deadline:
+            raise Failed(f"{what} did not come")
+        rospy.sleep(0.01)
 
 
 def main():

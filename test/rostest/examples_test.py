@@ -3,6 +3,7 @@
 import contextlib
 import pathlib
 import re
+import signal
 import subprocess
 
 import roslib.packages
@@ -57,6 +58,18 @@ class Examples(MotionTestCase):
             self.assertEqual(len(re.findall(rf"^ +[12] +\d  {name}  .*  Done$", output, re.M)), 2, output)
         self.assertIn("2 cycle(s), all steps Done", output)
 
+    def test_pick_and_place_stops_the_robot_when_it_is_interrupted(self):
+        self.robot.close()
+        command = [program("pick_and_place.py"), "--cycles", "0"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as client:
+            self.robot.wait_for_motion()
+            client.send_signal(signal.SIGINT)
+            output, _ = client.communicate(timeout=CLIENT_DEADLINE)
+        self.assertEqual(client.returncode, 1, output)
+        self.assertIn("interrupted", output)
+        self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.DISCONNECTED, "the closed link")
+        self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill")
+
     def test_pick_and_place_tells_steps_that_it_cannot_use(self):
         self.assertIn("16#256", self.run_client("pick_and_place.py", "--steps", "/nowhere.yaml", exit_status=2))
 
@@ -68,10 +81,10 @@ class Examples(MotionTestCase):
         for goal in (base(base_name="RobotBase"), tcp(tcp_name="NOTOOL")):
             self.assert_done(self.robot.run(goal))
 
-    def run_client(self, program, *arguments, exit_status=0):
+    def run_client(self, name, *arguments, exit_status=0):
         self.robot.close()
-        path = roslib.packages.find_node("cobot_command", program)[0]  # rosrun passes over build folders
-        done = subprocess.run([path, *arguments], capture_output=True, text=True, timeout=CLIENT_DEADLINE, check=False)
+        done = subprocess.run([program(name), *arguments], capture_output=True, text=True, timeout=CLIENT_DEADLINE,
+                              check=False)
         self.assertEqual(done.returncode, exit_status, done.stdout + done.stderr)
         return done.stdout
 
@@ -86,6 +99,11 @@ class Examples(MotionTestCase):
             end = results.wait_for(lambda m: rospy.get_name() not in m.status.goal_id.id, "the result")
         self.assertEqual(end.status.status, getattr(GoalStatus, example["state"] or "SUCCEEDED"), end)
         self.assertEqual(hex(end.result.error_id), hex(int(example["error_id"] or "0", 16)), end)
+
+
+def program(name):
+    """Its path; rosrun passes over build folders."""
+    return roslib.packages.find_node("cobot_command", name)[0]
 
 
 @contextlib.contextmanager
