@@ -23,6 +23,18 @@ constexpr const char* kBlended =
     "Line(\"CAR\",367.5,-22.3,361.05,180,0,90,100,200,20,false)\r\n"
     "Line(\"CAR\",367.5,-122.3,361.05,180,0,90,100,200,20,false)\r\n"
     "Line(\"CAR\",417.5,-122.3,361.05,180,0,90,100,200,0,false)\r\nQueueTag(1)";
+constexpr const char* kCircle =
+    "Circle(\"CAP\",467.5,-72.3,361.05,180,0,90,417.5,-22.3,361.05,180,0,90,100,200,0,0,false)\r\n"
+    "Circle(\"CAP\",467.5,-72.3,361.05,180,0,90,417.5,-122.3,361.05,180,0,90,100,200,0,0,false)\r\nQueueTag("
+    "1)";
+constexpr const char* kPLines =
+    "PLine(\"CAP\",417.5,-22.3,361.05,180,0,90,100,200,20)\r\n"
+    "PLine(\"CAP\",367.5,-22.3,361.05,180,0,90,100,200,20)\r\n"
+    "PLine(\"CAP\",367.5,-122.3,361.05,180,0,90,100,200,20)\r\n"
+    "PLine(\"CAP\",417.5,-122.3,361.05,180,0,90,100,200,0)\r\nQueueTag(1)";
+constexpr const char* kPvt =
+    "PVTEnter(1)\r\nPVTPoint(417.5,-22.3,361.05,180,0,90,-50,50,0,0,0,0,2)\r\n"
+    "PVTPoint(417.5,-122.3,361.05,180,0,90,0,0,0,0,0,0,3)\r\nPVTExit()\r\nQueueTag(1)";
 /// As programs make it: names, arrays, expressions.
 constexpr const char* kProgram =
     "Robot[0].CameraLight = 1\r\n"
@@ -63,6 +75,9 @@ void parsing(benchmark::State& state, const std::string& script) {
 BENCHMARK_CAPTURE(run, ptp, kPtp, Stream::Off);
 BENCHMARK_CAPTURE(run, lines, kLines, Stream::Off);
 BENCHMARK_CAPTURE(run, blended_lines, kBlended, Stream::Off);
+BENCHMARK_CAPTURE(run, circles, kCircle, Stream::Off);
+BENCHMARK_CAPTURE(run, plines, kPLines, Stream::Off);
+BENCHMARK_CAPTURE(run, pvt_of_poses, kPvt, Stream::Off);
 BENCHMARK_CAPTURE(run, program, kProgram, Stream::Off);
 BENCHMARK_CAPTURE(run, ptp_streamed, kPtp, Stream::On);
 BENCHMARK_CAPTURE(parsing, ptp, kPtp);
