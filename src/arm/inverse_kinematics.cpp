@@ -64,10 +64,13 @@ struct WristSide {
 
 class Solver {
  public:
-  Solver(const DhLengths& lengths, const Pose& flange, double reference_6)
+  /// `wanted`: the only branch to look for; nothing: all.
+  Solver(const DhLengths& lengths, const Pose& flange, double reference_6,
+         const std::optional<PoseBits>& wanted)
       : lengths_(lengths),
         flange_(flange),
         reference_6_(reference_6),
+        wanted_(wanted),
         wrist_centre_(flange.translation() - lengths.d6 * flange.linear().col(2) -
                       Vector3d(0, 0, lengths.d1)) {}
 
@@ -83,8 +86,13 @@ class Solver {
   }
 
  private:
+  [[nodiscard]] bool wants(Shoulder bit) const { return !wanted_ || wanted_->shoulder == bit; }
+  [[nodiscard]] bool wants(Elbow bit) const { return !wanted_ || wanted_->elbow == bit; }
+  [[nodiscard]] bool wants(Wrist bit) const { return !wanted_ || wanted_->wrist == bit; }
+
   /// `distance` is s, with its sign; `scale` makes the direction of joint 1 a unit vector.
   void addShoulderSide(Shoulder bit, double distance, double scale) {
+    if (!wants(bit)) return;
     const double c1 = (distance * wrist_centre_.x() + lengths_.d4 * wrist_centre_.y()) * scale;
     const double s1 = (distance * wrist_centre_.y() - lengths_.d4 * wrist_centre_.x()) * scale;
     const auto in_plane = [c1, s1](const auto& v) { return InPlane{c1 * v.x() + s1 * v.y(), v.z()}; };
@@ -170,6 +178,7 @@ class Solver {
   }
 
   void addElbows(const ShoulderSide& shoulder, WristSide wrist) {
+    if (!wants(wrist.bit)) return;
     if (shoulder.sin_5 < kNearWrist) bringAxis4IntoReach(shoulder, wrist);
     const InPlane axis_4 = {shoulder.wrist_centre.forward - lengths_.d5 * wrist.axis_5.forward,
                             shoulder.wrist_centre.up - lengths_.d5 * wrist.axis_5.up};
@@ -190,6 +199,7 @@ class Solver {
 
   void add(const ShoulderSide& shoulder, const WristSide& wrist, double joint_2, double joint_3,
            Elbow elbow) {
+    if (!wants(elbow)) return;
     Branch& branch = branches_.emplace_back();
     joint_2 = wrapped(joint_2);
     joint_3 = wrapped(joint_3);
@@ -201,15 +211,31 @@ class Solver {
   const DhLengths& lengths_;
   const Pose& flange_;
   double reference_6_;
+  const std::optional<PoseBits>& wanted_;
   Vector3d wrist_centre_;  ///< seen from the shoulder [m]
   Branches branches_;
 };
 
 }  // namespace
 
-Branches allBranches(const ArmModel& arm, const Pose& flange, const JointVector& reference) {
+namespace {
+
+Branches branches(const ArmModel& arm, const Pose& flange, const JointVector& reference,
+                  const std::optional<PoseBits>& wanted) {
   if (!isRigidTransform(flange)) return {};
-  return Solver(arm.lengths(), flange, std::isfinite(reference[5]) ? reference[5] : 0.0).solve();
+  return Solver(arm.lengths(), flange, std::isfinite(reference[5]) ? reference[5] : 0.0, wanted).solve();
+}
+
+}  // namespace
+
+Branches allBranches(const ArmModel& arm, const Pose& flange, const JointVector& reference) {
+  return branches(arm, flange, reference, std::nullopt);
+}
+
+std::optional<JointVector> branchWith(const ArmModel& arm, const Pose& flange, const PoseBits& bits,
+                                      const JointVector& reference) {
+  const Branches found = branches(arm, flange, reference, bits);
+  return found.empty() ? std::nullopt : std::optional(found.front().joints);
 }
 
 }  // namespace cobot_command::arm

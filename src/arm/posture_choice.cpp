@@ -93,12 +93,12 @@ std::optional<JointVector> nearestTurn(const ArmModel& arm, const JointVector& j
 Result<JointVector, IkRefusal> postureFor(const ArmModel& arm, const Pose& flange, const PoseBits& bits,
                                           const JointVector& reference) {
   if (!isRigidTransform(flange) || !reference.allFinite()) return refuse(notFinite());
-  const Branches branches = allBranches(arm, flange, reference);
-  if (branches.empty()) return refuse(outOfReach(arm, flange));
-  const auto found = std::find_if(branches.begin(), branches.end(),
-                                  [&bits](const Branch& branch) { return branch.bits == bits; });
-  if (found == branches.end()) return refuse(bitsNotPossible(bits, branches));
-  const JointVector turned = withNearestTurns(arm, found->joints, reference);
+  const auto joints = branchWith(arm, flange, bits, reference);
+  if (!joints) {
+    const Branches others = allBranches(arm, flange, reference);
+    return refuse(others.empty() ? outOfReach(arm, flange) : bitsNotPossible(bits, others));
+  }
+  const JointVector turned = withNearestTurns(arm, *joints, reference);
   const int outside = arm.firstJointOutsideLimits(turned);
   if (outside >= 0) return refuse(outsideLimits(arm, turned, outside));
   return turned;

@@ -1,6 +1,5 @@
 #include "path_postures.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,13 +30,11 @@ PathPostures::PathPostures(const arm::ArmModel& arm, TcpCurvePtr path, const arm
 
 Result<arm::JointVector, Refusal::Reason> PathPostures::at(double progress,
                                                            const arm::JointVector& reference) const {
-  const auto branches = arm::allBranches(arm_, path_->at(progress) * flange_in_tcp_, reference);
-  const auto same_bits = std::find_if(branches.begin(), branches.end(),
-                                      [this](const arm::Branch& branch) { return branch.bits == bits_; });
-  if (same_bits == branches.end()) {
-    return refuse(branches.empty() ? Refusal::Reason::Unreachable : Refusal::Reason::PoseBits);
-  }
-  return turnedTo(reference, same_bits->joints);
+  const arm::Pose flange = path_->at(progress) * flange_in_tcp_;
+  if (const auto joints = arm::branchWith(arm_, flange, bits_, reference))
+    return turnedTo(reference, *joints);
+  const bool reachable = !arm::allBranches(arm_, flange, reference).empty();
+  return refuse(reachable ? Refusal::Reason::PoseBits : Refusal::Reason::Unreachable);
 }
 
 arm::JointVector PathPostures::velocityAt(double progress, double rate,

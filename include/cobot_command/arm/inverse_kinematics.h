@@ -30,6 +30,11 @@ using Branches = boost::container::static_vector<Branch, 8>;
 [[nodiscard]] Branches allBranches(const ArmModel& arm, const Pose& flange,
                                    const JointVector& reference = JointVector::Zero());
 
+/// The one of allBranches() with these bits, to the last digit, at half the cost; nothing when there is none.
+[[nodiscard]] std::optional<JointVector> branchWith(const ArmModel& arm, const Pose& flange,
+                                                    const PoseBits& bits,
+                                                    const JointVector& reference = JointVector::Zero());
+
 /// The same posture with every joint turned by whole turns to be nearest to `reference` while inside the
 /// limits; exactly half a turn from it a joint stays as it is. Nothing when a joint has no turn inside its
 /// limits, or is not finite.

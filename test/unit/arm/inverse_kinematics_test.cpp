@@ -64,6 +64,25 @@ TEST_P(InverseKinematics, theBitsOfEveryBranchAreThoseOfItsPostureAndNoTwoAreEqu
   }
 }
 
+TEST_P(InverseKinematics, aBranchAskedForByItsBitsIsTheSameToTheLastDigit) {
+  for (int i = 0; i < kPostures; ++i) {
+    JointVector joints = postures.next();
+    if (i % 5 == 0) joints[4] = 0;  // singular
+    if (i % 7 == 0) joints[2] = 0;
+    const Pose flange = forwardKinematics(arm, joints);
+    const Branches all = allBranches(arm, flange, joints);
+    for (const int bits : {0, 1, 2, 3, 4, 5, 6, 7}) {
+      const PoseBits wanted = *PoseBits::fromNumbers(bits & 1, 2 + (bits >> 1 & 1), 4 + (bits >> 2));
+      const Branch* expected = branchWith(all, wanted);
+      const auto found = branchWith(arm, flange, wanted, joints);
+      ASSERT_EQ(found.has_value(), expected != nullptr);
+      if (found) {
+        ASSERT_EQ(*found, expected->joints);
+      }
+    }
+  }
+}
+
 TEST_P(InverseKinematics, everyJointOfEveryBranchIsWithinHalfATurn) {
   for (int i = 0; i < kPostures; ++i) {
     for (const Branch& branch : allBranches(arm, forwardKinematics(arm, postures.next()))) {
