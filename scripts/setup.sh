@@ -47,6 +47,9 @@ install_foreign_clients() {
 }
 
 # build_with <build folder> <cmake option>...
+# For work on the project: assertions are on, and what debuggers and optimizers could add is left out where it costs
+# compile time (a third with full debug information, as much again with -O2). Every build of the scripts has the same
+# options, so that each finds in the compiler cache what another one has compiled.
 build_with() {
   local folder=$1
   shift
@@ -54,7 +57,8 @@ build_with() {
   # Paths relative to the repository, so that every clone on a machine shares what one has compiled.
   export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
   # The ROS tools belong to the system's Python, whatever else stands first on the PATH.
-  cmake -S "$root" -B "$folder" -G Ninja -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+  cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
+    -DBUILD_SHARED_LIBS=ON -DCOBOT_WARNINGS_AS_ERRORS=ON -DPYTHON_EXECUTABLE=/usr/bin/python3 \
     -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" >"$folder/configure.log" 2>&1 ||
     { cat "$folder/configure.log" >&2; exit 1; }
   ninja -C "$folder"
