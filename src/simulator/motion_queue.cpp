@@ -270,9 +270,8 @@ void MotionQueue::dropQueue() {
 
 Instant MotionQueue::nextEvent() const {
   if (!active_) return velocity_ ? velocity_->ends_at : Instant::max();
-  const auto takes_over_at = next_ ? next_->takes_over_at : std::nullopt;
-  return std::min({end_at_.value_or(Instant::max()), takes_over_at.value_or(Instant::max()),
-                   markAt().value_or(Instant::max())});
+  const auto takes_over_at = next_ ? next_->takes_over_at.value_or(Instant::max()) : Instant::max();
+  return std::min({end_at_.value_or(Instant::max()), takes_over_at, markAt().value_or(Instant::max())});
 }
 
 std::vector<QueueEvent> MotionQueue::takeEvents() {
