@@ -108,7 +108,9 @@ bool ScriptInterpreter::waits(Instant now) const {
 void ScriptInterpreter::resumeWaiting() {
   if (!wait_) return;
   const bool complete = wait_->tag && tags_.query(wait_->tag->tag) == protocol::TagState::Complete;
-  running_->script.resume(wait_->is_question ? language::Scalar(complete ? 1 : 0) : language::Scalar(true));
+  language::Scalar answer(true);
+  if (wait_->is_question) answer = complete ? 1 : 0;
+  running_->script.resume(answer);
   wait_.reset();
 }
 
