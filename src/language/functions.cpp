@@ -66,9 +66,11 @@ std::string listOf(const std::vector<Type>& types) {
   return text;
 }
 
-std::string formsOf(const std::vector<Function>& functions) {
+/// Those that this version has: others would be no help.
+std::string formsOf(const std::vector<Function>& functions, Version tmflow) {
   std::string text;
-  for (const Function& function : functions) text += (text.empty() ? "" : " or ") + toText(function);
+  for (const Function& function : functions)
+    if (!(tmflow < function.since)) text += (text.empty() ? "" : " or ") + toText(function);
   return text;
 }
 
@@ -113,8 +115,8 @@ Result<Match, std::string> FunctionTable::find(const std::string& name,
     return refuse(fmt::format("{} exists since TMflow {}.{}; this is {}.{}", name, oldest.major, oldest.minor,
                               tmflow_.major, tmflow_.minor));
   if (!best)
-    return refuse(
-        fmt::format("{}({}) is not defined, only {}", name, listOf(arguments), formsOf(found->second)));
+    return refuse(fmt::format("{}({}) is not defined, only {}", name, listOf(arguments),
+                              formsOf(found->second, tmflow_)));
   return best->match;
 }
 

@@ -78,13 +78,19 @@ bool Typing::isBareWord(const Expression& expression) const {
   return name && !type_of_name_(name->name);
 }
 
+/// Once, however often a part of a line is looked at.
+void Typing::warnOfQuotes(const Expression& bare_word) {
+  std::string warning = fmt::format("{} is taken for a text without its quotes", toText(bare_word));
+  if (warnings_.empty() || warnings_.back() != warning) warnings_.push_back(std::move(warning));
+}
+
 Result<Type, std::string> Typing::typeOf(const Expression& expression) {
   return std::visit([this](const auto& node) { return of(node); }, expression.node);
 }
 
 std::optional<std::string> Typing::accept(const Expression& expression, Type wanted) {
   if (wanted == kString && isBareWord(expression)) {
-    warnings_.push_back(fmt::format("{} is taken for a text without its quotes", toText(expression)));
+    warnOfQuotes(expression);
     return std::nullopt;
   }
   const auto type = typeOf(expression);
@@ -109,6 +115,11 @@ Result<Match, std::string> Typing::match(const Call& call) {
 Result<ItemShape, std::string> Typing::shapeOf(const Item& item) {
   std::vector<std::optional<Scalar>> keys;
   for (const Expression& key : item.keys) {
+    if (isBareWord(key)) {
+      warnOfQuotes(key);
+      keys.emplace_back(std::get<Name>(key.node).name);
+      continue;
+    }
     const auto type = typeOf(key);
     if (!type) return refuse(type.error());
     if (type->is_array || !(isInteger(type->scalar) || type->scalar == ScalarType::String))
@@ -174,7 +185,7 @@ Result<Type, std::string> Typing::of(const Call& call) {
     if (isBareWord(argument)) {
       const bool takes_text = parameter.kind == Parameter::Kind::Fixed && parameter.type == kString;
       if (!takes_text) return place(typeOf(argument).error());
-      warnings_.push_back(fmt::format("{} is taken for a text without its quotes", toText(argument)));
+      warnOfQuotes(argument);
     }
     if (parameter.is_literal && !isLiteral(argument)) return place("must be written as a literal");
     if (const auto wrong = wrongLength(argument, parameter.length)) return place(*wrong);

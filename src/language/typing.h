@@ -53,6 +53,7 @@ class Typing {
   [[nodiscard]] Typed stepped(const Expression& target, const char* step);
   [[nodiscard]] Typed commonOf(const Expressions& expressions);
   [[nodiscard]] bool isBareWord(const Expression& expression) const;
+  void warnOfQuotes(const Expression& bare_word);
 
   const FunctionTable& functions_;
   const Environment& environment_;

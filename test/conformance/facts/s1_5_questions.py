@@ -116,10 +116,17 @@ def a_frame_has_one_question(robot):
     equal([str(frame) for frame in robot.listen.so_far()], [], 'further answers')
 
 
-@check('TM-1.5.18', 'a tag in one digit is answered in two', '?', CHOICE, since='1.76', safe=True)
+@check('TM-1.5.18', 'a tag in one digit, `01,1`, as users of the vendor drivers ask for it, is answered in two', 'D, M 7.4',
+       DERIVED, since='1.76', safe=True)
 def one_digit_is_enough(robot):
     true(re.fullmatch(r'TMSTA,01,01,(none|true|false)', robot.listen.exchange(encode('TMSTA', '01,1'))),
          'another answer')
+
+
+@check('TM-1.5.30', 'a tag in one digit is the tag of this number', 'D, M 7.4', DERIVED, since='1.76')
+def one_digit_is_the_number(robot):
+    equal(robot.listen.run('1', SHORT, 'QueueTag(3,1)'), 'OK')
+    equal(robot.listen.ask('01,3'), '01,03,true')
 
 
 @check('TM-1.5.19', 'a tag question without a number, or with more than one, is CPERR 04', '?', CHOICE, since='1.76',

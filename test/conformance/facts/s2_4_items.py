@@ -203,3 +203,28 @@ def outputs_outlive_the_project(robot):
     robot.stop_project()
     robot.wait_for('Project_Run', False, 1)
     equal(robot.value('Ctrl_DO4'), 1, 'Ctrl_DO4')
+
+
+@check('TM-2.4.28', 'outputs are written with `IO[ControlBox].DO[0]=1`, as the vendor drivers do: OK with a warning', 'D, M chapter 1',
+       since='1.80')
+def the_drivers_write_outputs_without_quotes(robot):
+    equal(robot.listen.run('io', 'IO[ControlBox].DO[0]=1'), 'OK;1')
+    robot.wait_for('Ctrl_DO0', 1, 1)
+    equal(robot.listen.run('io', 'IO[EndModule].InstantDO[1]=1'), 'OK;1')
+    robot.wait_for('End_DO1', 1, 1)
+    equal(robot.listen.run('io', 'IO[ControlBox].AO[0]=2.500000'), 'OK;1')
+    robot.wait_for('Ctrl_AO0', 2.5, 1)
+
+
+@check('TM-2.4.29', 'names without quotes in brackets are names: Base[table], TCP[grip], Point[P1], with a warning', 'M chapter 1',
+       DERIVED, since='1.80', base='table=1,2,3,0,0,0', tcp='grip=0,0,150,0,0,0', point='P1=0,0,90,0,90,0')
+def names_need_no_quotes(robot):
+    for name, attribute, count in (('Base[table]', 'Value', 6), ('TCP[grip]', 'Value', 6), ('Point[P1]', 'Pose', 3)):
+        item = '%s.%s' % (name, attribute)
+        equal(robot.listen.run('1', 'ListenSend(90,Length(%s))' % item), 'OK;1', item)
+        equal(robot.listen.run('2', '%s=%s' % (item, '{0,2,4}' if count == 3 else '{4,5,6,0,0,0}')), 'OK;1', item)
+
+
+@check('TM-2.4.30', 'a name without quotes that the robot does not have is an ERROR', 'M chapter 1', DERIVED, since='1.76', safe=True)
+def unknown_names_without_quotes(robot):
+    robot.refuses('IO[ControlBux].DO[0]=1', 'Base[nowhere_at_all].Value={1,2,3,0,0,0}', 'Robot[arm].CameraLight=1')

@@ -6,6 +6,7 @@
 namespace cobot_command::language {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
@@ -81,6 +82,7 @@ TEST(ScriptChecker, findsFunctionsThatAVersionDoesNotHave) {
   EXPECT_EQ(errorOf("QueueTag(1)", {1, 72}), "QueueTag exists since TMflow 1.76; this is 1.72");
   EXPECT_EQ(errorOf("QueueTag(1)", {1, 76}), "");
   EXPECT_THAT(errorOf("StopAndClearBuffer(1)", {1, 80}), HasSubstr("not defined"));
+  EXPECT_THAT(errorOf("StopAndClearBuffer(1)", {1, 80}), EndsWith("only StopAndClearBuffer()"));
   EXPECT_EQ(errorOf("StopAndClearBuffer(1)", {1, 82}), "");
   EXPECT_THAT(errorOf("float[] f = points2coord({0,0,0,0,0,0},{1,0,0,0,0,0},{0,1,0,0,0,0})"),
               HasSubstr("1.82"));
@@ -105,6 +107,15 @@ TEST(ScriptChecker, looksItemsUpBeforeTheScriptRuns) {
   EXPECT_EQ(errorOf("float f = Robot[0].Height"), "there is no Robot.Height");
   EXPECT_EQ(replyTo("Point[\"P1\"].Value = {1,2,3}"), "ERROR;1");
   EXPECT_EQ(replyTo("IO[1.5].DO[2] = 1"), "ERROR;1");
+}
+
+TEST(ScriptChecker, takesANameWithoutQuotesInBracketsWithAWarning) {
+  EXPECT_EQ(replyTo("IO[ControlBox].DO[2]=1"), "OK;1");
+  EXPECT_EQ(replyTo("byte b = IO[ControlBox].DI[0]"), "OK;1");
+  EXPECT_EQ(replyTo("string ControlBox = \"ControlBox\"\r\nIO[ControlBox].DO[2]=1"), "OK");
+  EXPECT_EQ(errorOf("IO[Nowhere].DO[2]=1"), "there is no Nowhere");
+  EXPECT_EQ(replyTo("float[] f = {1}\r\nf[here] = 2"), "ERROR;2");
+  EXPECT_EQ(Session().check("IO[ControlBox].DO[2]=1").warnings.size(), 1U);
 }
 
 TEST(ScriptChecker, findsOperandsOfWrongTypes) {

@@ -113,6 +113,16 @@ TEST_F(ScriptItemsTest, changeAPointButNotAsItWasTaught) {
   expectValue("Point[\"P1\"].TeachPose", "{0,2,4}");
 }
 
+// The vendor's ROS drivers write outputs so (set_io).
+TEST_F(ScriptItemsTest, takeNamesWithoutQuotesWithAWarning) {
+  EXPECT_EQ(run("IO[ControlBox].DO[0]=1"), protocol::encodeFrame("TMSCT", "1,OK;1"));
+  EXPECT_TRUE(robot.state().outputs.control_box[0]);
+  EXPECT_EQ(run("Point[P1].Pose={1,3,5}\r\nBase[table].Value[2]=9\r\nTCP[gripper].Mass=2"),
+            protocol::encodeFrame("TMSCT", "1,OK;1;2;3"));
+  expectValue("Point[\"P1\"].Pose", "{1,3,5}");
+  EXPECT_EQ(run("IO[ControlBux].DO[0]=1\r\nRobot[arm].CameraLight=1"), error("1", "1;2"));
+}
+
 TEST_F(ScriptItemsTest, areErrorsWhenThereAreNone) {
   EXPECT_EQ(run("Base[\"nowhere\"].Value={1,2,3,0,0,0}\r\nIO[\"ControlBox\"].XY[0]=1\r\nbyte b = "
                 "Robot[1].CameraLight\r\n"
