@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "../written_output.h"
 #include "answers.h"
 #include <CLI/CLI.hpp>
 
@@ -74,7 +75,7 @@ int badNumbers(const std::string& found) {
 /// An answer for each line of standard input; the worst of the exit codes.
 int answerLines(const Question& ask) {
   int worst = kSuccess;
-  for (std::string line; std::getline(std::cin, line);) {
+  for (std::string line; std::cout && std::getline(std::cin, line);) {
     std::istringstream stream(line);
     const std::vector<std::string> words(std::istream_iterator<std::string>(stream), {});
     const auto numbers = parseNumbers(words);
@@ -127,7 +128,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.require_subcommand(1);
   app.footer(
       "With - in place of the six numbers they are read from standard input, a line each, an answer a line.\n"
-      "Exit code: 0 success, 1 out of reach, 2 bad usage.");
+      "Exit code: 0 success, 1 out of reach, 2 bad usage, 3 the answer could not be written.");
 
   auto* fk = app.add_subcommand("fk", "Pose of the flange [mm, deg] for the joints J1..J6 [deg]");
   auto* ik = app.add_subcommand("ik", "All postures [deg] for a flange pose X Y Z [mm] RX RY RZ [deg]");
@@ -162,7 +163,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return tools::unlessOutputLost("tm_arm", run(argc, argv));
   } catch (const std::exception& error) {
     std::cerr << "tm_arm: " << error.what() << '\n';
     return kBadUsage;

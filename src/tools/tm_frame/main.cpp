@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "../written_output.h"
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -89,7 +90,7 @@ bool printEvents(FrameDecoder& decoder) {
 int decodeBytes(FrameDecoder decoder) {
   bool faulty = false;
   char block[4096];
-  for (ssize_t size = 0; (size = ::read(STDIN_FILENO, block, sizeof(block))) > 0;) {
+  for (ssize_t size = 0; std::cout && (size = ::read(STDIN_FILENO, block, sizeof(block))) > 0;) {
     decoder.feed(std::string_view(block, static_cast<std::size_t>(size)));
     faulty = printEvents(decoder) || faulty;
   }
@@ -101,7 +102,7 @@ int decodeBytes(FrameDecoder decoder) {
 int decodeHexLines(FrameDecoder decoder) {
   bool faulty = false;
   int number = 0;
-  for (std::string line, bytes; std::getline(std::cin, line);) {
+  for (std::string line, bytes; std::cout && std::getline(std::cin, line);) {
     ++number;
     if (!fromHex(line, bytes)) {
       std::cerr << "tm_frame: line " << number << ": expected pairs of hexadecimal digits, found \""
@@ -122,8 +123,8 @@ int encodeToOutput(const std::string& header, const std::string& data) {
               << " can be sent\n";
     return kFaultFound;
   }
-  std::cout << encodeFrame(header, data) << std::flush;
-  return std::cout ? kSuccess : kFaultFound;
+  std::cout << encodeFrame(header, data);
+  return kSuccess;
 }
 
 std::string checkHeader(const std::string& header) {
@@ -138,7 +139,7 @@ std::string checkHeader(const std::string& header) {
 int run(int argc, char** argv) {
   CLI::App app("Frames of the TM protocol: $HEADER,LENGTH,DATA,*CS");
   app.require_subcommand(1);
-  app.footer("Exit status: 0 success, 1 a fault was found, 2 bad usage.");
+  app.footer("Exit status: 0 success, 1 a fault was found, 2 bad usage, 3 the answer could not be written.");
 
   std::string header;
   std::string data;
@@ -167,7 +168,9 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) try { return run(argc, argv); } catch (const std::exception& error) {
+int main(int argc, char** argv) try {
+  return cobot_command::tools::unlessOutputLost("tm_frame", run(argc, argv));
+} catch (const std::exception& error) {
   std::fprintf(stderr, "tm_frame: %s\n", error.what());
   return kFaultFound;
 }

@@ -1,6 +1,7 @@
 // tm_simulator: a simulated TM controller on two TCP ports, without ROS.
 //
-// Exit status: 0 after SIGINT or SIGTERM, 1 when the ports cannot be served, 2 on bad usage.
+// Exit status: 0 after SIGINT or SIGTERM, 1 when the ports cannot be served, 2 on bad usage. When nobody
+// reads its output any more, it serves on.
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "line_printer.h"
 #include "line_reader.h"
 #include "project_options.h"
 #include <CLI/CLI.hpp>
@@ -134,18 +136,15 @@ void describe(CLI::App& app, Options& options) {
   app.add_flag("--control", options.control, "take the operator's commands from standard input, see below");
 }
 
-void printLog(const simulator::LogLine& line) {
-  fmt::print("{:10.3f} {}\n", toSeconds(line.time.time_since_epoch()), line.text);
-}
-
-void obey(runtime::SimulatorRuntime& simulator, std::string line) {
+void obey(runtime::SimulatorRuntime& simulator, tools::LinePrinter& printer, std::string line) {
   auto reply = std::make_shared<simulator::OperatorReply>();
   simulator.post(
       [line = std::move(line), reply](simulator::SimulatedController& controller, Instant now) {
         *reply = simulator::control(controller, line, now);
       },
-      [reply] {
-        if (!reply->text.empty()) fmt::print("{}: {}\n", reply->done ? "ok" : "error", reply->text);
+      [reply, &printer] {
+        if (!reply->text.empty())
+          printer.print(fmt::format("{}: {}", reply->done ? "ok" : "error", reply->text));
       });
 }
 
@@ -163,9 +162,12 @@ int serve(Options options) {
   boost::asio::signal_set end(context, SIGINT, SIGTERM);
   end.async_wait([](const boost::system::error_code&, int) {});
 
+  tools::LinePrinter printer("tm_simulator");
   runtime::SimulatorRuntime::Observer observer;
   if (options.log_traffic) {
-    observer.log = printLog;
+    observer.log = [&printer](const simulator::LogLine& line) {
+      printer.print(fmt::format("{:10.3f} {}", toSeconds(line.time.time_since_epoch()), line.text));
+    };
   }
   runtime::SimulatorRuntime simulator(std::move(*arm), std::move(options.settings),
                                       std::move(options.simulator), std::move(observer));
@@ -174,10 +176,10 @@ int serve(Options options) {
     fmt::print(stderr, "tm_simulator: {}\n", ports.error().message);
     return ports.error().kind == runtime::SimulatorError::Kind::BadOption ? BadUsage : CannotServe;
   }
-  fmt::print("listening script={} status={}\n", ports->script, ports->status);
+  printer.print(fmt::format("listening script={} status={}", ports->script, ports->status));
   std::optional<tools::LineReader> control;
   if (options.control)
-    control.emplace(STDIN_FILENO, [&](std::string line) { obey(simulator, std::move(line)); });
+    control.emplace(STDIN_FILENO, [&](std::string line) { obey(simulator, printer, std::move(line)); });
   context.run();  // until the signal
   control.reset();
   simulator.stop();
@@ -187,7 +189,7 @@ int serve(Options options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // whoever reads a pipe sees each line at once
+  std::signal(SIGPIPE, SIG_IGN);  // a reader of the output may go; LinePrinter sees it
   CLI::App app;
   Options options;
   describe(app, options);

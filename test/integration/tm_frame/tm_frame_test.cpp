@@ -122,4 +122,10 @@ TEST(TmFrame, explainsItself) {
   EXPECT_EQ(run("decode --help").status, 0);
 }
 
+TEST(TmFrame, tellsWhenItsAnswerCannotBeWritten) {
+  EXPECT_EQ(run("encode TMSCT '10,OK' >/dev/full").status, 3);
+  EXPECT_EQ(run("decode >/dev/full", "$TMSCT,5,10,OK,*6D\\r\\n").status, 3);
+  EXPECT_EQ(run("decode --hex >/dev/full", "24\\n24\\n").status, 3);
+}
+
 }  // namespace

@@ -159,4 +159,13 @@ TEST(TmArm, explainsItself) {
   EXPECT_EQ(tmArm("fk --help").exit_code, 0);
 }
 
+TEST(TmArm, tellsWhenItsAnswerCannotBeWritten) {
+  for (const char* arguments :
+       {"--model tm5-900 fk 0 0 90 0 90 0 >/dev/full", "--model tm5-900 urdf >/dev/full",
+        "--model tm5-900 fk - >/dev/full", "--help >/dev/full"}) {
+    const Outcome outcome = tmArm(arguments, "0 0 90 0 90 0\\n0 0 90 0 90 0\\n");
+    EXPECT_EQ(outcome.exit_code, 3) << arguments;
+  }
+}
+
 }  // namespace

@@ -78,6 +78,11 @@ class Client:
     def send(self, header, data):
         self.socket.sendall(frame(header, data))
 
+    def read_to_the_end(self):
+        while self.socket.recv(4096):
+            pass
+        return 'closed'
+
     def read_until(self, expected):
         while expected not in self.received:
             piece = self.socket.recv(4096)
@@ -184,6 +189,33 @@ class Ending(unittest.TestCase):
                 client.send('TMSCT', '1,PTP("JPP",90,0,90,0,90,0,1,200,0,false)')
                 client.read_until(frame('TMSCT', '1,OK'))
                 self.assertEqual(simulator.end(number), 0)
+
+
+class WithoutAReader(unittest.TestCase):
+    def test_serves_on_when_the_reader_of_its_log_is_gone(self):
+        with Simulator('--log-traffic', '--control') as simulator, Client(simulator.script) as client:
+            simulator.process.stdout.close()
+            for question in range(20):
+                client.send('TMSTA', '01,%02d' % (question % 15 + 1))
+            client.send('TMSTA', '00')
+            client.read_until(frame('TMSTA', '00,true,Listen1'))
+            simulator.process.stdin.write('speed 50\nstop\n')
+            simulator.process.stdin.flush()
+            self.assertEqual(client.read_to_the_end(), 'closed')
+            simulator.process.send_signal(signal.SIGTERM)
+            self.assertEqual(simulator.process.wait(timeout=DEADLINE), 0)
+            simulator.process.stdout = None  # so that communicate() does not look at it
+            simulator.process.stdin.close()
+            simulator.process.stdin = None
+
+    def test_tells_once_that_its_output_is_lost(self):
+        with open('/dev/full', 'w') as full:
+            process = subprocess.Popen([PROGRAM, '--script-port', '0', '--status-port', '0', '--log-traffic'], stdout=full,
+                                       stderr=subprocess.PIPE, universal_newlines=True)
+        self.assertIn('standard output cannot be written', process.stderr.readline())
+        process.send_signal(signal.SIGTERM)
+        _, rest = process.communicate(timeout=DEADLINE)
+        self.assertEqual((process.returncode, rest), (0, ''))
 
 
 class Refusing(unittest.TestCase):
