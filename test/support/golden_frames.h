@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "source_tree.h"
 #include <nlohmann/json.hpp>
 
 namespace cobot_command::protocol {
@@ -34,7 +35,7 @@ inline std::string fromHex(const std::string& hex) {
 }
 
 inline std::vector<GoldenFrame> goldenFrames() {
-  std::ifstream file(COBOT_TEST_DATA "/golden-frames.json");
+  std::ifstream file(test_support::inSourceTree("test/data/golden-frames.json"));
   std::vector<GoldenFrame> frames;
   for (const auto& entry : nlohmann::json::parse(file)) {
     frames.push_back({fromHex(entry.at("hex")), entry.at("header"), entry.at("length_field"),

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "source_tree.h"
 #include <gtest/gtest.h>
 
 #include "cobot_command/blocks/error_catalogue.h"
@@ -29,7 +30,7 @@ Block blockNamed(const std::string& name) {
 
 /// Block, id in hexadecimal, description, action: the rows of the thesis's error tables.
 std::map<std::pair<Block, int>, std::pair<std::string, std::string>> thesisRows() {
-  std::ifstream file(COBOT_TEST_DATA "/thesis-errors.tsv");
+  std::ifstream file(test_support::inSourceTree("test/data/thesis-errors.tsv"));
   std::map<std::pair<Block, int>, std::pair<std::string, std::string>> rows;
   for (std::string line; std::getline(file, line);) {
     std::istringstream fields(line);

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "source_tree.h"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ std::string page() {
 }
 
 TEST(ErrorPage, isTheErrorCatalogue) {
-  std::ifstream file(COBOT_ERROR_PAGE);
+  std::ifstream file(test_support::inSourceTree("doc/errors.md"));
   std::stringstream found;
   found << file.rdbuf();
   EXPECT_EQ(found.str(), page()) << "doc/errors.md has to be:\n" << page();

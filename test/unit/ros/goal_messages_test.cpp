@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "source_tree.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::ros_adapter {
@@ -293,7 +294,7 @@ TEST(GoalMessages, everyFieldOfPickAndPlaceArrives) {
 
 TEST(GoalMessages, theStepsOfPickAndPlaceMayStandInAFile) {
   cobot_command::PickAndPlaceGoal message;
-  message.steps_file = COBOT_CONFIG "/pick_and_place.yaml";
+  message.steps_file = test_support::inSourceTree("config/pick_and_place.yaml");
   const auto goal = toGoal(message, noTf);
   EXPECT_EQ(goal.steps_fault, "");
   EXPECT_EQ(goal.steps.size(), 6U);
@@ -301,7 +302,7 @@ TEST(GoalMessages, theStepsOfPickAndPlaceMayStandInAFile) {
 
 TEST(GoalMessages, stepsAndAFileAtOnceAreAFault) {
   cobot_command::PickAndPlaceGoal message;
-  message.steps_file = COBOT_CONFIG "/pick_and_place.yaml";
+  message.steps_file = test_support::inSourceTree("config/pick_and_place.yaml");
   message.steps.resize(1);
   EXPECT_THAT(toGoal(message, noTf).steps_fault, HasSubstr("give one"));
 }

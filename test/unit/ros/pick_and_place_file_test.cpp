@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "source_tree.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::ros_adapter {
@@ -42,7 +43,7 @@ std::string errorOf(const std::string& text) {
 }
 
 TEST(PickAndPlaceFile, theCycleOfTheThesisIsReadAsItStands) {
-  const auto steps = readPickAndPlaceFile(COBOT_CONFIG "/pick_and_place.yaml");
+  const auto steps = readPickAndPlaceFile(test_support::inSourceTree("config/pick_and_place.yaml"));
   ASSERT_TRUE(steps) << steps.error();
   ASSERT_EQ(steps->size(), 6U);
   const auto& above = steps->at(0);

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "simulated_robot.h"
+#include "source_tree.h"
 #include "streamed_items.h"
 #include <gmock/gmock.h>
 
@@ -94,7 +95,7 @@ TEST_F(FaultsTest, canAllBeTurnedOnAndOff) {
 }
 
 TEST_F(FaultsTest, standInTheManual) {
-  std::ifstream file(COBOT_DOC "/simulator.md");
+  std::ifstream file(test_support::inSourceTree("doc/simulator.md"));
   const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::regex on_messages("^(drop|delay|duplicate|corrupt)_");  // the page names them by kind
   for (const KnownFault& known : knownFaults()) {
