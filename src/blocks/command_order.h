@@ -23,8 +23,9 @@ struct CommandOrder {
   /// What the lines mean, tag and exit aside; absent when they are a raw script that says more than this
   /// layer knows.
   std::optional<std::vector<protocol::ScriptCommand>> commands;
-  bool moves = false;  ///< a cancel has to stop the robot
-  bool exits_node = false;
+  bool moves = false;                     ///< a cancel has to stop the robot
+  bool exits_node = false;                ///< its last line is ScriptExit()
+  bool exits_afterwards = false;          ///< the node is to be left with a script of its own once it is done
   std::optional<Duration> reply_timeout;  ///< other than that of the link
   std::optional<Plan> plan;
 };

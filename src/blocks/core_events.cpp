@@ -104,6 +104,7 @@ void CommandCore::Impl::settle(Instant now) {
       robot_.forget();
       robotChanged(now);
     }
+    tellOfClosedConnection(now);
     finish(now);
     dispatch(now);
     if (connect_.disconnecting() && !run_ && !cycle_ && !stop_.busy() && direct_.empty()) {
@@ -118,6 +119,13 @@ void CommandCore::Impl::settle(Instant now) {
   tellPlaces();
   publishFrames();
   publishStatus();
+}
+
+/// A stop or a pause that was tried on a connection which never was more than that: its end is no LinkLost.
+void CommandCore::Impl::tellOfClosedConnection(Instant now) {
+  if (script_.connected()) return;
+  if (stop_.busy()) stop_.linkLost(script_.diagnosis(), now);
+  for (CommandRun& run : direct_) run.linkLost(script_.diagnosis(), now);
 }
 
 void CommandCore::Impl::finish(Instant now) {

@@ -94,7 +94,7 @@ void CommandCore::Impl::checkOnly(GoalId id, const Goal& goal, Failures failures
 
 void CommandCore::Impl::execute(GoalId id, const ProgramControlGoal& goal, Instant now) {
   Failures failures = check(goal);
-  append(failures, checkLink());
+  append(failures, connect_.disconnecting() ? checkLink() : checkConnection());
   sortByTable(failures);
   if (!failures.empty()) {
     board_.reject(Block::ProgramControl, id, toRejection(Block::ProgramControl, failures));
@@ -108,7 +108,7 @@ void CommandCore::Impl::execute(GoalId id, const ProgramControlGoal& goal, Insta
 }
 
 void CommandCore::Impl::execute(GoalId id, const StopGoal& /*goal*/, Instant now) {
-  const Failures failures = checkLink();
+  const Failures failures = checkConnection();
   if (!failures.empty()) {
     board_.reject(Block::Stop, id, toRejection(Block::Stop, failures));
     return;
@@ -177,6 +177,11 @@ CommandCore::Impl::Failures CommandCore::Impl::checkLink() const {
   return {};
 }
 
+CommandCore::Impl::Failures CommandCore::Impl::checkConnection() const {
+  if (script_.connected()) return {};
+  return {{motion_error::kNotConnected, script_.diagnosis(), ""}};
+}
+
 CommandCore::Impl::Failures CommandCore::Impl::checkReadiness(BufferMode mode) const {
   Failures failures = checkLink();
   if (failures.empty() && !connect_.ready()) {
@@ -236,6 +241,7 @@ void CommandCore::Impl::shutDown(Instant now) {
   dropWaiting(kWhy);
   if (cycle_) cycle_->cancel(kWhy, now);
   if (run_) run_->abandon(kWhy, now);
+  if (mayStillMove() && !stop_.busy()) stop_.ask(now);
   for (CommandRun& run : direct_) run.abandon(kWhy, now);
   finishRuns(now);
   finishCycle(now);

@@ -72,8 +72,10 @@ class CommandCore::Impl : private link::Wire {
   void execute(GoalId id, const PickAndPlaceGoal& goal, Instant now);
   template <class CommandGoal>
   void execute(GoalId id, const CommandGoal& goal, Instant now);
-  /// Why nothing can be sent; empty: it can.
+  /// Why nothing that the controller would take can be sent; empty: it can.
   [[nodiscard]] Failures checkLink() const;
+  /// Why not even a try can be made, for what must never be held back: there is no connection.
+  [[nodiscard]] Failures checkConnection() const;
   /// Why no command may be taken now, whatever it is; in table order.
   [[nodiscard]] Failures checkReadiness(BufferMode mode) const;
   [[nodiscard]] std::optional<Block> busyBlock() const;
@@ -100,6 +102,10 @@ class CommandCore::Impl : private link::Wire {
   [[nodiscard]] Result<CommandOrder, Failure> prepare(const Goal& goal, Instant now);
   void start(CommandOrder order, Instant now);
   void finishRuns(Instant now);
+  void finishDirectRuns();
+  void tellProgress();
+  /// The node is left once its motion is done: until then the controller takes a stop, and a pause.
+  void leaveNode(const CommandRun& done, Instant now);
   void finishCycle(Instant now);
   void finishStop(Instant now);
   void tellPlaces();
@@ -109,6 +115,7 @@ class CommandCore::Impl : private link::Wire {
   // --- Events (core_events.cpp).
   void settle(Instant now);
   void finish(Instant now);
+  void tellOfClosedConnection(Instant now);
   void handle(const link::LinkChanged& event, Instant now);
   void handle(const link::LinkLost& event, Instant now);
   void handle(const link::ScriptAnswered& event, Instant now);
@@ -139,6 +146,8 @@ class CommandCore::Impl : private link::Wire {
   StopRun stop_;
   std::vector<GoalId> stop_goals_;
   std::optional<CommandRun> run_;
+  std::optional<Outcome>
+      before_exit_;               ///< of a motion that is done, while the ScriptExit() behind it is under way
   std::list<CommandRun> direct_;  ///< program control: beside whatever else is on the wire
   std::optional<PickAndPlaceRun> cycle_;
   std::deque<Waiting> waiting_;

@@ -30,6 +30,19 @@ Answer forCommand(const Goal& goal, Answer otherwise, Use use) {
       goal);
 }
 
+/// How the ScriptExit() behind a motion ended, with what is to be told of the motion.
+Outcome withMotion(const Outcome& exit, const Outcome& motion) {
+  Outcome outcome = motion;
+  outcome.ending = exit.ending;
+  outcome.error_id = exit.error_id;
+  outcome.remedy = exit.remedy;
+  if (exit.ending != Ending::Done) {
+    outcome.error_description =
+        exit.error_description + " (the motion was done, the Listen node was to be left)";
+  }
+  return outcome;
+}
+
 }  // namespace
 
 // --- Planning ahead.
@@ -163,7 +176,8 @@ Result<CommandOrder, Failure> CommandCore::Impl::prepare(const Goal& goal, Insta
       if (!order.tag) return refuse(Failure{own_error::kNoFreeTag, "", ""});
     }
     order.command_id_ack = traits.command_id != 0 ? traits.command_id : order.tag.value_or(0);
-    order.exits_node = traits.exits_node;
+    order.exits_node = traits.exits_node && !order.tag;
+    order.exits_afterwards = traits.exits_node && order.tag;
     order.reply_timeout = traits.reply_timeout;
     addLastLines(order);
     return order;
@@ -220,12 +234,14 @@ void CommandCore::Impl::continueCycle(Instant now) {
 
 // --- Ends.
 
-void CommandCore::Impl::finishRuns(Instant now) {
+void CommandCore::Impl::finishDirectRuns() {
   for (const CommandRun& run : direct_) {
     if (run.ended()) board_.end(run.order().block, run.order().goal, run.outcome());
   }
   direct_.remove_if([](const CommandRun& run) { return run.ended(); });
-  if (!run_) return;
+}
+
+void CommandCore::Impl::tellProgress() {
   for (Progress& progress : run_->takeProgress()) {
     if (cycle_) {
       cycle_->commandProgressed(progress);
@@ -233,18 +249,42 @@ void CommandCore::Impl::finishRuns(Instant now) {
       board_.progress(run_->order().block, run_->order().goal, std::move(progress));
     }
   }
+}
+
+void CommandCore::Impl::leaveNode(const CommandRun& done, Instant now) {
+  before_exit_ = done.outcome();
+  CommandOrder exit;
+  exit.block = done.order().block;
+  exit.goal = done.order().goal;
+  exit.command_id_ack = done.order().command_id_ack;
+  exit.commands.emplace();
+  exit.exits_node = true;
+  addLastLines(exit);
+  start(std::move(exit), now);
+}
+
+void CommandCore::Impl::finishRuns(Instant now) {
+  finishDirectRuns();
+  if (!run_) return;
+  tellProgress();
   if (!run_->ended()) return;
   const CommandRun run = *std::exchange(run_, std::nullopt);
-  if (run.outcome().ending == Ending::Aborted) {
+  const auto before_exit = std::exchange(before_exit_, std::nullopt);
+  if (run.order().exits_afterwards && run.outcome().ending == Ending::Done && checkLink().empty()) {
+    leaveNode(run, now);
+    return;
+  }
+  const Outcome outcome = before_exit ? withMotion(run.outcome(), *before_exit) : run.outcome();
+  if (outcome.ending == Ending::Aborted) {
     preflight_.forget();
     // Before the end of the command itself: its error is what the block shows then.
     dropWaiting(fmt::format("the command in front of it, {}, failed",
                             toString(cycle_ ? Block::PickAndPlace : run.order().block)));
   }
   if (cycle_) {
-    cycle_->commandEnded(run.outcome(), now);
+    cycle_->commandEnded(outcome, now);
   } else {
-    board_.end(run.order().block, run.order().goal, run.outcome());
+    board_.end(run.order().block, run.order().goal, outcome);
   }
 }
 

@@ -60,7 +60,8 @@ void checkMovement(ParameterChecks& checks, int movement_command, int data_forma
 template <class Move>
 [[nodiscard]] CommandTraits traitsOfMove(const Move& goal) {
   CommandTraits traits = traitsOfCommand(goal);
-  traits.awaits_motion = !goal.blending_enable;
+  // Behind an exit nothing can blend with it, and nobody else would know when it ends.
+  traits.awaits_motion = !goal.blending_enable || goal.exit_node;
   traits.check_only = goal.check_only;
   return traits;
 }

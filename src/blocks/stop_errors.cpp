@@ -8,9 +8,10 @@ std::vector<ErrorEntry> stopErrors() {
   return ErrorTable(Block::Stop)
       .shared({motion_error::kNotConnected})
       .shared(motion_error::kLinkDropped, "the link dropped before the robot was seen to stand")
-      .shared({own_error::kNotListening})
-      .shared(own_error::kStopNotConfirmed,
-              "the controller did not accept the stop, or the robot did not come to rest in time")
+      .shared(
+          own_error::kStopNotConfirmed,
+          "the controller did not accept the stop, as it does outside the Listen node (CPERR F1), or did not "
+          "answer, or the robot did not come to rest in time: the robot may still move")
       .shared({own_error::kShutDown})
       .rows();
 }

@@ -10,7 +10,7 @@ namespace cobot_command::blocks {
 using Event = StopEvent;
 
 void StopRun::ask(Instant now) {
-  if (link_.established()) fire(Event::Ask, now);
+  if (link_.connected()) fire(Event::Ask, now);
 }
 
 void StopRun::answered(const link::ScriptAnswered& answer, Instant now) {

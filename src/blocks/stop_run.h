@@ -27,7 +27,8 @@ class StopRun {
           const RobotWatch& robot)
       : settings_(settings), link_(link), tags_(tags), robot_(robot) {}
 
-  /// Does nothing when the link is not established: then nobody can be told.
+  /// Whatever the state of the link: a stop is worth a try. Does nothing without a connection: then nobody
+  /// can be told.
   void ask(Instant now);
   [[nodiscard]] bool busy() const { return state_ != StopState::Idle; }
 

@@ -115,6 +115,11 @@ std::string ScriptLink::sendScript(const std::string& script, Instant now,
   return id;
 }
 
+void ScriptLink::exitAccepted(Instant now) {
+  listening_since_exit_ = 0;
+  fire(Event::ExitAccepted, now);
+}
+
 void ScriptLink::queryTag(int tag, Instant now) {
   Request request;
   request.kind = Request::Kind::TagQuery;

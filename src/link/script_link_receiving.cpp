@@ -9,6 +9,14 @@ namespace cobot_command::link {
 using Event = ScriptLinkEvent;
 using State = ScriptLinkState;
 
+namespace {
+
+/// After a ScriptExit(), until an answer "in the Listen node" is believed: a controller that is still leaving
+/// may give a few.
+constexpr int kStillListening = 3;
+
+}  // namespace
+
 std::optional<ScriptLinkOutput> ScriptLink::next(Instant now) {
   while (outputs_.empty()) {
     const auto event = decoder_.next();
@@ -65,7 +73,13 @@ void ScriptLink::take(const protocol::ListenNodeState& message, Instant now) {
   unanswered_lifesigns_ = 0;
   lifesign_at_ = now + settings_.supervision_period;
   if (message.listening) listen_node_ = message.message;
-  fire(message.listening ? Event::AnsweredTrue : Event::AnsweredFalse, now);
+  fire(eventOf(message), now);
+}
+
+ScriptLinkEvent ScriptLink::eventOf(const protocol::ListenNodeState& message) {
+  if (!message.listening) return Event::AnsweredFalse;
+  if (state_ != State::Leaving) return Event::AnsweredTrue;
+  return ++listening_since_exit_ < kStillListening ? Event::AnsweredTrue : Event::StillListening;
 }
 
 void ScriptLink::take(const protocol::ScriptReply& message, Instant /*now*/) {

@@ -31,6 +31,14 @@ class ProgramControl(MotionTestCase):
         self.assert_done(self.robot.run(RESUME))
         self.assert_done(sent.finish())
 
+    def test_pauses_a_motion_that_is_to_leave_the_listen_node(self):
+        sent = self.robot.start_slowly(turn(20, 0, 0, 0, 0, 0, exit_node=True, **MODERATELY))
+        self.assert_done(self.robot.run(PAUSE))
+        sent.wait_for_feedback(lambda f: f.phase == f.HELD, "HELD")
+        self.assert_done(self.robot.run(RESUME))
+        self.assert_done(sent.finish())
+        self.assert_stands_at((20, 0, 90, 0, 90, 0))
+
     def test_queues_what_comes_during_a_pause(self):
         self.assert_done(self.robot.run(PAUSE))
         first = self.robot.send(turn(5, 0, 0, 0, 0, 0)).wait_until_active()

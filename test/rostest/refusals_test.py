@@ -2,7 +2,7 @@
 """What every command is refused for, whatever it wants: the link, its turn, the robot."""
 import rospy
 
-from cobot_command.msg import CommandStatus, RobotStatus
+from cobot_command.msg import CommandStatus, ProgramControlGoal, RobotStatus, StopGoal
 from cobot_goals import (BUFFERED, HOME, commands, cycle, motions, queued, sequence, step, to_joints, turn,
                          with_changes)
 from cobot_test import CobotTestCase, Latest
@@ -24,7 +24,14 @@ class Refusals(CobotTestCase):
         self.robot.establish()
         self.robot.operate("leave_listen_node")
         self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.NOT_LISTENING, "a flow elsewhere")
-        self.assert_all_rejected(commands(), 0x220)
+        self.assert_all_rejected(queued(), 0x220)
+
+    def test_never_of_a_stop_or_a_pause_while_the_flow_is_elsewhere_as_they_are_tried(self):
+        self.robot.establish()
+        self.robot.operate("leave_listen_node")
+        self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.NOT_LISTENING, "a flow elsewhere")
+        self.assert_aborted(self.robot.run(ProgramControlGoal(command=ProgramControlGoal.PAUSE)), 0x220)
+        self.assert_aborted(self.robot.run(StopGoal()), 0x225)
 
     def test_of_all_that_have_a_turn_while_another_is_busy(self):
         self.establish_at_home()

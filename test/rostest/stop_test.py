@@ -3,7 +3,7 @@
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import ProgramControlGoal, StopGoal
+from cobot_command.msg import ExitListenNodeGoal, ProgramControlGoal, StopGoal
 from cobot_goals import BUFFERED, HOME, SLOWLY, base, cycle, script, step, to_joints, turn
 from motion_checks import MotionTestCase
 
@@ -38,6 +38,32 @@ class Stop(MotionTestCase):
         self.robot.wait_for_motion()
         self.assert_done(self.robot.run(StopGoal()))
         self.robot.wait_for_standstill()
+
+    def test_stops_a_motion_that_is_to_leave_the_listen_node_and_it_stays_there(self):
+        sent = self.robot.start_slowly(turn(60, 0, 0, 0, 0, 0, exit_node=True, **SLOWLY))
+        self.assert_done(self.robot.run(StopGoal()))
+        self.assert_ended(GoalStatus.PREEMPTED, sent.finish())
+        self.robot.wait_for_standstill()
+        self.assert_done(self.robot.run(to_joints(*HOME)))
+
+    def test_comes_with_the_cancel_of_a_motion_that_is_to_leave_the_listen_node(self):
+        sent = self.robot.start_slowly(turn(60, 0, 0, 0, 0, 0, exit_node=True, blending_enable=True, **SLOWLY))
+        sent.cancel()
+        self.assert_ended(GoalStatus.PREEMPTED, sent.finish())
+        self.robot.wait_for_standstill()
+        self.assert_done(self.robot.run(to_joints(*HOME)))
+
+    def test_is_tried_outside_the_listen_node_and_tells_that_the_robot_may_move(self):
+        self.robot.operate("leave_listen_node")
+        self.robot.status.wait_for(lambda s: s.link_state == s.NOT_LISTENING, "the flow elsewhere")
+        self.assert_aborted(self.robot.run(StopGoal()), 0x225, "listen")
+
+    def test_works_again_when_the_entry_message_behind_an_exit_was_lost(self):
+        self.robot.fault("drop_entry", count=1)
+        self.assert_done(self.robot.run(ExitListenNodeGoal()))
+        self.robot.status.wait_for(lambda s: s.link_state == s.READY, "the Listen node, without its message")
+        self.assert_done(self.robot.run(StopGoal()))
+        self.assert_done(self.robot.run(to_joints(*HOME)))
 
     def test_stops_a_paused_robot_for_good(self):
         sent = self.robot.start_slowly()

@@ -84,16 +84,18 @@ class ScriptLink {
   /// asked for, so a reaction to one is in force before the next is looked at.
   [[nodiscard]] std::optional<ScriptLinkOutput> next(Instant now);
 
-  // --- Requests. Precondition: established().
-  /// Returns the script id; a ScriptAnswered with it follows, unless the link goes down first. For lines that
-  /// wait `reply_timeout` may be another than that of the settings.
+  // --- Requests. Precondition: connected().
+  /// Returns the script id; a ScriptAnswered with it follows, unless the connection goes down first. For
+  /// lines that wait `reply_timeout` may be another than that of the settings.
   std::string sendScript(const std::string& script, Instant now,
                          std::optional<Duration> reply_timeout = std::nullopt);
   void queryTag(int tag, Instant now);
   /// A script with ScriptExit() was accepted: the node is being left.
-  void exitAccepted(Instant now) { fire(ScriptLinkEvent::ExitAccepted, now); }
+  void exitAccepted(Instant now);
 
   [[nodiscard]] ScriptLinkState state() const { return state_; }
+  /// TCP is up: a script can be sent, though it may be that nobody takes it.
+  [[nodiscard]] bool connected() const { return isConnected(state_); }
   [[nodiscard]] bool established() const { return isEstablished(state_); }
   [[nodiscard]] Trouble trouble() const { return trouble_; }
   [[nodiscard]] const std::string& diagnosis() const { return diagnosis_; }
@@ -113,6 +115,7 @@ class ScriptLink {
   void transmit(const protocol::ClientMessage& message, Request request, Instant now);
   void read(const protocol::DecodeEvent& event, Instant now);
   void take(const protocol::ListenNodeEntered& message, Instant now);
+  [[nodiscard]] ScriptLinkEvent eventOf(const protocol::ListenNodeState& message);
   void take(const protocol::ScriptReply& message, Instant now);
   void take(const protocol::ListenNodeState& message, Instant now);
   void take(const protocol::TagReport& message, Instant now);
@@ -129,7 +132,8 @@ class ScriptLink {
   std::optional<Instant> retry_at_;
   std::optional<Instant> lifesign_at_;
   int unanswered_lifesigns_ = 0;
-  bool foreign_bytes_ = false;  ///< what arrived last on this connection was not understood
+  int listening_since_exit_ = 0;  ///< answers "in the Listen node", one after the other
+  bool foreign_bytes_ = false;    ///< what arrived last on this connection was not understood
   BackOff back_off_;
   protocol::FrameDecoder decoder_;
   RequestLedger ledger_;

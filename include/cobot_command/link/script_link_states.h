@@ -22,14 +22,15 @@ enum class ScriptLinkEvent {
   RetryDue,
   Opened,
   OpenFailed,
-  AnsweredTrue,   ///< TMSTA 00: in the Listen node
-  AnsweredFalse,  ///< TMSTA 00: not in the Listen node
-  NodeEntered,    ///< the entry message, TMSCT 0
-  NodeLeft,       ///< CPERR F1
-  ExitAccepted,   ///< a script with ScriptExit() was accepted
-  NoAnswer,       ///< too many lifesigns without an answer
-  ForeignPeer,    ///< what arrives is not what a script port says
-  Closed,         ///< by the peer, or by the network
+  AnsweredTrue,    ///< TMSTA 00: in the Listen node
+  AnsweredFalse,   ///< TMSTA 00: not in the Listen node
+  NodeEntered,     ///< the entry message, TMSCT 0
+  NodeLeft,        ///< CPERR F1
+  ExitAccepted,    ///< a script with ScriptExit() was accepted
+  StillListening,  ///< asked again and again since then, it was always in the Listen node
+  NoAnswer,        ///< too many lifesigns without an answer
+  ForeignPeer,     ///< what arrives is not what a script port says
+  Closed,          ///< by the peer, or by the network
   Stop
 };
 
@@ -81,6 +82,8 @@ struct ScriptLinkTable {
     {S::Leaving,      E::AnsweredFalse, S::NotListening, A::None},
     {S::Leaving,      E::NodeEntered,   S::Ready,        A::None},
     {S::Leaving,      E::NodeLeft,      S::Leaving,      A::None},
+    // The flow has come back, and its entry message was lost or came before the OK.
+    {S::Leaving,      E::StillListening, S::Ready,       A::None},
     {S::Leaving,      E::NoAnswer,      S::BackingOff,   A::Lose},
     {S::Leaving,      E::Closed,        S::BackingOff,   A::Lose},
     {S::Leaving,      E::Stop,          S::Disconnected, A::Release},
@@ -96,6 +99,12 @@ struct ScriptLinkTable {
   };
   // clang-format on
 };
+
+/// TCP is up: something can be tried, whatever it will be answered.
+[[nodiscard]] constexpr bool isConnected(ScriptLinkState state) {
+  return state == ScriptLinkState::Probing || state == ScriptLinkState::NotListening ||
+         state == ScriptLinkState::Leaving || state == ScriptLinkState::Ready;
+}
 
 /// TCP is up and a TM controller answered.
 [[nodiscard]] constexpr bool isEstablished(ScriptLinkState state) {

@@ -32,11 +32,11 @@ Scenarios allScenarios() {
     all.merge(turnScenarios(goal));
     all.merge(replyScenarios(goal));
   }
-  all.merge(linkScenarios(good<ProgramControlGoal>()));
+  all.merge(triedScenarios(good<ProgramControlGoal>()));
   all.merge(replyScenarios(good<ProgramControlGoal>()));
   all.merge(linkScenarios(good<PickAndPlaceGoal>()));
   all.merge(turnScenarios(good<PickAndPlaceGoal>()));
-  all.merge(linkScenarios(StopGoal{}));
+  all.merge(triedScenarios(StopGoal{}));
   all.merge(stopScenarios(StopGoal{}));
   return all;
 }

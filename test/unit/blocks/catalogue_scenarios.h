@@ -23,6 +23,8 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios planningScenarios();
 
 // The same for any command, `goal` being one that may be sent.
+/// There is no connection on which it could be tried.
+[[nodiscard]] Scenarios triedScenarios(const blocks::Goal& goal);
 /// It cannot be told to the controller.
 [[nodiscard]] Scenarios linkScenarios(const blocks::Goal& goal);
 /// It is not its turn, or not the time for any command.

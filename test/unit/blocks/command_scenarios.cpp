@@ -50,20 +50,25 @@ Outcome after(const Goal& goal, const std::function<void(CoreRig&)>& before) {
 
 }  // namespace
 
-Scenarios linkScenarios(const Goal& goal) {
+Scenarios triedScenarios(const Goal& goal) {
   const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
   return {
       {row(motion_error::kNotConnected), [=] { return after(goal, [](CoreRig&) {}); }},
-      {row(own_error::kNotListening),
-       [=] {
-         return after(goal, [](CoreRig& rig) {
-           connect(rig);
-           rig.listening = false;
-           rig.pass(1s);
-         });
-       }},
       {row(own_error::kShutDown), [=] { return after(goal, [](CoreRig& rig) { rig.shutDown(); }); }},
   };
+}
+
+Scenarios linkScenarios(const Goal& goal) {
+  const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
+  Scenarios scenarios = triedScenarios(goal);
+  scenarios[row(own_error::kNotListening)] = [=] {
+    return after(goal, [](CoreRig& rig) {
+      connect(rig);
+      rig.listening = false;
+      rig.pass(1s);
+    });
+  };
+  return scenarios;
 }
 
 Scenarios turnScenarios(const Goal& goal) {
@@ -114,6 +119,8 @@ Scenarios replyScenarios(const Goal& goal) {
        [=] { return until(goal, [](auto& rig, const auto& id) { rig.reply(id, false, {1}); }); }},
       {row(motion_error::kLinkDropped),
        [=] { return until(goal, [](auto& rig, const auto&) { rig.close("gone"); }); }},
+      {row(own_error::kNotListening),
+       [=] { return communicationError(CommunicationErrorCode::NotListening); }},
       {row(own_error::kCommunication), [=] { return communicationError(CommunicationErrorCode::Checksum); }},
   };
 }

@@ -71,6 +71,33 @@ TEST(ProgramControl, isRefusedWithoutALink) {
   EXPECT_EQ(rig.outcome(rig.submit(pause()))->error_id, motion_error::kNotConnected);
 }
 
+TEST(ProgramControl, isLeftToTheControllerOutsideTheListenNode) {
+  CoreRig rig;
+  rig.connect();
+  rig.submit(ExitListenNodeGoal{});
+  rig.reply(rig.takeScript().id);
+  const GoalId taken = rig.submit(pause());
+  rig.reply(rig.takeScript().id);
+  EXPECT_EQ(rig.outcome(taken)->ending, Ending::Done);
+  const GoalId refused = rig.submit(pause());
+  rig.takeScript();
+  rig.say(protocol::CommunicationError{protocol::CommunicationErrorCode::NotListening});
+  EXPECT_EQ(rig.outcome(refused)->ending, Ending::Aborted);
+  EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kNotListening);
+}
+
+TEST(ProgramControl, endsWithAConnectionThatWasNeverEstablished) {
+  CoreRig rig;
+  rig.answers_lifesigns = false;
+  rig.submit(CoreRig::robot());
+  rig.open();
+  const GoalId id = rig.submit(pause());
+  rig.discardSent();
+  rig.close("gone");
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->error_id, motion_error::kLinkDropped);
+}
+
 TEST(ProgramControl, showsTheHoldInTheFeedbackOfTheMotion) {
   CoreRig rig(std::nullopt, link::LinkSettings{});
   rig.connect();

@@ -101,7 +101,7 @@ class Chaos {
     const Outcome* outcome = rig_.outcome(last_);
     if (outcome != nullptr && outcome->ending == Ending::Rejected) return;
     Motion motion;
-    motion.needs_tag = !goal.blending_enable;
+    motion.needs_tag = !goal.blending_enable || goal.exit_node;
     motion.target = targets_;
     motions_[last_] = motion;
   }

@@ -107,13 +107,86 @@ TEST(StopBlock, isRefusedWithoutALink) {
   EXPECT_EQ(rig.outcome(stop)->error_id, motion_error::kNotConnected);
 }
 
-TEST(StopBlock, isRefusedOutsideTheListenNode) {
+TEST(StopBlock, isTriedOutsideTheListenNodeAndSaysThatTheRobotMayStillMove) {
   CoreRig rig;
   rig.listening = false;
   rig.submit(CoreRig::robot());
   rig.open();
   const GoalId stop = rig.submit(StopGoal{});
-  EXPECT_EQ(rig.outcome(stop)->error_id, own_error::kNotListening);
+  EXPECT_EQ(rig.takeScript().script, "StopAndClearBuffer()");
+  EXPECT_TRUE(rig.accepted(stop));
+  rig.say(protocol::CommunicationError{protocol::CommunicationErrorCode::NotListening});
+  ASSERT_NE(rig.outcome(stop), nullptr);
+  EXPECT_EQ(rig.outcome(stop)->ending, Ending::Aborted);
+  EXPECT_EQ(rig.outcome(stop)->error_id, own_error::kStopNotConfirmed);
+  EXPECT_THAT(rig.outcome(stop)->error_description, HasSubstr("isten"));
+}
+
+TEST(StopBlock, isDoneOutsideTheListenNodeWhenTheControllerTakesIt) {
+  CoreRig rig;
+  rig.connect();
+  rig.listening = false;
+  rig.pass(1s);
+  ASSERT_EQ(rig.latest().link, CommandStatus::LinkState::NotListening);
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
+}
+
+TEST(StopBlock, isTriedBeforeTheControllerHasSaidAWord) {
+  CoreRig rig;
+  rig.answers_lifesigns = false;
+  rig.submit(CoreRig::robot());
+  rig.open();
+  rig.discardSent();
+  ASSERT_EQ(rig.latest().link, CommandStatus::LinkState::Probing);
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
+}
+
+/// What was tried on a connection that comes to nothing ends with it, and blocks nothing.
+TEST(StopBlock, endsWithAConnectionThatWasNeverEstablished) {
+  CoreRig rig;
+  rig.answers_lifesigns = false;
+  const GoalId connect = rig.submit(CoreRig::robot());
+  rig.open();
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.discardSent();
+  rig.close("gone");
+  ASSERT_NE(rig.outcome(stop), nullptr);
+  EXPECT_EQ(rig.outcome(stop)->error_id, motion_error::kLinkDropped);
+  rig.cancel(connect);
+  rig.answers_lifesigns = true;
+  rig.connect();
+  rig.submit(CoreRig::move());
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+}
+
+TEST(StopBlock, endsWhenTheConnectGoalRunsOutOfTime) {
+  CoreRig rig;
+  rig.listening = false;
+  const GoalId connect = rig.submit(CoreRig::robot());
+  rig.open();
+  rig.pass(9500ms);
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.takeScript();
+  rig.pass(500ms);
+  EXPECT_EQ(rig.outcome(connect)->error_id, connect_error::kTimeOut);
+  ASSERT_NE(rig.outcome(stop), nullptr);
+  EXPECT_EQ(rig.outcome(stop)->error_id, motion_error::kLinkDropped);
+}
+
+TEST(StopBlock, goesOutWhileTheNodeIsBeingLeft) {
+  CoreRig rig;
+  rig.connect();
+  rig.submit(ExitListenNodeGoal{});
+  rig.reply(rig.takeScript().id);
+  ASSERT_EQ(rig.latest().link, CommandStatus::LinkState::NotListening);
+  const GoalId stop = rig.submit(StopGoal{});
+  EXPECT_EQ(rig.takeScript().script, "StopAndClearBuffer()");
+  rig.say(protocol::CommunicationError{protocol::CommunicationErrorCode::NotListening});
+  EXPECT_EQ(rig.outcome(stop)->error_id, own_error::kStopNotConfirmed);
 }
 
 TEST(StopBlock, endsWithTheLink) {

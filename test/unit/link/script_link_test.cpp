@@ -91,6 +91,12 @@ class ScriptLinkTest : public ::testing::Test {
       case Event::ExitAccepted:
         link.exitAccepted(now);
         break;
+      case Event::StillListening:
+        for (int i = 0; i < 3; ++i) {
+          askedAgain();
+          say(ListenNodeState{true, "Listen2"});
+        }
+        break;
       case Event::ForeignPeer:
         receive(protocol::encode(protocol::StatusFrame{"0", 1, ""}));
         break;
@@ -278,6 +284,51 @@ TEST_F(ScriptLinkTest, takesBackTheAnswersOfAnOldConnection) {
   say(protocol::ScriptReply{id, true, {}});
   EXPECT_EQ(link.lateReplies(), 1u);
   EXPECT_TRUE(all<ScriptAnswered>().empty());
+}
+
+TEST_F(ScriptLinkTest, isReadyAgainWhenTheEntryMessageBehindAScriptExitWasLost) {
+  bringTo(State::Leaving);
+  before = State::Leaving;
+  make(Event::AnsweredTrue);
+  make(Event::AnsweredTrue);
+  EXPECT_EQ(link.state(), State::Leaving) << "a controller that is still leaving may say so";
+  make(Event::AnsweredTrue);
+  EXPECT_EQ(link.state(), State::Ready);
+  EXPECT_EQ(link.listenNode(), "Listen2");
+  EXPECT_EQ(link.trouble(), Trouble::None);
+}
+
+TEST_F(ScriptLinkTest, countsTheAnswersBehindEachScriptExitAnew) {
+  bringTo(State::Leaving);
+  before = State::Leaving;
+  make(Event::AnsweredTrue);
+  make(Event::AnsweredTrue);
+  make(Event::NodeEntered);
+  link.exitAccepted(now);
+  make(Event::AnsweredTrue);
+  make(Event::AnsweredTrue);
+  EXPECT_EQ(link.state(), State::Leaving);
+}
+
+TEST_F(ScriptLinkTest, sendsScriptsInEveryStateWithAConnection) {
+  for (const State state : {State::Probing, State::NotListening, State::Leaving, State::Ready}) {
+    testing::RecordingWire fresh_wire;
+    ScriptLink fresh(settings, fresh_wire);
+    fresh.start("robot", 5890, now);
+    EXPECT_FALSE(fresh.connected());
+    fresh.opened(now);
+    if (state != State::Probing) {
+      fresh.received(
+          protocol::encode(protocol::ControllerMessage(ListenNodeState{state != State::NotListening, "L"})));
+      while (fresh.next(now)) {
+      }
+    }
+    if (state == State::Leaving) fresh.exitAccepted(now);
+    ASSERT_EQ(fresh.state(), state);
+    EXPECT_TRUE(fresh.connected());
+    const std::string id = fresh.sendScript("StopAndClearBuffer()", now);
+    EXPECT_THAT(fresh_wire.sent.back(), HasSubstr(id + ",StopAndClearBuffer()"));
+  }
 }
 
 TEST_F(ScriptLinkTest, recordsWhatAScriptSendsAndChangesNothing) {

@@ -32,6 +32,19 @@ TEST(ScriptLinkTable, canBeStoppedInEveryStateButTheFirst) {
   }
 }
 
+TEST(ScriptLinkTable, canBeReadyAgainFromEveryStateWithAConnection) {
+  for (const auto state : allUpTo(ScriptLinkState::Ready)) {
+    if (!isConnected(state)) continue;
+    bool ready = false;
+    for (const auto event : {ScriptLinkEvent::AnsweredTrue, ScriptLinkEvent::StillListening}) {
+      const auto row = findTransition<ScriptLinkTable>(state, event);
+      ready = ready || (row && row->to == ScriptLinkState::Ready);
+    }
+    EXPECT_TRUE(ready) << "state " << static_cast<int>(state)
+                       << ": nothing but lifesigns is sure to be answered";
+  }
+}
+
 TEST(ScriptLinkTable, tellsOfALossWheneverItWasEstablished) {
   for (const auto state : allUpTo(ScriptLinkState::Ready)) {
     for (const auto event : {ScriptLinkEvent::Closed, ScriptLinkEvent::NoAnswer}) {
