@@ -18,6 +18,10 @@ void CommandCore::cancel(GoalId id, Instant now) {
   impl_->cancel(id, now);
 }
 
+void CommandCore::finish(FinishAfter after, Instant now) {
+  impl_->finish(after, now);
+}
+
 void CommandCore::keepConnected(const ConnectGoal& target, Instant now) {
   impl_->keepConnected(target, now);
 }

@@ -159,7 +159,10 @@ void CommandCore::Impl::execute(GoalId id, const PickAndPlaceGoal& goal, Instant
 Outcome CommandCore::Impl::checkCycle(const PickAndPlaceGoal& goal,
                                       const std::optional<Origin>& origin) const {
   Outcome outcome = checkSequence(asSequence(goal), preflight_.arm(), origin);
-  if (outcome.ending != Ending::Rejected) return outcome;
+  if (outcome.ending != Ending::Rejected) {
+    outcome.planned = plannedCycle(goal, outcome.steps);
+    return outcome;
+  }
   // The same findings, in the words of this block.
   const ErrorEntry* entry = findError(Block::PickAndPlace, outcome.error_id);
   assert(entry != nullptr);
@@ -226,6 +229,12 @@ void CommandCore::Impl::cancel(GoalId id, Instant now) {
     abortAll("the connection is being closed", now);
     if (mayStillMove() && !stop_.busy()) stop_.ask(now);
   }
+  settle(now);
+}
+
+void CommandCore::Impl::finish(FinishAfter after, Instant now) {
+  dropWaiting("what is under way was to be finished, and nothing behind it");
+  if (cycle_) cycle_->finish(after, now);
   settle(now);
 }
 

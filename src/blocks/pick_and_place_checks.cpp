@@ -1,5 +1,7 @@
 // What is wrong with a pick-and-place goal before anything is planned.
 
+#include <algorithm>
+
 #include "block_rules.h"
 #include "command_order.h"
 #include "pick_and_place_run.h"
@@ -42,6 +44,25 @@ void checkStep(const PickAndPlaceStep& step, std::size_t number, std::vector<Fai
   }
 }
 
+/// Behind an exit the controller takes nothing more, so it is only for the end of all.
+void checkExits(const PickAndPlaceGoal& goal, std::vector<Failure>& failures) {
+  for (std::size_t i = 0; i < goal.steps.size(); ++i) {
+    if (!goal.steps[i].move.exit_node) continue;
+    if (i + 1 < goal.steps.size()) {
+      failures.push_back(
+          {own_error::kExitBeforeEnd, fmt::format("step {} of {}", i + 1, goal.steps.size()), ""});
+    } else if (goal.cycles == 0) {
+      failures.push_back({own_error::kExitBeforeEnd, "cycles is 0: there is no last cycle", ""});
+    } else if (goal.steps[i].output) {
+      failures.push_back(
+          {own_error::kExitBeforeEnd, fmt::format("step {} has an output behind it", i + 1), ""});
+    } else {
+      continue;
+    }
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<Failure> checkPickAndPlace(const PickAndPlaceGoal& goal) {
@@ -62,7 +83,19 @@ std::vector<Failure> checkPickAndPlace(const PickAndPlaceGoal& goal) {
   for (std::size_t i = 0; i < goal.steps.size() && failures.empty(); ++i) {
     checkStep(goal.steps[i], i + 1, failures);
   }
+  checkExits(goal, failures);
   return failures;
+}
+
+std::optional<Duration> plannedCycle(const PickAndPlaceGoal& goal, const std::vector<StepReport>& steps) {
+  if (steps.size() < goal.steps.size()) return std::nullopt;
+  Duration motion{};
+  Duration dwells{};
+  for (std::size_t i = 0; i < goal.steps.size(); ++i) {
+    motion = std::max(motion, steps[i].start + steps[i].duration);
+    dwells += fromSeconds(goal.steps[i].dwell);
+  }
+  return motion + dwells;
 }
 
 CheckSequenceGoal asSequence(const PickAndPlaceGoal& goal) {

@@ -27,6 +27,9 @@ std::vector<ErrorEntry> pickAndPlaceErrors() {
            "the controller refused or did not answer the line that sets an output")
       .row(own_error::kBlendBeforeDwell, "Blending must be disabled before an output or a dwell",
            "Disable blending_enable of the step", "a step with blending_enable has an output or a dwell")
+      .row(own_error::kExitBeforeEnd, "Only the last step of the last cycle may leave the Listen node",
+           "Take exit_node away from the step, or its output; give a number of cycles",
+           "exit_node of a step that is not the last, of one with an output, or with cycles 0")
       .rows();
 }
 

@@ -12,6 +12,7 @@ using State = PickAndPlaceState;
 
 PickAndPlaceRun::PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<StepReport> steps, Instant now)
     : id_(id), goal_(std::move(goal)), started_at_(now) {
+  outcome_.planned = plannedCycle(goal_, steps);
   // The check looks at the first step twice; see asSequence().
   steps.resize(goal_.steps.size());
   outcome_.steps = std::move(steps);
@@ -19,7 +20,11 @@ PickAndPlaceRun::PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<S
 
 std::optional<PickAndPlaceRun::Command> PickAndPlaceRun::next() const {
   if (under_way_ || cancelled_why_) return std::nullopt;
-  if (state_ == State::Moving) return step().move;
+  if (state_ == State::Moving) {
+    MoveAbsoluteGoal move = step().move;
+    move.exit_node = move.exit_node && isLast();
+    return move;
+  }
   if (state_ == State::Setting) return *step().output;
   return std::nullopt;
 }
@@ -85,6 +90,17 @@ void PickAndPlaceRun::cancel(const std::string& why, Instant now) {
   if (ended()) return;
   cancelled_why_ = why;
   if (!under_way_) fire(Event::Cancelled, now);
+}
+
+void PickAndPlaceRun::finish(FinishAfter after, Instant now) {
+  if (after == FinishAfter::Move) {
+    cancel(state_ == State::Dwelling ? "finished on request, in a dwell"
+                                     : "finished on request, behind this move",
+           now);
+  } else if (!isLast()) {
+    goal_.cycles = cycle_;
+    finished_why_ = fmt::format("finished on request, behind cycle {}", cycle_);
+  }
 }
 
 void PickAndPlaceRun::linkLost(const std::string& reason, Instant now) {
@@ -186,8 +202,9 @@ void PickAndPlaceRun::end(Ending ending, Instant now) {
     outcome = toOutcome(Block::PickAndPlace, ending, failure_);
   } else {
     outcome.ending = ending;
-    if (cancelled_why_) outcome.error_description = *cancelled_why_;
+    outcome.error_description = cancelled_why_.value_or(finished_why_);
   }
+  outcome.planned = outcome_.planned;
   outcome.steps = std::move(outcome_.steps);
   outcome.failed_step = outcome_.failed_step;
   outcome.cycles_done = outcome_.cycles_done;

@@ -12,6 +12,7 @@
 #include "failure.h"
 #include "robot_watch.h"
 
+#include "cobot_command/blocks/finish.h"
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/pick_and_place_states.h"
 #include "cobot_command/common/time.h"
@@ -24,6 +25,11 @@ namespace cobot_command::blocks {
 /// What to plan to check the cycle as a whole: its steps, and the first again when there is more than one
 /// cycle.
 [[nodiscard]] CheckSequenceGoal asSequence(const PickAndPlaceGoal& goal);
+
+/// How long one cycle takes, its dwells included, by what the check of its steps found; nothing when that did
+/// not see them all.
+[[nodiscard]] std::optional<Duration> plannedCycle(const PickAndPlaceGoal& goal,
+                                                   const std::vector<StepReport>& steps);
 
 class PickAndPlaceRun {
  public:
@@ -43,6 +49,9 @@ class PickAndPlaceRun {
 
   /// When a command is under way that one has to be cancelled too; its end is this one's.
   void cancel(const std::string& why, Instant now);
+  /// Ends in its own time: nothing more is begun behind the command that is under way (a dwell ends at once),
+  /// or behind this cycle.
+  void finish(FinishAfter after, Instant now);
   void linkLost(const std::string& reason, Instant now);
   /// A pause holds the dwell; an emergency stop or an error ends it.
   void robotChanged(const RobotWatch& robot, Instant now);
@@ -75,6 +84,7 @@ class PickAndPlaceRun {
   int cycle_ = 1;
   bool under_way_ = false;
   std::optional<std::string> cancelled_why_;
+  std::string finished_why_;  ///< it is to end behind this cycle
   std::optional<Instant> dwell_until_;
   std::optional<Instant> held_since_;
   Instant started_at_;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include <fmt/format.h>
 #include <ros/console.h>
 
 #include "cobot_command/common/overloaded.h"
@@ -56,6 +57,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), parameters.link,
       [this](const blocks::Action& action, Instant now) { onAction(action, now); });
+  finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
     target.host = default_host_;
@@ -99,6 +101,21 @@ void CommandNode::submit(blocks::GoalId id, blocks::Goal goal) {
   }
   // Refused only once the node is being destroyed, when nobody hears an answer any more.
   static_cast<void>(runtime_->submit(id, std::move(goal)));
+}
+
+bool CommandNode::finish(cobot_command::Finish::Request& request,
+                         cobot_command::Finish::Response& response) {
+  using Request = cobot_command::Finish::Request;
+  if (request.after > Request::CYCLE) {
+    response.message = fmt::format("after is {}; it must be 0 (MOVE) or 1 (CYCLE)", request.after);
+    return true;
+  }
+  const auto after =
+      request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
+  response.success = runtime_->finish(after);
+  response.message = response.success ? "what is under way comes to its end; its own result tells of it"
+                                      : "the command layer is shutting down";
+  return true;
 }
 
 void CommandNode::onAction(const blocks::Action& action, Instant now) {

@@ -133,6 +133,7 @@ blocks::MoveAbsoluteGoal toMove(const Map& step) {
   if (step.has("command_id")) move.command_id = step.whole("command_id");
   if (step.has("blending_enable")) move.blending_enable = step.truth("blending_enable");
   if (step.has("blending_value")) move.blending_value = step.whole("blending_value");
+  if (step.has("exit_node")) move.exit_node = step.truth("exit_node");
   if (step.has("precise_positioning")) move.precise_positioning = step.truth("precise_positioning");
   if (!step.has("robot_pose")) return move;
   move.robot_pose_enable = true;
@@ -152,10 +153,10 @@ double toDwell(const Map& step, double usual) {
 }
 
 blocks::PickAndPlaceStep toStep(const YAML::Node& node, double usual_dwell) {
-  const Map map(
-      node, "a step",
-      {"name", "command_id", "movement_command", "data_format", "target_position", "speed", "accel_time",
-       "blending_enable", "blending_value", "precise_positioning", "robot_pose", "output", "dwell"});
+  const Map map(node, "a step",
+                {"name", "command_id", "movement_command", "data_format", "target_position", "speed",
+                 "accel_time", "blending_enable", "blending_value", "precise_positioning", "robot_pose",
+                 "exit_node", "output", "dwell"});
   if (map.has("name")) static_cast<void>(map.text("name"));
   blocks::PickAndPlaceStep step;
   step.move = toMove(map);

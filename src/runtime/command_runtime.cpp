@@ -155,6 +155,10 @@ void CommandRuntime::cancel(blocks::GoalId id) {
   impl_->post([id](auto& core, Instant now) { core.cancel(id, now); });
 }
 
+bool CommandRuntime::finish(blocks::FinishAfter after) {
+  return impl_->post([after](auto& core, Instant now) { core.finish(after, now); });
+}
+
 void CommandRuntime::stop() {
   impl_->stop();
 }

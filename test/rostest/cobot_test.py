@@ -19,7 +19,7 @@ from std_srvs.srv import SetBool, Trigger
 
 import cobot_command.msg
 from cobot_command.msg import ActiveFrames, CommandStatus, ConnectGoal, RobotStatus
-from cobot_command.srv import RaiseError, SetFault, SetInput, SetProjectSpeed
+from cobot_command.srv import Finish, RaiseError, SetFault, SetInput, SetProjectSpeed
 import provoked_errors
 from cobot_goals import HOME, SLOWLY, to_joints, turn, with_changes
 
@@ -134,6 +134,17 @@ class Robot:
 
     def latest(self, topic, kind):
         return Latest(self.name_of(topic), kind)
+
+    # --- Services of the command node.
+    def finish(self, after):
+        answer = self.try_to_finish(after)
+        if not answer.success:
+            raise AssertionError(f"finish failed: {answer.message}")
+
+    def try_to_finish(self, after):
+        name = self.name_of("finish")
+        rospy.wait_for_service(name, DEADLINE)
+        return rospy.ServiceProxy(name, Finish)(after)
 
     # --- The operator's side of the simulated controller.
     def port(self, name="script_port"):

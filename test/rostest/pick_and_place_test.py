@@ -7,6 +7,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import OutputAction, PickAndPlaceGoal, RobotStatus
+from cobot_command.srv import FinishRequest
 from cobot_goals import BUFFERED, HOME, MODERATELY, SLOWLY, cycle, step, to_joints, turn
 from motion_checks import MotionTestCase
 
@@ -21,6 +22,7 @@ class PickAndPlace(MotionTestCase):
         result = self.assert_done(self.robot.run(cycle(step(A, GRIP), step(B, RELEASE, 0.1), cycles=2)))
         self.assertEqual((result.cycles_done, result.failed_step, len(result.steps)), (2, -1, 2))
         self.assertGreater(result.actual_duration.to_sec(), 0.2)
+        self.assertGreater(result.planned_duration.to_sec(), 0.2)
         self.assert_stands_at((-15, 0, 90, 0, 90, 0))
 
     def test_tells_step_cycle_and_phase(self):
@@ -37,6 +39,8 @@ class PickAndPlace(MotionTestCase):
         result = self.assert_done(self.robot.run(PickAndPlaceGoal(steps_file=FILE, cycles=1, check_only=True)))
         self.assertEqual(len([report for report in result.steps if report.joint_path.points]) >= 6, True)
         self.assertGreater(result.planned_duration.to_sec(), 1)
+        longer = self.assert_done(self.robot.run(PickAndPlaceGoal(steps_file=FILE, cycles=5, check_only=True)))
+        self.assertEqual(longer.planned_duration, result.planned_duration, "it is that of one cycle")
 
     def test_runs_until_it_is_cancelled(self):
         sent = self.robot.send(cycle(step(A), step(B), cycles=0))
@@ -53,6 +57,42 @@ class PickAndPlace(MotionTestCase):
         sent.cancel()
         self.assert_ended(GoalStatus.PREEMPTED, sent.finish())
         self.assert_stands_at((15, 0, 90, 0, 90, 0))
+
+    # --- Ended in its own time.
+    def test_ends_behind_its_cycle_on_request(self):
+        sent = self.robot.send(cycle(step(A), step(B), cycles=0))
+        sent.wait_for_feedback(lambda f: f.cycle == 2, "the second cycle")
+        self.robot.finish(FinishRequest.CYCLE)
+        result = self.assert_done(sent.finish())
+        self.assertGreaterEqual(result.cycles_done, 2)
+        self.assertIn("on request", sent.handle.get_goal_status_text())
+        self.assert_stands_at((-15, 0, 90, 0, 90, 0))
+
+    def test_ends_behind_its_move_on_request(self):
+        sent = self.robot.start_slowly(cycle(step(turn_to(25), GRIP, 3600), step(B)))
+        self.robot.finish(FinishRequest.MOVE)
+        outcome = sent.finish()
+        self.assert_ended(GoalStatus.PREEMPTED, outcome)
+        self.assertEqual(outcome[1].cycles_done, 0)
+        self.assert_stands_at((25, 0, 90, 0, 90, 0))
+
+    def test_is_asked_to_end_behind_a_move_or_a_cycle_only(self):
+        answer = self.robot.try_to_finish(2)
+        self.assertFalse(answer.success)
+        self.assertIn("after is 2", answer.message)
+
+    def test_leaves_the_listen_node_behind_the_last_step_of_the_last_cycle(self):
+        leaving = turn_to(-15)
+        leaving.exit_node = True
+        result = self.assert_done(self.robot.run_and_reenter(cycle(step(A), step(leaving), cycles=2)))
+        self.assertEqual(result.cycles_done, 2)
+        self.assert_stands_at((-15, 0, 90, 0, 90, 0))
+
+    def test_refuses_to_leave_the_listen_node_earlier(self):
+        leaving = to_joints(15, 0, 90, 0, 90, 0, exit_node=True)
+        self.assert_refuses([(cycle(step(leaving), step(B)), 0x259, "step 1 of 2"),
+                             (cycle(step(A), step(leaving), cycles=0), 0x259, "cycles is 0"),
+                             (cycle(step(leaving, GRIP)), 0x259, "output")])
 
     def test_waits_for_its_turn(self):
         busy = self.robot.start_slowly(turn(20, 0, 0, 0, 0, 0, **MODERATELY))

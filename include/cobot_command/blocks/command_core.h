@@ -16,6 +16,7 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/active_frames.h"
 #include "cobot_command/blocks/command_status.h"
+#include "cobot_command/blocks/finish.h"
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/outcome.h"
 #include "cobot_command/common/time.h"
@@ -104,6 +105,9 @@ class CommandCore {
   void submit(GoalId id, const Goal& goal, Instant now);
   /// The falling edge of Execute while Busy. A goal that has ended already is left alone.
   void cancel(GoalId id, Instant now);
+  /// Ends what is under way in its own time, without a stop: a move is finished and Done; a pick and place
+  /// ends behind its move as CommandAborted, behind its cycle as Done. What waits ends as CommandAborted.
+  void finish(FinishAfter after, Instant now);
   /// Keeps a link by itself whenever no connect goal is Busy: tries for ever, and again after each loss. A
   /// cancelled connect goal ends that too. Precondition: the target is what a connect goal may be.
   void keepConnected(const ConnectGoal& target, Instant now);

@@ -112,6 +112,7 @@ inline constexpr int kOutputInvalid = 0x255;
 inline constexpr int kStepsUnreadable = 0x256;
 inline constexpr int kOutputFailed = 0x257;
 inline constexpr int kBlendBeforeDwell = 0x258;
+inline constexpr int kExitBeforeEnd = 0x259;
 // Raw scripts.
 inline constexpr int kReplyTimeoutRange = 0x260;
 }  // namespace own_error

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include <ros/node_handle.h>
+#include <ros/service_server.h>
 #include <ros/steady_timer.h>
 
+#include "cobot_command/Finish.h"
 #include "cobot_command/ros/action_bridge.h"
 #include "cobot_command/ros/diagnostics.h"
 #include "cobot_command/ros/goal_intake.h"
@@ -36,6 +38,7 @@ class CommandNode {
   [[nodiscard]] GoalIntake::Core intakeCore();
   void submit(blocks::GoalId id, blocks::Goal goal);
   void adjustRetrying();
+  bool finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response);
 
   std::string default_host_;
   int default_port_;
@@ -47,6 +50,7 @@ class CommandNode {
   std::vector<std::unique_ptr<GoalListener>> bridges_;
   std::unique_ptr<runtime::CommandRuntime> runtime_;
   ros::SteadyTimer retry_;
+  ros::ServiceServer finish_;
 };
 
 }  // namespace cobot_command::ros_adapter

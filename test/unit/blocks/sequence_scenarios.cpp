@@ -97,6 +97,7 @@ Scenarios pickAndPlaceParameterScenarios() {
       {row(own_error::kOutputInvalid), cycleWith([](auto& g) { g.steps[0].output->output = 99; })},
       {row(own_error::kStepsUnreadable), cycleWith([](auto& g) { g.steps_fault = "no such file"; })},
       {row(own_error::kBlendBeforeDwell), cycleWith([](auto& g) { g.steps[0].move.blending_enable = true; })},
+      {row(own_error::kExitBeforeEnd), cycleWith([](auto& g) { g.steps[0].move.exit_node = true; })},
   };
 }
 

@@ -61,6 +61,13 @@ TEST(PickAndPlaceFile, theCycleOfTheThesisIsReadAsItStands) {
   EXPECT_THAT(dwells, ElementsAre(0, 0, 2, 0, 0, 2));
 }
 
+TEST(PickAndPlaceFile, aStepMayLeaveTheListenNode) {
+  EXPECT_TRUE(stepWith("exit_node: true").move.exit_node);
+  EXPECT_FALSE(stepWith("exit_node: false").move.exit_node);
+  EXPECT_FALSE(stepWith("name: without").move.exit_node);
+  EXPECT_THAT(errorOf(fileWith("exit_node: perhaps")), HasSubstr("exit_node is 'perhaps'"));
+}
+
 TEST(PickAndPlaceFile, aDwellIsTheFilesOwnOrANumber) {
   EXPECT_EQ(stepWith("dwell: true").dwell, 2.5);
   EXPECT_EQ(stepWith("dwell: false").dwell, 0);
