@@ -23,40 +23,49 @@ std::optional<std::array<double, 6>> sixNumbers(const StatusItem& item) {
   return numbers;
 }
 
-void readJoints(const StatusItem& item, std::optional<arm::JointVector>& target) {
+// Each returns whether the item could be read.
+
+bool readJoints(const StatusItem& item, std::optional<arm::JointVector>& target) {
   if (const auto numbers = sixNumbers(item)) target = arm::toJointVector(*numbers);
+  return target.has_value();
 }
 
-void readTorques(const StatusItem& item, std::optional<arm::JointVector>& target) {
+bool readTorques(const StatusItem& item, std::optional<arm::JointVector>& target) {
   constexpr double kNewtonmetresPerMillinewtonmetre = 1e-3;
   const auto numbers = sixNumbers(item);
-  if (!numbers) return;
+  if (!numbers) return false;
   target = arm::JointVector(Eigen::Map<const arm::JointVector>(numbers->data()) *
                             kNewtonmetresPerMillinewtonmetre);
+  return true;
 }
 
-void readPose(const StatusItem& item, std::optional<arm::Pose>& target) {
+bool readPose(const StatusItem& item, std::optional<arm::Pose>& target) {
   if (const auto numbers = sixNumbers(item)) target = arm::toPose(*numbers);
+  return target.has_value();
 }
 
-void readMass(const StatusItem& item, std::optional<double>& target) {
+bool readMass(const StatusItem& item, std::optional<double>& target) {
   const auto value = protocol::item::asFloat(item);
   if (value && std::isfinite(*value)) target = *value;
+  return target.has_value();
 }
 
-void readBool(const StatusItem& item, std::optional<bool>& target) {
+bool readBool(const StatusItem& item, std::optional<bool>& target) {
   if (const auto value = protocol::item::asBool(item)) target = value;
+  return target.has_value();
 }
 
-void readInt(const StatusItem& item, std::optional<int>& target) {
+bool readInt(const StatusItem& item, std::optional<int>& target) {
   if (const auto value = protocol::item::asInt(item)) target = *value;
+  return target.has_value();
 }
 
-void readString(const StatusItem& item, std::optional<std::string>& target) {
+bool readString(const StatusItem& item, std::optional<std::string>& target) {
   target = item.value;
+  return true;
 }
 
-using Reader = void (*)(const StatusItem&, RobotStatus&);
+using Reader = bool (*)(const StatusItem&, RobotStatus&);
 struct ItemRow {
   std::string_view name;
   Reader read;
@@ -64,26 +73,27 @@ struct ItemRow {
 
 // Error_Content is streamed by TMflow 1.76 and older only (fact sheet 3.1).
 constexpr ItemRow kItems[] = {
-    {"Robot_Link", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.linked); }},
-    {"Joint_Angle", [](const StatusItem& i, RobotStatus& s) { readJoints(i, s.joints); }},
-    {"Joint_Speed", [](const StatusItem& i, RobotStatus& s) { readJoints(i, s.joint_velocities); }},
-    {"Joint_Torque", [](const StatusItem& i, RobotStatus& s) { readTorques(i, s.joint_torques); }},
-    {"Coord_Robot_Flange", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.flange); }},
-    {"Coord_Robot_Tool", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.tool); }},
-    {"Base_Value", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.base); }},
-    {"TCP_Value", [](const StatusItem& i, RobotStatus& s) { readPose(i, s.tcp); }},
-    {"TCP_Mass", [](const StatusItem& i, RobotStatus& s) { readMass(i, s.tcp_mass); }},
-    {"Base_Name", [](const StatusItem& i, RobotStatus& s) { readString(i, s.base_name); }},
-    {"TCP_Name", [](const StatusItem& i, RobotStatus& s) { readString(i, s.tcp_name); }},
-    {"Robot_Error", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.error); }},
-    {"Error_Code", [](const StatusItem& i, RobotStatus& s) { readInt(i, s.error_code); }},
-    {"Error_Content", [](const StatusItem& i, RobotStatus& s) { readString(i, s.error_text); }},
-    {"ESTOP", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.emergency_stop); }},
-    {"Safeguard_A", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.safeguard); }},
-    {"Project_Run", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.project_running); }},
-    {"Project_Pause", [](const StatusItem& i, RobotStatus& s) { readBool(i, s.project_paused); }},
-    {"Project_Speed", [](const StatusItem& i, RobotStatus& s) { readInt(i, s.project_speed_percent); }},
-    {"MA_Mode", [](const StatusItem& i, RobotStatus& s) { readInt(i, s.operating_mode); }},
+    {"Robot_Link", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.linked); }},
+    {"Joint_Angle", [](const StatusItem& i, RobotStatus& s) { return readJoints(i, s.joints); }},
+    {"Joint_Speed", [](const StatusItem& i, RobotStatus& s) { return readJoints(i, s.joint_velocities); }},
+    {"Joint_Torque", [](const StatusItem& i, RobotStatus& s) { return readTorques(i, s.joint_torques); }},
+    {"Coord_Robot_Flange", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.flange); }},
+    {"Coord_Robot_Tool", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.tool); }},
+    {"Base_Value", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.base); }},
+    {"TCP_Value", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.tcp); }},
+    {"TCP_Mass", [](const StatusItem& i, RobotStatus& s) { return readMass(i, s.tcp_mass); }},
+    {"Base_Name", [](const StatusItem& i, RobotStatus& s) { return readString(i, s.base_name); }},
+    {"TCP_Name", [](const StatusItem& i, RobotStatus& s) { return readString(i, s.tcp_name); }},
+    {"Robot_Error", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.error); }},
+    {"Error_Code", [](const StatusItem& i, RobotStatus& s) { return readInt(i, s.error_code); }},
+    {"Error_Content", [](const StatusItem& i, RobotStatus& s) { return readString(i, s.error_text); }},
+    {"ESTOP", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.emergency_stop); }},
+    {"Safeguard_A", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.safeguard); }},
+    {"Project_Run", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.project_running); }},
+    {"Project_Pause", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.project_paused); }},
+    {"Project_Speed",
+     [](const StatusItem& i, RobotStatus& s) { return readInt(i, s.project_speed_percent); }},
+    {"MA_Mode", [](const StatusItem& i, RobotStatus& s) { return readInt(i, s.operating_mode); }},
 };
 
 }  // namespace
@@ -94,7 +104,7 @@ RobotStatus toRobotStatus(const std::vector<StatusItem>& items, Instant received
   for (const StatusItem& item : items) {
     const auto* row = std::find_if(std::begin(kItems), std::end(kItems),
                                    [&](const ItemRow& known) { return known.name == item.name; });
-    if (row != std::end(kItems)) row->read(item, status);
+    if (row != std::end(kItems) && !row->read(item, status)) status.unreadable.emplace_back(row->name);
   }
   const std::string_view meaning = protocol::meaningOfError(status.error_code.value_or(0));
   if (!status.error_text && !meaning.empty()) status.error_text = meaning;

@@ -10,6 +10,15 @@ namespace cobot_command::link {
 
 using Event = StatusLinkEvent;
 
+namespace {
+
+bool isOfScriptPort(const protocol::Frame& frame) {
+  return frame.header == protocol::header::kScript || frame.header == protocol::header::kStatus ||
+         frame.header == protocol::header::kCommunicationError;
+}
+
+}  // namespace
+
 StatusLink::StatusLink(const LinkSettings& settings, Wire& wire)
     : settings_(settings), wire_(wire), back_off_(settings.retry_min, settings.retry_max) {}
 
@@ -27,6 +36,7 @@ void StatusLink::stop(Instant now) {
 }
 
 void StatusLink::opened(Instant now) {
+  heard_ = Heard::Nothing;
   fire(Event::Opened, now);
 }
 
@@ -38,6 +48,7 @@ void StatusLink::openFailed(const OpenFailure& failure, Instant now) {
 }
 
 void StatusLink::received(std::string_view bytes) {
+  if (heard_ == Heard::Nothing && !bytes.empty()) heard_ = Heard::Garbage;  // until a frame is found in it
   decoder_.feed(bytes);
 }
 
@@ -53,8 +64,28 @@ void StatusLink::advance(Instant now) {
     fire(Event::RetryDue, now);
     return;
   }
-  if (state_ == StatusLinkState::Streaming) diagnosis_ = "the status stream fell silent";
+  diagnosis_ = silence();
   fire(Event::Silence, now);
+}
+
+std::string StatusLink::silence() const {
+  if (heard_ == Heard::OtherFrames) return diagnosis_;
+  if (heard_ == Heard::ScriptPort) {
+    return fmt::format("{}:{} is the script port of a TM robot, not its status port (usually 5891)", host_,
+                       port_);
+  }
+  if (state_ == StatusLinkState::Streaming) {
+    return heard_ == Heard::Nothing ? "the status stream fell silent"
+                                    : "the status stream fell silent: what comes is no frame of it";
+  }
+  if (heard_ == Heard::Garbage) {
+    return fmt::format("{}:{} sends something that is no status stream of a TM robot: check the port", host_,
+                       port_);
+  }
+  return fmt::format(
+      "{}:{} is connected, but sends nothing: it is not the status port of a TM robot (usually 5891; the "
+      "script port is silent too), or its data table in TMflow is empty",
+      host_, port_);
 }
 
 std::optional<RobotStatus> StatusLink::next(Instant now) {
@@ -73,6 +104,7 @@ std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instan
   const auto status_frame = protocol::parseStatusFrame(frame);
   if (!status_frame) {
     fault(bytes, status_frame.error().message, now);
+    if (isOfScriptPort(frame)) heard_ = Heard::ScriptPort;
     return std::nullopt;
   }
   wire_.trace(now, Channel::Status, false, bytes, protocol::describe(frame));
@@ -84,19 +116,28 @@ std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instan
         status_frame->mode == 2   ? "STRING"
         : status_frame->mode == 3 ? "JSON"
                                   : "unknown");
+    heard_ = Heard::OtherFrames;
     deadline_ = now + settings_.status_timeout;  // it is alive; to reconnect would change nothing
     return std::nullopt;
   }
   const auto items = protocol::parseBinaryItems(status_frame->content);
   if (!items) {
     ++decode_faults_;
+    heard_ = Heard::OtherFrames;
     diagnosis_ = fmt::format("the status stream cannot be read: {}", items.error().message);
     return std::nullopt;
   }
-  diagnosis_.clear();
+  heard_ = Heard::Nothing;
   back_off_.reset();
   fire(Event::Frame, now);
-  return toRobotStatus(*items, now);
+  RobotStatus status = toRobotStatus(*items, now);
+  diagnosis_ = status.unreadable.empty()
+                   ? ""
+                   : fmt::format(
+                         "the status stream comes, but the value of {} cannot be one: wrong type or size, "
+                         "or a number that is not finite",
+                         fmt::join(status.unreadable, ", "));
+  return status;
 }
 
 void StatusLink::fault(std::string_view bytes, std::string meaning, Instant now) {

@@ -129,7 +129,9 @@ void describeRobot(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
 }
 
 void describeStatusStream(DiagnosticStatusWrapper& status, const DiagnosticsView& view) {
-  if (view.command.status_stream) {
+  if (view.command.status_stream && !view.command.status_diagnosis.empty()) {
+    status.summary(DiagnosticStatus::WARN, view.command.status_diagnosis);
+  } else if (view.command.status_stream) {
     status.summary(DiagnosticStatus::OK, fmt::format("{:.0f} frames a second", view.status_rate));
   } else if (!view.status_wanted) {
     status.summary(DiagnosticStatus::OK, "switched off: status_port is 0");

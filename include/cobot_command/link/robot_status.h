@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
@@ -31,6 +32,8 @@ struct RobotStatus {
   std::optional<bool> project_running;
   std::optional<bool> project_paused;
   std::optional<int> project_speed_percent;
+  std::vector<std::string>
+      unreadable;  ///< items that the stream has, with a value that cannot be one of theirs
   std::optional<int> operating_mode;  ///< MA_Mode: 0 none, 1 automatic, 2 manual
 };
 

@@ -37,7 +37,7 @@ class StatusLink {
 
   [[nodiscard]] StatusLinkState state() const { return state_; }
   [[nodiscard]] bool streaming() const { return state_ == StatusLinkState::Streaming; }
-  /// Why nothing is delivered, in plain words; empty while it is.
+  /// Why nothing is delivered, or not all of it, in plain words; empty while all is well.
   [[nodiscard]] const std::string& diagnosis() const { return diagnosis_; }
   [[nodiscard]] std::uint64_t decodeFaults() const { return decode_faults_; }
 
@@ -47,6 +47,9 @@ class StatusLink {
   void drop();
   [[nodiscard]] std::optional<RobotStatus> read(const protocol::Frame& frame, Instant now);
   void fault(std::string_view bytes, std::string meaning, Instant now);
+  /// What came since the connection was opened, or since the last status frame: it tells what the peer is.
+  enum class Heard { Nothing, Garbage, ScriptPort, OtherFrames };
+  [[nodiscard]] std::string silence() const;
 
   const LinkSettings& settings_;
   Wire& wire_;
@@ -57,6 +60,7 @@ class StatusLink {
   std::optional<Instant> deadline_;  ///< of the back-off or of the watchdog
   BackOff back_off_;
   protocol::FrameDecoder decoder_;
+  Heard heard_ = Heard::Nothing;
   std::string diagnosis_;
   std::uint64_t decode_faults_ = 0;
 };

@@ -69,6 +69,8 @@ TEST(StatusDecoding, leavesOutWhatItDoesNotKnowOrCannotRead) {
   EXPECT_FALSE(status.emergency_stop);
   EXPECT_FALSE(status.error_code);
   EXPECT_FALSE(status.flange);
+  EXPECT_THAT(status.unreadable, ::testing::ElementsAre("Joint_Angle", "Joint_Speed", "ESTOP", "Error_Code",
+                                                        "Coord_Robot_Flange"));
 }
 
 class StatusLinkTest : public ::testing::Test {
@@ -181,6 +183,63 @@ TEST_F(StatusLinkTest, countsFaultsAndGoesOn) {
   EXPECT_EQ(receive(protocol::encode(protocol::StatusFrame{"4", 1, "\xFF\xFF"}) + frame(4)), 1);
   EXPECT_EQ(link.decodeFaults(), 4u);
   EXPECT_TRUE(link.streaming());
+}
+
+/// Whatever a wrong peer sends, the diagnosis says so instead of "not yet" for ever.
+TEST_F(StatusLinkTest, namesAPeerThatSendsNoStatusStream) {
+  const struct {
+    const char* sent;
+    const char* words;
+  } kRows[] = {
+      {"", "sends nothing"},
+      {"SSH-2.0-OpenSSH_9.2p1\r\n", "no status stream of a TM robot"},
+      {"$TMSCT,9,0,Listen1,*4C\r\n", "is the script port"},
+      {"$CPERR,2,03,*4B\r\n", "is the script port"},
+      {"$TMSVR,3,0,1,*00\r\n", "no status stream of a TM robot"},
+  };
+  for (const auto& row : kRows) {
+    testing::RecordingWire fresh_wire;
+    StatusLink fresh(settings, fresh_wire);
+    fresh.start("robot", 5891, now);
+    EXPECT_THAT(fresh.diagnosis(), HasSubstr("yet"));
+    for (int i = 0; i < 3; ++i) {
+      fresh.opened(now);
+      fresh.received(row.sent);
+      EXPECT_FALSE(fresh.next(now));
+      now += settings.status_timeout;
+      fresh.advance(now);
+      EXPECT_THAT(fresh.diagnosis(), HasSubstr(row.words)) << row.sent;
+      EXPECT_EQ(fresh.state(), StatusLinkState::BackingOff);
+      now = *fresh.nextDeadline();
+      fresh.advance(now);
+      EXPECT_THAT(fresh.diagnosis(), HasSubstr(row.words)) << "also during the next try";
+    }
+  }
+}
+
+TEST_F(StatusLinkTest, namesGarbageWithoutEndBehindAStream) {
+  stream();
+  for (int i = 0; i < 20; ++i) {
+    receive(std::string(1000, 'x'));
+    now += settings.status_timeout / 10;
+    link.advance(now);
+  }
+  EXPECT_FALSE(link.streaming());
+  EXPECT_THAT(link.diagnosis(), HasSubstr("no frame of it"));
+}
+
+TEST_F(StatusLinkTest, namesAStreamWhoseItemsCannotBeRead) {
+  stream();
+  const auto send = [&](std::vector<float> joints) {
+    receive(protocol::encode(protocol::StatusFrame{
+        "1", 1, protocol::encodeBinaryItems({item::ofFloats("Joint_Angle", std::move(joints))})}));
+  };
+  send({0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 0});
+  EXPECT_TRUE(link.streaming());
+  EXPECT_THAT(link.diagnosis(), HasSubstr("Joint_Angle"));
+  EXPECT_THAT(link.diagnosis(), HasSubstr("not finite"));
+  send({0, 0, 90, 0, 90, 0});
+  EXPECT_TRUE(link.diagnosis().empty()) << "it is well again";
 }
 
 TEST_F(StatusLinkTest, endsCleanlyInEveryState) {
