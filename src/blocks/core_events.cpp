@@ -105,6 +105,7 @@ void CommandCore::Impl::settle(Instant now) {
       robotChanged(now);
     }
     tellOfClosedConnection(now);
+    watchOrphan(now);
     finish(now);
     dispatch(now);
     if (connect_.disconnecting() && !run_ && !cycle_ && !stop_.busy() && direct_.empty()) {
@@ -126,6 +127,19 @@ void CommandCore::Impl::tellOfClosedConnection(Instant now) {
   if (script_.connected()) return;
   if (stop_.busy()) stop_.linkLost(script_.diagnosis(), now);
   for (CommandRun& run : direct_) run.linkLost(script_.diagnosis(), now);
+}
+
+/// A motion of before this connection: whoever commands now has to know of it, and must not queue behind it.
+void CommandCore::Impl::watchOrphan(Instant now) {
+  const bool elsewhere = script_.established() && script_.state() != link::ScriptLinkState::Ready;
+  if (!script_.connected()) orphan_.fire(OrphanEvent::LinkGone);
+  if (elsewhere) orphan_.fire(OrphanEvent::Elsewhere);
+  if (connect_.ready()) orphan_.fire(OrphanEvent::Ready);
+  orphan_.see(robot_);
+  if (!orphan_.takeFound()) return;
+  log(Severity::Warning,
+      fmt::format("{}{}", OrphanWatch::kText, settings_.stop_orphaned_motion ? ": it is stopped" : ""));
+  if (settings_.stop_orphaned_motion && !stop_.busy()) stop_.ask(now);
 }
 
 void CommandCore::Impl::finish(Instant now) {

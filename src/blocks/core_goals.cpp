@@ -200,6 +200,9 @@ CommandCore::Impl::Failures CommandCore::Impl::checkReadiness(BufferMode mode) c
   }
   if (robot_.emergencyStop()) failures.push_back({own_error::kEmergencyStop, "", ""});
   if (robot_.inError()) failures.push_back({own_error::kRobotError, robot_.errorText(), ""});
+  if (mode == BufferMode::Refuse && orphan_.moves() && !stop_.busy()) {
+    failures.push_back({own_error::kOrphanMoves, "", ""});
+  }
   return failures;
 }
 

@@ -16,6 +16,7 @@
 #include "command_run.h"
 #include "connect_run.h"
 #include "frame_watch.h"
+#include "orphan_watch.h"
 #include "output_board.h"
 #include "pick_and_place_run.h"
 #include "preflight.h"
@@ -110,6 +111,7 @@ class CommandCore::Impl : private link::Wire {
   void finishCycle(Instant now);
   void finishStop(Instant now);
   void tellPlaces();
+  [[nodiscard]] std::string textOfPlace(int place) const;
   /// Blended motions may still be under way though their goals are done.
   [[nodiscard]] bool mayStillMove() const { return loose_since_.has_value(); }
 
@@ -117,6 +119,7 @@ class CommandCore::Impl : private link::Wire {
   void settle(Instant now);
   void finish(Instant now);
   void tellOfClosedConnection(Instant now);
+  void watchOrphan(Instant now);
   void handle(const link::LinkChanged& event, Instant now);
   void handle(const link::LinkLost& event, Instant now);
   void handle(const link::ScriptAnswered& event, Instant now);
@@ -141,6 +144,7 @@ class CommandCore::Impl : private link::Wire {
   link::TagLedger tags_;
   RobotWatch robot_;
   FrameWatch frames_;
+  OrphanWatch orphan_;
   Preflight preflight_;
   OutputBoard board_;
   ConnectRun connect_;

@@ -80,7 +80,7 @@ void CommandCore::Impl::enqueue(GoalId id, const Goal& goal, BufferMode mode, In
   const Block block = blockOf(goal);
   if (mode == BufferMode::Aborting) {
     abortAll(fmt::format("taken over by {}", toString(block)), now);
-    if (mayStillMove() && !stop_.busy()) stop_.ask(now);
+    if ((mayStillMove() || orphan_.moves()) && !stop_.busy()) stop_.ask(now);
   }
   Waiting waiting{id, goal, 0, std::nullopt};
   if (busyBlock()) {
@@ -122,7 +122,7 @@ void CommandCore::Impl::endAborted(Block block, GoalId id, const std::string& wh
 // --- Whose turn it is.
 
 void CommandCore::Impl::dispatch(Instant now) {
-  while (!shut_down_ && !run_ && !stop_.busy()) {
+  while (!shut_down_ && !run_ && !stop_.busy() && !orphan_.moves()) {
     if (cycle_) {
       if (!cycle_->next()) return;
       continueCycle(now);
@@ -193,6 +193,7 @@ void CommandCore::Impl::start(CommandOrder order, Instant now) {
     }
   }
   if (order.plan) tellPath(order.goal, *order.plan);
+  orphan_.fire(OrphanEvent::Commanded);
   run_.emplace(std::move(order), RunContext{settings_, script_, tags_, robot_, stop_}, now);
 }
 
@@ -276,6 +277,7 @@ void CommandCore::Impl::finishRuns(Instant now) {
   }
   const Outcome outcome = before_exit ? withMotion(run.outcome(), *before_exit) : run.outcome();
   if (outcome.ending == Ending::Aborted) {
+    robot_.takeBackAcknowledgement();
     preflight_.forget();
     // Before the end of the command itself: its error is what the block shows then.
     dropWaiting(fmt::format("the command in front of it, {}, failed",
@@ -308,6 +310,9 @@ void CommandCore::Impl::finishStop(Instant now) {
   loose_since_.reset();
   preflight_.forget();
   frames_.stopped();
+  if (!result->failure) orphan_.fire(OrphanEvent::Stopped);
+  // Who executes the stop block answers for the robot; a cancel, or a stop of the layer's own, does not.
+  if (!result->failure && !stop_goals_.empty()) robot_.acknowledgeError();
   if (run_) run_->stopEnded(*result, now);
   for (const GoalId id : std::exchange(stop_goals_, {})) {
     Outcome outcome;
@@ -315,6 +320,13 @@ void CommandCore::Impl::finishStop(Instant now) {
     board_.end(Block::Stop, id, std::move(outcome));
   }
   if (result->failure) dropWaiting("the robot may still move: " + result->failure->found);
+}
+
+std::string CommandCore::Impl::textOfPlace(int place) const {
+  if (place > 1) return "waits for its turn, others are in front of it";
+  if (run_ || cycle_) return "waits for its turn, one is in front of it";
+  return orphan_.moves() ? fmt::format("waits until the robot stands: {}", OrphanWatch::kText)
+                         : "waits for its turn, until the robot stands";
 }
 
 void CommandCore::Impl::tellPlaces() {
@@ -326,8 +338,7 @@ void CommandCore::Impl::tellPlaces() {
     Progress progress;
     progress.phase = Phase::Queued;
     progress.place_in_queue = place;
-    progress.text =
-        fmt::format("waits for its turn, {} in front of it", place == 1 ? "one is" : "others are");
+    progress.text = textOfPlace(place);
     board_.progress(blockOf(waiting.goal), waiting.id, std::move(progress));
   }
 }

@@ -8,7 +8,10 @@ std::string diagnose(const link::ScriptLink& link, const RobotWatch& robot) {
   if (robot.emergencyStop()) {
     add("the emergency stop is pressed: release it and start the project again");
   } else if (robot.inError()) {
-    add("the controller is in error, " + robot.errorText() + ": clear it and start the project again");
+    add("the controller is in error, " + robot.errorText() +
+        ": execute stop, then the next motion clears it; if not, clear it on the controller");
+  } else if (robot.showsError()) {
+    add("the controller shows " + robot.errorText() + ", which was acknowledged: the next motion clears it");
   } else if (robot.paused()) {
     add("the project is paused: motions wait until it is resumed");
   } else if (robot.held()) {

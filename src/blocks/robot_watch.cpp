@@ -14,6 +14,12 @@ constexpr double kStandstill = degToRad(0.1);  // [rad/s]
 
 }  // namespace
 
+void RobotWatch::update(const link::RobotStatus& status) {
+  const bool same = status_ && status.error.value_or(false) && status.error_code == status_->error_code;
+  error_acknowledged_ = error_acknowledged_ && same;
+  status_ = status;
+}
+
 std::optional<bool> RobotWatch::moving() const {
   if (!status_ || !status_->joint_velocities) return std::nullopt;
   return !(status_->joint_velocities->cwiseAbs().maxCoeff() < kStandstill);

@@ -11,7 +11,7 @@ namespace cobot_command::blocks {
 
 class RobotWatch {
  public:
-  void update(const link::RobotStatus& status) { status_ = status; }
+  void update(const link::RobotStatus& status);
   /// The stream stopped: nothing is known any more.
   void forget() { status_.reset(); }
 
@@ -23,7 +23,12 @@ class RobotWatch {
   [[nodiscard]] bool held() const;
   [[nodiscard]] bool paused() const { return status_ && status_->project_paused.value_or(false); }
   [[nodiscard]] bool emergencyStop() const { return status_ && status_->emergency_stop.value_or(false); }
-  [[nodiscard]] bool inError() const { return status_ && status_->error.value_or(false); }
+  /// The controller is in an error that nobody has acknowledged.
+  [[nodiscard]] bool inError() const { return showsError() && !error_acknowledged_; }
+  [[nodiscard]] bool showsError() const { return status_ && status_->error.value_or(false); }
+  /// Somebody answers for the error that is shown: it counts no more, until it is gone or is another one.
+  void acknowledgeError() { error_acknowledged_ = showsError(); }
+  void takeBackAcknowledgement() { error_acknowledged_ = false; }
   /// "error 0x14058: ..." as far as it is known.
   [[nodiscard]] std::string errorText() const;
 
@@ -37,6 +42,7 @@ class RobotWatch {
 
  private:
   std::optional<link::RobotStatus> status_;
+  bool error_acknowledged_ = false;
 };
 
 }  // namespace cobot_command::blocks

@@ -121,8 +121,17 @@ constexpr SharedError kRobotErrors[] = {
      "Release the emergency stop and start the project again",
      "the status stream shows an emergency stop when the command comes (during execution: 16#99)"},
     {own_error::kRobotError, "Controller is in error",
-     "Clear the error on the controller and start the project again",
-     "the status stream shows an error, when the command comes or while it is Busy; code and text are given"},
+     "Execute stop, which acknowledges the error: the next motion then clears it. If it does not, clear it "
+     "on the "
+     "controller",
+     "the status stream shows an error that no stop has acknowledged, when the command comes, or while it is "
+     "Busy; "
+     "code and text are given"},
+    {own_error::kOrphanMoves, "Robot moves without a goal of this layer",
+     "Wait until it stands, execute stop, or use buffer_mode ABORTING",
+     "buffer_mode REFUSE, and since the link was made the robot moves on from before, as "
+     "~stop_orphaned_motion is "
+     "false, or the stop failed"},
     {own_error::kTagLost, "Motion not confirmed", kExecuteAgain,
      "the motion is overdue and the controller does not know its tag, or cannot tell for too long; the robot "
      "is told to stop"},
@@ -183,7 +192,7 @@ ErrorTable& ErrorTable::anyCommand() {
 
 ErrorTable& ErrorTable::turn() {
   return shared({motion_error::kOtherBlockBusy, own_error::kBufferModeUnknown, own_error::kQueueFull,
-                 own_error::kEmergencyStop, own_error::kRobotError});
+                 own_error::kEmergencyStop, own_error::kRobotError, own_error::kOrphanMoves});
 }
 
 ErrorTable& ErrorTable::motion() {

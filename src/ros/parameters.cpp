@@ -95,6 +95,7 @@ link::LinkSettings readLink(Reader& reader) {
       reader.readSeconds("unplanned_motion_timeout", link.unplanned_motion_timeout, 1.0, 86400.0);
   link.stop_timeout = reader.readSeconds("stop_timeout", link.stop_timeout, 0.1, 60.0);
   link.auto_reconnect = reader.read("auto_reconnect", link.auto_reconnect);
+  link.stop_orphaned_motion = reader.read("stop_orphaned_motion", link.stop_orphaned_motion);
   return link;
 }
 

@@ -6,7 +6,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import CommandStatus
-from cobot_goals import SLOWLY, turn
+from cobot_goals import BUFFERED, SLOWLY, turn
 from cobot_test import CobotTestCase, Latest
 
 
@@ -95,6 +95,29 @@ class Connect(CobotTestCase):
         self.assert_rejected(self.robot.connect.finish(), 0x242)
         self.assertEqual(self.robot.status.message.link_state, CommandStatus.READY)
         self.robot.connect = first
+
+    def test_stops_a_motion_that_is_left_over_from_the_link_before(self):
+        self.robot.establish()
+        self.robot.start_slowly(turn(60, 0, 0, 0, 0, 0, **SLOWLY))
+        self.robot.operate("drop_connections")
+        self.assert_aborted(self.robot.connect.finish(), 0x90)
+        self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) > 1e-3, "an arm that moves on")
+        self.robot.send_connect()
+        self.robot.status.wait_for(lambda s: "no goal of this layer" in s.diagnosis, "the orphan")
+        self.robot.wait_for_standstill()
+        self.assert_done(self.robot.run(turn(-1, 0, 0, 0, 0, 0, buffer_mode=BUFFERED)))
+
+    def test_tells_when_the_link_was_made_and_lost_since_the_goal_came(self):
+        self.robot.establish()
+        connected = self.robot.connect.wait_for_feedback(lambda f: f.connected, "the link")
+        self.assertGreater(connected.last_connected.to_sec(), 0)
+        self.assertEqual(connected.last_lost.to_sec(), 0)
+        self.robot.connect.cancel()
+        result = self.assert_done(self.robot.connect.finish())
+        self.assertGreaterEqual(result.last_lost, result.last_connected)
+        self.robot.send_connect()
+        again = self.robot.connect.wait_for_feedback(lambda f: True, "a feedback")
+        self.assertEqual(again.last_lost.to_sec(), 0, "reset with the goal")
 
     # --- A link that is kept without a goal.
     def test_of_a_kept_link_needs_no_goal_and_comes_back_without_resuming_anything(self):

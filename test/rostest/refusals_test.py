@@ -3,7 +3,7 @@
 import rospy
 
 from cobot_command.msg import CommandStatus, ProgramControlGoal, RobotStatus, StopGoal
-from cobot_goals import (BUFFERED, HOME, commands, cycle, motions, queued, sequence, step, to_joints, turn,
+from cobot_goals import (BUFFERED, HOME, commands, cycle, motions, queued, script, sequence, step, to_joints, turn,
                          with_changes)
 from cobot_test import CobotTestCase, Latest
 from listen_node import ListenNode
@@ -64,6 +64,35 @@ class Refusals(CobotTestCase):
         self.robot.operate("clear_error")
         self.robot.robot_status.wait_for(lambda s: s.in_error == RobotStatus.FALSE, "the end of the error")
         self.assert_done(self.robot.run(to_joints(*HOME)))
+
+    def test_of_all_until_a_stop_acknowledges_the_error_which_the_next_motion_then_clears(self):
+        self.establish_at_home()
+        # Too far for joint 3, in words that the layer does not read: the controller finds it out.
+        far = script("float[] far = {0,0,170,0,90,0}", 'PTP("JPP",far,35,200,0,false)', await_motion=True)
+        self.robot.run(far)
+        self.robot.robot_status.wait_for(lambda s: s.in_error == RobotStatus.TRUE, "the error")
+        self.assert_rejected(self.robot.run(to_joints(*HOME)), 0x222)
+        self.robot.status.wait_for(lambda s: "execute stop" in s.diagnosis, "the way out")
+        self.assert_done(self.robot.run(StopGoal()))
+        self.assert_done(self.robot.run(to_joints(*HOME)))
+        self.robot.robot_status.wait_for(lambda s: s.in_error == RobotStatus.FALSE, "the end of the error")
+
+    def test_of_all_that_have_a_turn_while_the_robot_moves_on_from_before_the_link(self):
+        self.establish_at_home()
+        moving = self.robot.start_slowly()
+        connect = self.robot.send(self.robot.connect_goal(), "unmodelled/")
+        status = Latest("unmodelled/command_status", CommandStatus)
+        status.wait_for(lambda s: s.link_state == CommandStatus.READY and "no goal of this layer" in s.diagnosis,
+                        "the orphan")
+        for goal in queued():
+            with self.subTest(type(goal).__name__):
+                self.assert_rejected(self.robot.run(goal, "unmodelled/"), 0x227)
+        self.assertFalse(moving.ended())
+        moving.cancel()
+        moving.finish()
+        status.wait_for(lambda s: "no goal of this layer" not in s.diagnosis, "a robot that stands")
+        connect.cancel()
+        self.assert_done(connect.finish())
 
     def test_of_all_that_have_a_turn_during_an_emergency_stop(self):
         with ListenNode() as node:  # one that an emergency stop does not end

@@ -47,6 +47,8 @@ struct LinkSettings {
   /// tries again for its timeout before it ends. Open motions end at the loss either way; nothing resumes by
   /// itself.
   bool auto_reconnect = false;
+  /// A robot that still moves when a link is made, from before, is told to stop.
+  bool stop_orphaned_motion = true;
 };
 
 }  // namespace cobot_command::link

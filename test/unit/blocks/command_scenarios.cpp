@@ -97,6 +97,17 @@ Scenarios turnScenarios(const Goal& goal) {
            rig.status(StatusFrames().emergencyStop());
          });
        }},
+      {row(own_error::kOrphanMoves),
+       [=] {
+         link::LinkSettings settings;
+         settings.stop_orphaned_motion = false;
+         CoreRig rig(std::nullopt, settings);
+         rig.submit(CoreRig::robot());
+         rig.open();
+         rig.open(link::Channel::Status);
+         rig.status(StatusFrames().moving());
+         return *rig.outcome(rig.submit(goal));
+       }},
       {row(own_error::kRobotError),
        [=] {
          return after(goal, [](CoreRig& rig) {

@@ -5,6 +5,7 @@
 
 #include "cobot_command/blocks/command_run_states.h"
 #include "cobot_command/blocks/connect_run_states.h"
+#include "cobot_command/blocks/orphan_states.h"
 #include "cobot_command/blocks/pick_and_place_states.h"
 #include "cobot_command/blocks/stop_run_states.h"
 
@@ -17,6 +18,21 @@ using testing::expectSoundTable;
 TEST(CommandRunTable, isSound) {
   expectSoundTable<CommandRunTable>(CommandRunState::Ended, CommandRunEvent::Stopped, CommandRunState::Sent,
                                     {CommandRunState::Ended});
+}
+
+TEST(OrphanTable, isSound) {
+  expectSoundTable<OrphanTable>(OrphanState::Moving, OrphanEvent::LinkGone, OrphanState::NoLink);
+}
+
+TEST(OrphanTable, findsOneOnlyOnceForEachLink) {
+  for (const auto& row : OrphanTable::kRows) {
+    if (row.action == OrphanAction::Found) {
+      EXPECT_EQ(row.from, OrphanState::Looking);
+    }
+    if (row.to == OrphanState::Looking) {
+      EXPECT_EQ(row.from, OrphanState::NoLink);
+    }
+  }
 }
 
 TEST(StopTable, isSound) {

@@ -34,6 +34,7 @@ TEST(Cancel, endsWhenTheStopIsAccepted) {
 TEST(Cancel, waitsUntilTheRobotStands) {
   CoreRig rig(std::nullopt, link::LinkSettings{});
   rig.connect();
+  rig.status(StatusFrames());
   rig.status(StatusFrames().moving());
   const GoalId goal = rig.submit(CoreRig::move());
   rig.reply(rig.takeScript().id);

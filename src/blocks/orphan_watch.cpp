@@ -1,0 +1,29 @@
+#include "orphan_watch.h"
+
+#include <utility>
+
+namespace cobot_command::blocks {
+
+void OrphanWatch::fire(OrphanEvent event) {
+  const auto row = link::findTransition<OrphanTable>(state_, event);
+  if (!row) return;
+  state_ = row->to;
+  if (row->action == OrphanAction::Found) found_ = true;
+}
+
+void OrphanWatch::see(const RobotWatch& robot) {
+  const auto moving = robot.moving();
+  if (!moving) {
+    fire(OrphanEvent::OutOfSight);
+  } else if (*moving) {
+    fire(OrphanEvent::SeenMoving);
+  } else if (!robot.held()) {  // a paused one may have to go on
+    fire(OrphanEvent::SeenStanding);
+  }
+}
+
+bool OrphanWatch::takeFound() {
+  return std::exchange(found_, false);
+}
+
+}  // namespace cobot_command::blocks
