@@ -12,8 +12,8 @@ auto tie(const BlockOutputs& o) {
 
 auto tie(const CommandStatus& s) {
   return std::tie(s.link, s.diagnosis, s.host, s.port, s.listen_node, s.status_stream, s.status_diagnosis,
-                  s.last_connected, s.last_lost, s.queue_depth, s.open_tags, s.late_replies, s.decode_faults,
-                  s.blocks);
+                  s.last_connected, s.last_lost, s.queue_depth, s.commands_under_way, s.commands_waiting,
+                  s.waiting_return, s.open_tags, s.late_replies, s.decode_faults, s.blocks);
 }
 
 }  // namespace

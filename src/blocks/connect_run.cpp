@@ -91,6 +91,7 @@ void ConnectRun::execute(GoalId id, const ConnectGoal& goal, Instant now) {
   id_ = id;
   goal_ = goal;
   reported_.reset();
+  times_ = take_over && connected_ ? LinkTimes{times_.last_connected, std::nullopt} : LinkTimes{};
   board_.accept(Block::Connect, id, 0);
   if (!take_over) {
     state_ = State::Idle;
@@ -150,7 +151,7 @@ void ConnectRun::becomeReadyWhenDue(Instant now) {
 
 void ConnectRun::linkLost(const std::string& reason, Instant now) {
   loss_ = reason;
-  if (connected_) last_lost_ = now;
+  if (connected_) times_.last_lost = now;
   connected_ = false;
   fire(settings_.auto_reconnect || !id_ ? Event::LostToRetry : Event::Lost, now);
 }
@@ -183,7 +184,7 @@ void ConnectRun::act(ConnectAction action, Instant now) {
     case Do::Hold:
       deadline_.reset();
       connected_ = true;
-      last_connected_ = now;
+      times_.last_connected = now;
       return;
     case Do::RestartTimeout:
       if (id_) deadline_ = now + fromSeconds(goal_.timeout);
@@ -216,10 +217,11 @@ void ConnectRun::start(Instant now) {
 void ConnectRun::end(Outcome outcome, Instant now) {
   deadline_.reset();
   first_frame_by_.reset();
-  if (connected_) last_lost_ = now;
+  if (connected_) times_.last_lost = now;
   connected_ = false;
   script_.stop(now);
   status_.stop(now);
+  outcome.link_times = times_;
   if (id_) board_.end(Block::Connect, *id_, std::move(outcome));
 }
 
@@ -227,6 +229,7 @@ void ConnectRun::report() {
   if (!id_) return;
   Progress progress;
   progress.text = diagnose(script_, robot_);
+  progress.link_times = times_;
   switch (script_.state()) {
     case link::ScriptLinkState::Ready:
       progress.phase = ready() ? Phase::Connected : Phase::Probing;

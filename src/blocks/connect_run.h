@@ -57,8 +57,8 @@ class ConnectRun {
   [[nodiscard]] std::optional<GoalId> goal() const { return id_; }
   /// Of the goal that is Busy, or of the last one.
   [[nodiscard]] const ConnectGoal& target() const { return goal_; }
-  [[nodiscard]] std::optional<Instant> lastConnected() const { return last_connected_; }
-  [[nodiscard]] std::optional<Instant> lastLost() const { return last_lost_; }
+  [[nodiscard]] std::optional<Instant> lastConnected() const { return times_.last_connected; }
+  [[nodiscard]] std::optional<Instant> lastLost() const { return times_.last_lost; }
 
  private:
   void fire(ConnectEvent event, Instant now);
@@ -83,8 +83,7 @@ class ConnectRun {
   bool connected_ = false;                 ///< was Ready since the last loss
   std::string loss_;
   std::optional<std::pair<Phase, std::string>> reported_;  ///< the last progress
-  std::optional<Instant> last_connected_;
-  std::optional<Instant> last_lost_;
+  LinkTimes times_;                                        ///< since Execute
 };
 
 }  // namespace cobot_command::blocks

@@ -4,6 +4,7 @@
 
 #include "core_impl.h"
 #include "diagnosis.h"
+#include <fmt/format.h>
 
 #include "cobot_command/planning/sampling.h"
 
@@ -40,6 +41,7 @@ void CommandCore::Impl::publishStatus() {
     status.link = CommandStatus::LinkState::Probing;
   }
   status.diagnosis = diagnose(script_, robot_);
+  if (orphan_.moves()) status.diagnosis += fmt::format("; {}", OrphanWatch::kText);
   status.host = connect_.target().host;
   status.port = connect_.target().port;
   status.listen_node = script_.listenNode();
@@ -47,7 +49,10 @@ void CommandCore::Impl::publishStatus() {
   status.status_diagnosis = status_.diagnosis();
   status.last_connected = connect_.lastConnected();
   status.last_lost = connect_.lastLost();
-  status.queue_depth = (run_ || cycle_ ? 1 : 0) + static_cast<int>(waiting_.size());
+  status.commands_under_way = run_ || cycle_ ? 1 : 0;
+  status.commands_waiting = static_cast<int>(waiting_.size());
+  status.queue_depth = status.commands_under_way + status.commands_waiting;
+  status.waiting_return = busyBlock().has_value();
   status.open_tags = tags_.openTags();
   status.late_replies = script_.lateReplies() + tags_.staleReports() + late_events_;
   status.decode_faults = script_.decodeFaults() + status_.decodeFaults();

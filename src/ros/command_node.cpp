@@ -103,15 +103,13 @@ void CommandNode::submit(blocks::GoalId id, blocks::Goal goal) {
   static_cast<void>(runtime_->submit(id, std::move(goal)));
 }
 
-bool CommandNode::finish(cobot_command::Finish::Request& request,
-                         cobot_command::Finish::Response& response) {
+bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response) {
   using Request = cobot_command::Finish::Request;
   if (request.after > Request::CYCLE) {
     response.message = fmt::format("after is {}; it must be 0 (MOVE) or 1 (CYCLE)", request.after);
     return true;
   }
-  const auto after =
-      request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
+  const auto after = request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
   response.success = runtime_->finish(after);
   response.message = response.success ? "what is under way comes to its end; its own result tells of it"
                                       : "the command layer is shutting down";
@@ -125,10 +123,10 @@ void CommandNode::onAction(const blocks::Action& action, Instant now) {
                    for (const auto& bridge : bridges_) bridge->accepted(a.goal);
                  },
                  [&](const blocks::GoalProgressed& a) {
-                   for (const auto& bridge : bridges_) bridge->progressed(a.goal, a.progress);
+                   for (const auto& bridge : bridges_) bridge->progressed(a.goal, a.progress, clocks);
                  },
                  [&](const blocks::GoalEnded& a) {
-                   for (const auto& bridge : bridges_) bridge->ended(a.goal, a.outcome);
+                   for (const auto& bridge : bridges_) bridge->ended(a.goal, a.outcome, clocks);
                  },
                  [&](const blocks::RobotStatusReceived& a) {
                    publisher_.publish(a.status);

@@ -89,9 +89,12 @@ void describeQueue(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
     status.summary(DiagnosticStatus::OK,
                    view.command.queue_depth == 0
                        ? std::string("no command is under way")
-                       : fmt::format("{} commands under way", view.command.queue_depth));
+                       : fmt::format("{} commands under way, {} waiting", view.command.commands_under_way,
+                                     view.command.commands_waiting));
   }
   status.add("commands", view.command.queue_depth);
+  status.add("commands under way", view.command.commands_under_way);
+  status.add("commands waiting", view.command.commands_waiting);
   status.add("queue tags in use", fmt::format("{}", fmt::join(tags, " ")));
 }
 
@@ -106,7 +109,8 @@ void describeRobot(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
                    "emergency stop; release it at the robot, then start the project again");
   } else if (robot.error.value_or(false)) {
     status.summary(DiagnosticStatus::ERROR,
-                   fmt::format("the controller is in error: {} {}; clear it at the robot",
+                   fmt::format("the controller is in error: {} {}; execute stop, then the next motion clears "
+                               "it; if not, clear it at the robot",
                                robot.error_code.value_or(0), robot.error_text.value_or("")));
   } else if (robot.safeguard.value_or(false)) {
     status.summary(DiagnosticStatus::WARN, "a safeguard holds the robot; it goes on when that is released");

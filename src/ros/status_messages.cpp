@@ -68,6 +68,9 @@ cobot_command::CommandStatus toMessage(const blocks::CommandStatus& status, cons
   if (status.last_connected) message.last_connected = clocks.toRos(*status.last_connected);
   if (status.last_lost) message.last_lost = clocks.toRos(*status.last_lost);
   message.queue_depth = status.queue_depth;
+  message.commands_under_way = status.commands_under_way;
+  message.commands_waiting = status.commands_waiting;
+  message.waiting_return = status.waiting_return;
   message.open_tags.assign(status.open_tags.begin(), status.open_tags.end());
   message.late_replies = status.late_replies;
   message.decode_faults = status.decode_faults;

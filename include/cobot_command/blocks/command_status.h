@@ -38,7 +38,11 @@ struct CommandStatus {
   std::string status_diagnosis;           ///< why it does not, or not wholly, in plain words
   std::optional<Instant> last_connected;  ///< LastConnTime
   std::optional<Instant> last_lost;       ///< LastLostTime
-  int queue_depth = 0;                    ///< commands accepted and not yet ended
+  int queue_depth = 0;                    ///< commands that are under way or wait: the sum of the next two
+  int commands_under_way = 0;             ///< of which the script was sent; a cycle counts as one
+  int commands_waiting = 0;               ///< kept in this layer, not sent
+  /// WaitingReturn (thesis 5.3.1.2): the robot is occupied, a command with BufferMode::Refuse is refused.
+  bool waiting_return = false;
   std::vector<int> open_tags;
   std::uint64_t late_replies = 0;  ///< replies that nobody waited for: counted, never applied
   std::uint64_t decode_faults = 0;

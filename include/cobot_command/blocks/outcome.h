@@ -38,6 +38,13 @@ struct StepReport {
   std::vector<JointPathPoint> joint_path;  ///< with CheckSequence; time since the start of the step
 };
 
+/// LastConnTime and LastLostTime of the connect block, since it was executed (thesis 5.3.1.1); absent: not
+/// yet.
+struct LinkTimes {
+  std::optional<Instant> last_connected;
+  std::optional<Instant> last_lost;
+};
+
 struct Outcome {
   Ending ending = Ending::Done;
   int error_id = 0;               ///< of the catalogue; 0 unless Rejected or Aborted
@@ -55,6 +62,7 @@ struct Outcome {
   std::vector<StepReport> steps;           ///< CheckSequence, PickAndPlace: of every step that was looked at
   int failed_step = -1;                    ///< CheckSequence, PickAndPlace: from 0; -1: none
   int cycles_done = 0;                     ///< PickAndPlace
+  LinkTimes link_times;                    ///< Connect
 };
 
 /// Where a goal stands, while it is Busy.
@@ -80,6 +88,7 @@ struct Progress {
   std::optional<Duration> remaining;  ///< of the motion, as far as it could be planned
   int step = -1;                      ///< PickAndPlace: the step under way, from 0
   int cycle = 0;                      ///< PickAndPlace: the cycle under way, from 1
+  LinkTimes link_times;               ///< Connect
   std::string text;                   ///< for people: "connection refused: no project running, trying again"
 };
 

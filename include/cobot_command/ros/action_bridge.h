@@ -38,8 +38,8 @@ class GoalListener {
  public:
   virtual ~GoalListener() = default;
   virtual void accepted(blocks::GoalId id) = 0;
-  virtual void progressed(blocks::GoalId id, const blocks::Progress& progress) = 0;
-  virtual void ended(blocks::GoalId id, const blocks::Outcome& outcome) = 0;
+  virtual void progressed(blocks::GoalId id, const blocks::Progress& progress, const ClockPair& clocks) = 0;
+  virtual void ended(blocks::GoalId id, const blocks::Outcome& outcome, const ClockPair& clocks) = 0;
 };
 
 template <class Action>
@@ -60,19 +60,21 @@ class ActionBridge : public GoalListener {
     if (find(id, handle)) handle.setAccepted();
   }
 
-  void progressed(blocks::GoalId id, const blocks::Progress& progress) override {
+  void progressed(blocks::GoalId id, const blocks::Progress& progress, const ClockPair& clocks) override {
     Handle handle;
     if (!find(id, handle)) return;
     Feedback feedback;
     fill(feedback, progress);
+    fillTimes(feedback, progress.link_times, clocks);
     handle.publishFeedback(feedback);
   }
 
-  void ended(blocks::GoalId id, const blocks::Outcome& outcome) override {
+  void ended(blocks::GoalId id, const blocks::Outcome& outcome, const ClockPair& clocks) override {
     Handle handle;
     if (!take(id, handle)) return;
     Result result;
     fill(result, outcome, joint_names_);
+    fillTimes(result, outcome.link_times, clocks);
     const bool ran = outcome.ending == blocks::Ending::Done || outcome.ending == blocks::Ending::Aborted;
     if (ran && isPending(handle)) handle.setAccepted();  // actionlib knows no way past ACTIVE
     switch (outcome.ending) {

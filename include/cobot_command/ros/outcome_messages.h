@@ -81,6 +81,15 @@ void fill(Feedback& message, const blocks::Progress& progress) {
   });
 }
 
+/// The instants of a result or a feedback, in ROS time; apart, as they need both clocks.
+template <class Message>
+void fillTimes(Message& message, const blocks::LinkTimes& times, const ClockPair& clocks) {
+  ifItHas(message, [&](auto& m) -> decltype(void(m.last_lost)) {
+    if (times.last_connected) m.last_connected = clocks.toRos(*times.last_connected);
+    if (times.last_lost) m.last_lost = clocks.toRos(*times.last_lost);
+  });
+}
+
 /// It has phases of its own.
 void fill(cobot_command::ConnectFeedback& message, const blocks::Progress& progress);
 

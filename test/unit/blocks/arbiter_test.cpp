@@ -72,6 +72,24 @@ TEST(Arbiter, keepsABufferedGoalUntilTheOneInFrontIsDone) {
   EXPECT_EQ(rig.latest().queue_depth, 0);
 }
 
+TEST(Arbiter, countsApartWhatWasSentAndWhatWaits) {
+  CoreRig rig;
+  rig.connect();
+  EXPECT_FALSE(rig.latest().waiting_return);
+  start(rig, CoreRig::move());
+  for (int i = 0; i < 3; ++i) rig.submit(moveWith(BufferMode::Buffered));
+  EXPECT_EQ(rig.latest().commands_under_way, 1);
+  EXPECT_EQ(rig.latest().commands_waiting, 3);
+  EXPECT_EQ(rig.latest().queue_depth, 4);
+  EXPECT_TRUE(rig.latest().waiting_return);
+  rig.submit(StopGoal{});
+  EXPECT_EQ(rig.latest().commands_waiting, 0);
+  EXPECT_TRUE(rig.latest().waiting_return);
+  rig.reply(rig.takeScript().id);
+  EXPECT_EQ(rig.latest().commands_under_way, 0);
+  EXPECT_FALSE(rig.latest().waiting_return);
+}
+
 TEST(Arbiter, runsBufferedGoalsInTheirOrderAndTellsEachItsPlace) {
   CoreRig rig;
   rig.connect();

@@ -63,6 +63,17 @@ TEST(KeptLink, isTakenOverByAConnectGoalForTheSameController) {
   EXPECT_FALSE(rig.pendingOpen(link::Channel::Script)) << "who disconnects means it";
 }
 
+TEST(KeptLink, tellsAConnectGoalThatTakesItOverWhenItWasMade) {
+  Rig rig;
+  rig.open();
+  const Instant made = rig.now;
+  rig.pass(3s);
+  const GoalId goal = rig.submit(CoreRig::robot());
+  EXPECT_EQ(rig.progress(goal).back().link_times.last_connected, made);
+  rig.cancel(goal);
+  EXPECT_EQ(rig.outcome(goal)->link_times.last_lost, rig.now);
+}
+
 TEST(KeptLink, givesWayToAConnectGoalForAnotherController) {
   Rig rig;
   rig.open();

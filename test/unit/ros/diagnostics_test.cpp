@@ -121,5 +121,15 @@ TEST(Diagnostics, aMissingStatusStreamIsAWarningOnlyWhenOneIsWanted) {
   EXPECT_EQ(said(describeStatusStream, view).level, DiagnosticStatus::OK);
 }
 
+TEST(Diagnostics, aStreamWithItemsThatCannotBeReadIsAWarning) {
+  DiagnosticsView view = in(LinkState::Ready);
+  view.command.status_stream = true;
+  view.command.status_diagnosis = "the value of Joint_Angle cannot be one";
+  EXPECT_EQ(said(describeStatusStream, view).level, DiagnosticStatus::WARN);
+  EXPECT_THAT(said(describeStatusStream, view).message, HasSubstr("Joint_Angle"));
+  view.command.status_diagnosis.clear();
+  EXPECT_EQ(said(describeStatusStream, view).level, DiagnosticStatus::OK);
+}
+
 }  // namespace
 }  // namespace cobot_command::ros_adapter

@@ -6,6 +6,7 @@
 
 #include "cobot_command/ChangeBaseResult.h"
 #include "cobot_command/CheckSequenceResult.h"
+#include "cobot_command/ConnectResult.h"
 #include "cobot_command/MoveAbsoluteFeedback.h"
 #include "cobot_command/MoveAbsoluteResult.h"
 #include "cobot_command/MoveCircleResult.h"
@@ -200,6 +201,22 @@ TEST(FeedbackMessages, connectHasPhasesOfItsOwn) {
   fill(message, progress);
   EXPECT_EQ(message.phase, Message::CONNECTED);
   EXPECT_TRUE(message.connected);
+}
+
+TEST(OutcomeMessages, theTimesOfALinkAreRosTimesAndZeroWhereThereAreNone) {
+  const ClockPair clocks{ros::Time(1000), Instant(std::chrono::seconds(50))};
+  blocks::LinkTimes times;
+  times.last_connected = Instant(std::chrono::seconds(40));
+  cobot_command::ConnectResult result;
+  fillTimes(result, times, clocks);
+  EXPECT_EQ(result.last_connected, ros::Time(990));
+  EXPECT_TRUE(result.last_lost.isZero());
+  times.last_lost = Instant(std::chrono::seconds(45));
+  cobot_command::ConnectFeedback feedback;
+  fillTimes(feedback, times, clocks);
+  EXPECT_EQ(feedback.last_lost, ros::Time(995));
+  cobot_command::StopResult other;  // has none, and is left alone
+  fillTimes(other, times, clocks);
 }
 
 }  // namespace

@@ -78,5 +78,18 @@ TEST(StatusMessages, theStatusSaysWhyThereIsNoStatusStream) {
   EXPECT_EQ(message.status_diagnosis, "the status stream fell silent");
 }
 
+TEST(StatusMessages, whatWasSentAndWhatWaitsAreCountedApart) {
+  blocks::CommandStatus status;
+  status.queue_depth = 4;
+  status.commands_under_way = 1;
+  status.commands_waiting = 3;
+  status.waiting_return = true;
+  const auto message = toMessage(status, {ros::Time(1000), Instant{}});
+  EXPECT_EQ(message.queue_depth, 4);
+  EXPECT_EQ(message.commands_under_way, 1);
+  EXPECT_EQ(message.commands_waiting, 3);
+  EXPECT_TRUE(message.waiting_return);
+}
+
 }  // namespace
 }  // namespace cobot_command::ros_adapter
