@@ -52,6 +52,11 @@ class Connect(CobotTestCase):
         self.robot.send_connect(port=self.robot.port("status_port"))
         self.robot.status.wait_for(lambda s: "status port" in s.diagnosis.lower(), "the diagnosis \"status port\"")
 
+    def test_names_a_script_port_that_is_given_for_the_status_port(self):
+        self.robot.send_connect(status_port=self.robot.port())
+        self.robot.status.wait_for(lambda s: "script port" in s.status_diagnosis, "the diagnosis \"script port\"")
+        self.assertFalse(self.robot.status.message.status_stream)
+
     def test_is_aborted_after_its_timeout_when_the_flow_is_elsewhere(self):
         self.robot.operate("leave_listen_node")
         self.robot.send_connect(timeout=10.0)

@@ -58,12 +58,13 @@ class Stop(MotionTestCase):
         self.robot.status.wait_for(lambda s: s.link_state == s.NOT_LISTENING, "the flow elsewhere")
         self.assert_aborted(self.robot.run(StopGoal()), 0x225, "listen")
 
-    def test_works_again_when_the_entry_message_behind_an_exit_was_lost(self):
-        self.robot.fault("drop_entry", count=1)
-        self.assert_done(self.robot.run(ExitListenNodeGoal()))
-        self.robot.status.wait_for(lambda s: s.link_state == s.READY, "the Listen node, without its message")
-        self.assert_done(self.robot.run(StopGoal()))
-        self.assert_done(self.robot.run(to_joints(*HOME)))
+    def test_works_again_when_the_entry_message_behind_an_exit_was_lost_or_came_before_the_reply(self):
+        for fault, seconds in (("drop_entry", 0.0), ("corrupt_entry", 0.0), ("delay_reply", 0.5)):
+            with self.subTest(fault):
+                self.robot.fault(fault, count=1, seconds=seconds)
+                self.assert_done(self.robot.run_and_reenter(ExitListenNodeGoal()))
+                self.assert_done(self.robot.run(StopGoal()))
+                self.assert_done(self.robot.run(to_joints(*HOME)))
 
     def test_stops_a_paused_robot_for_good(self):
         sent = self.robot.start_slowly()
