@@ -46,8 +46,9 @@ ControllerPose toControllerPose(const Pose& pose) {
 
 JointVector toJointVector(const ControllerJoints& joints_deg) {
   JointVector joints;
-  for (std::size_t i = 0; i < kJointCount; ++i)
+  for (std::size_t i = 0; i < kJointCount; ++i) {
     joints[static_cast<Eigen::Index>(i)] = degToRad(joints_deg[i]);
+  }
   return joints;
 }
 

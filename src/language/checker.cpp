@@ -32,8 +32,9 @@ class Checker {
     const auto error =
         std::visit([this](const auto& content) { return errorOf(content); }, statement.content);
     if (error) findings_.errors.push_back({statement.line, *error});
-    for (std::string& warning : typing_.takeWarnings())
+    for (std::string& warning : typing_.takeWarnings()) {
       findings_.warnings.push_back({statement.line, std::move(warning)});
+    }
   }
 
   Findings findings() && { return std::move(findings_); }
@@ -70,8 +71,9 @@ class Checker {
 std::string linesOf(const std::vector<Fault>& faults) {
   std::string text;
   int last = 0;
-  for (const Fault& fault : faults)
+  for (const Fault& fault : faults) {
     if (std::exchange(last, fault.line) != fault.line) text += ';' + std::to_string(fault.line);
+  }
   return text;
 }
 

@@ -30,8 +30,9 @@ Converted fromReal(double number, ScalarType to) {
   if (to == ScalarType::Double) return Scalar(number);
   if (to == ScalarType::Float) return Scalar(static_cast<float>(number));
   const double whole = std::trunc(number);
-  if (!(whole >= -2147483648.0 && whole <= 2147483647.0))
+  if (!(whole >= -2147483648.0 && whole <= 2147483647.0)) {
     return refuse(fmt::format("{} is no number that an int holds", textOf(Scalar(number))));
+  }
   return fromInteger(static_cast<std::int32_t>(whole), to);
 }
 
@@ -55,8 +56,9 @@ Conversion conversionOf(Type from, Type to) {
 
 Converted convert(const Scalar& scalar, ScalarType to) {
   if (typeOf(scalar) == to) return scalar;
-  if (conversionOf({typeOf(scalar)}, {to}) == Conversion::None)
+  if (conversionOf({typeOf(scalar)}, {to}) == Conversion::None) {
     return refuse(fmt::format("a {} is no {}", toText(Type{typeOf(scalar)}), toText(Type{to})));
+  }
   if (to == ScalarType::String) return Scalar(textOf(scalar));
   return std::visit(Overloaded{[&](const std::string& text) { return fromText(text, to); },
                                [&](float number) { return fromReal(number, to); },

@@ -22,8 +22,9 @@ bool take(std::string_view& text, std::string_view prefix) {
 /// Cuts the digits off at the front; 0 where there are none.
 std::size_t takeNumber(std::string_view& text) {
   std::size_t number = 0;
-  for (; !text.empty() && text.front() >= '0' && text.front() <= '9'; text.remove_prefix(1))
+  for (; !text.empty() && text.front() >= '0' && text.front() <= '9'; text.remove_prefix(1)) {
     number = number * 10 + static_cast<std::size_t>(text.front() - '0');
+  }
   return number;
 }
 

@@ -22,10 +22,12 @@ Result<Value, Stop> orFault(Result<Value, std::string> result) {
 /// Ours and the manual's limits; a script must not use up the memory.
 Result<Value, Stop> limited(Value value) {
   const auto* array = std::get_if<Array>(&value);
-  if (array && array->items.size() > kMaxElements)
+  if (array && array->items.size() > kMaxElements) {
     return fault(fmt::format("an array of more than {} elements", kMaxElements));
-  if (sizeOf(value) > kMaxValueBytes)
+  }
+  if (sizeOf(value) > kMaxValueBytes) {
     return fault(fmt::format("a value of more than {} bytes", kMaxValueBytes));
+  }
   return value;
 }
 
@@ -45,10 +47,11 @@ Evaluator::Evaluator(const FunctionTable& functions, Scope scope, Environment& r
 Result<bool, Stop> Evaluator::run(const Statement& statement) {
   if (const auto* declaration = std::get_if<Declaration>(&statement.content)) {
     auto value = declaration->initial ? valueOf(*declaration->initial) : initialValue(declaration->type);
-    if (value)
+    if (value) {
       value =
           orFault(declaration->initial ? convertAsWritten(*declaration->initial, *value, declaration->type)
                                        : convert(*value, declaration->type));
+    }
     if (!value) return refuse(std::move(value.error()));
     changed_[declaration->name] = std::move(*value);
   } else if (auto value = valueOf(std::get<Expression>(statement.content)); !value) {
@@ -195,21 +198,24 @@ Result<Value, Stop> Evaluator::of(const Call& call) {
   if (!match) return fault(match.error());
   for (std::size_t i = 0; i < arguments->size(); ++i) {
     auto converted = convertAsWritten(call.arguments[i], (*arguments)[i], match->arguments[i]);
-    if (!converted)
+    if (!converted) {
       return fault(fmt::format("argument {} of {}: {}", i + 1, call.function, converted.error()));
+    }
     const std::size_t length = match->function->parameters[i].length;
     const auto* array = std::get_if<Array>(&*converted);
-    if (length > 0 && array && array->items.size() != length)
+    if (length > 0 && array && array->items.size() != length) {
       return fault(fmt::format("argument {} of {}: {} elements are wanted, not {}", i + 1, call.function,
                                length, array->items.size()));
+    }
     (*arguments)[i] = std::move(*converted);
   }
   auto result = match->function->compute ? orFault(match->function->compute(*arguments))
                                          : callRobot(call.function, *arguments);
   if (result) result = orFault(convert(*result, match->result));
-  if (!result)
+  if (!result) {
     return refuse(
         Stop{result.error().waits, result.error().waits ? "" : call.function + ": " + result.error().reason});
+  }
   return limited(std::move(*result));
 }
 

@@ -35,8 +35,9 @@ Result<std::size_t, Stop> Evaluator::indexOf(const Expression& index, const Valu
   if (!number) return fault(number.error());
   const auto at = std::get<std::int32_t>(*number);
   const std::size_t size = std::get<Array>(array).items.size();
-  if (at < 0 || static_cast<std::size_t>(at) >= size)
+  if (at < 0 || static_cast<std::size_t>(at) >= size) {
     return fault(fmt::format("index {} is outside of an array of {}", at, size));
+  }
   return static_cast<std::size_t>(at);
 }
 
@@ -87,12 +88,14 @@ Result<Value, Stop> Evaluator::assign(Target target, const Value& value, const E
   auto converted = source ? convertAsWritten(*source, value, type) : convert(value, type);
   if (!converted) return fault(std::move(converted.error()));
   if (target.variable.empty()) return writeItem(target, *converted);
-  if (target.index)
+  if (target.index) {
     std::get<Array>(target.whole).items[*target.index] = std::get<Scalar>(*converted);
-  else
+  } else {
     target.whole = *converted;
-  if (sizeOf(target.whole) > kMaxValueBytes)
+  }
+  if (sizeOf(target.whole) > kMaxValueBytes) {
     return fault(fmt::format("a value of more than {} bytes", kMaxValueBytes));
+  }
   changed_[target.variable] = std::move(target.whole);
   return std::move(*converted);
 }
@@ -101,8 +104,9 @@ Result<Value, Stop> Evaluator::assign(Target target, const Value& value, const E
 Result<Value, Stop> Evaluator::writeItem(const Target& target, const Value& value) {
   if (!target.shape.is_writable) return value;
   const auto* array = std::get_if<Array>(&value);
-  if (array && target.shape.length && array->items.size() != *target.shape.length)
+  if (array && target.shape.length && array->items.size() != *target.shape.length) {
     return fault(fmt::format("{} elements are wanted, not {}", *target.shape.length, array->items.size()));
+  }
   if (known()) return value;
   if (auto reason = robot_.write(target.item, target.index, value)) return fault(std::move(*reason));
   return remember(value, false);

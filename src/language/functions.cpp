@@ -36,16 +36,18 @@ struct Fit {
 };
 
 std::optional<Fit> fit(const Function& function, const std::vector<Type>& arguments) {
-  if (arguments.size() < function.required || arguments.size() > function.parameters.size())
+  if (arguments.size() < function.required || arguments.size() > function.parameters.size()) {
     return std::nullopt;
+  }
   Fit found;
   found.match.function = &function;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const auto type = wanted(function.parameters[i], arguments[i], arguments.front());
     const Conversion conversion = type ? conversionOf(arguments[i], *type) : Conversion::None;
     // A text that becomes a number would be a target for a motion: the robot takes none.
-    if (conversion == Conversion::None || (conversion == Conversion::Text && !function.compute))
+    if (conversion == Conversion::None || (conversion == Conversion::Text && !function.compute)) {
       return std::nullopt;
+    }
     found.match.arguments.push_back(*type);
     found.match.is_warned = found.match.is_warned || isWarned(conversion);
     // One bad conversion is worse than any number of better ones.
@@ -53,10 +55,11 @@ std::optional<Fit> fit(const Function& function, const std::vector<Type>& argume
     found.cost += kCosts[static_cast<int>(conversion)];
   }
   const Parameter& result = function.result;
-  if (result.kind == Parameter::Kind::Fixed)
+  if (result.kind == Parameter::Kind::Fixed) {
     found.match.result = result.type;
-  else
+  } else {
     found.match.result = {arguments.front().scalar, result.type.is_array};
+  }
   return found;
 }
 
@@ -69,8 +72,9 @@ std::string listOf(const std::vector<Type>& types) {
 /// Those that this version has: others would be no help.
 std::string formsOf(const std::vector<Function>& functions, Version tmflow) {
   std::string text;
-  for (const Function& function : functions)
+  for (const Function& function : functions) {
     if (!(tmflow < function.since)) text += (text.empty() ? "" : " or ") + toText(function);
+  }
   return text;
 }
 
@@ -111,12 +115,14 @@ Result<Match, std::string> FunctionTable::find(const std::string& name,
     auto candidate = fit(function, arguments);
     if (candidate && (!best || candidate->cost < best->cost)) best = std::move(candidate);
   }
-  if (!has_version)
+  if (!has_version) {
     return refuse(fmt::format("{} exists since TMflow {}.{}; this is {}.{}", name, oldest.major, oldest.minor,
                               tmflow_.major, tmflow_.minor));
-  if (!best)
+  }
+  if (!best) {
     return refuse(fmt::format("{}({}) is not defined, only {}", name, listOf(arguments),
                               formsOf(found->second, tmflow_)));
+  }
   return best->match;
 }
 

@@ -42,9 +42,10 @@ struct Nested : x3::unary_parser<Subject, Nested<Subject>> {
   bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule_context,
              Attribute& attribute) const {
     int& depth = x3::get<DepthTag>(context);
-    if (depth == kMaxNesting)
+    if (depth == kMaxNesting) {
       boost::throw_exception(x3::expectation_failure<Iterator>(
           first, fmt::format("at most {} levels of brackets", kMaxNesting)));
+    }
     ++depth;
     const bool parsed = this->subject.parse(first, last, context, rule_context, attribute);
     --depth;
@@ -80,8 +81,9 @@ struct Constants : x3::symbols<Scalar> {
 
 struct BinaryOperators : x3::symbols<BinaryOperator> {
   BinaryOperators() {
-    for (int i = 0; i <= static_cast<int>(BinaryOperator::Modulo); ++i)
+    for (int i = 0; i <= static_cast<int>(BinaryOperator::Modulo); ++i) {
       add(toText(static_cast<BinaryOperator>(i)), static_cast<BinaryOperator>(i));
+    }
   }
 } const binary_operators;
 
@@ -91,15 +93,17 @@ struct AssignmentOperators : x3::symbols<std::optional<BinaryOperator>> {
     for (const auto binary :
          {BinaryOperator::Add, BinaryOperator::Subtract, BinaryOperator::Multiply, BinaryOperator::Divide,
           BinaryOperator::Modulo, BinaryOperator::ShiftLeft, BinaryOperator::ShiftRight,
-          BinaryOperator::BitAnd, BinaryOperator::BitXor, BinaryOperator::BitOr})
+          BinaryOperator::BitAnd, BinaryOperator::BitXor, BinaryOperator::BitOr}) {
       add(toText(binary) + "=", binary);
+    }
   }
 } const assignment_operators;
 
 struct PrefixOperators : x3::symbols<PrefixOperator> {
   PrefixOperators() {
-    for (int i = 0; i <= static_cast<int>(PrefixOperator::Complement); ++i)
+    for (int i = 0; i <= static_cast<int>(PrefixOperator::Complement); ++i) {
       add(toText(static_cast<PrefixOperator>(i)), static_cast<PrefixOperator>(i));
+    }
   }
 } const prefix_operators;
 
@@ -146,10 +150,11 @@ const auto set_elements = [](auto& context) {
 };
 const auto set_call = [](auto& context) {
   NamedCall& call = x3::_attr(context);
-  if (call.is_call)
+  if (call.is_call) {
     x3::_val(context).node = Call{std::move(call.name), std::move(call.arguments)};
-  else
+  } else {
     x3::_val(context).node = Name{std::move(call.name)};
+  }
 };
 const auto open_call = [](auto& context) { x3::_val(context).is_call = true; };
 const auto set_suffixed = [](auto& context) {
@@ -209,7 +214,7 @@ const auto suffixed_def =
       postfix_operators[append(&Suffixed::suffixes)]);
 const auto postfix_def = suffixed[set_suffixed];
 const auto steps_def =
-    *(prefix_operators[append(&Prefixed::steps)] | ('(' >> type[append(&Prefixed::steps)] > ')'));
+    *(prefix_operators[append(&Prefixed::steps)] | (('(' >> type[append(&Prefixed::steps)]) > ')'));
 const auto prefix_def =
     steps[([](auto& context) {
       x3::_val(context).node = Prefix{std::move(x3::_attr(context).steps), Expression{Literal{}}};
@@ -247,9 +252,10 @@ std::string found(std::string_view line, std::size_t at) {
   const std::string_view rest = line.substr(at, 32);
   if (rest.empty()) return "the end of the line";
   std::string shown;
-  for (const char c : rest)
+  for (const char c : rest) {
     shown += static_cast<unsigned char>(c) < 0x20 ? fmt::format("\\x{:02X}", static_cast<unsigned char>(c))
                                                   : std::string(1, c);
+  }
   return '"' + shown + '"';
 }
 

@@ -20,8 +20,9 @@ std::vector<Scalar> itemsOf(const Value& value) {
 
 Computed inserted(const Arguments& arguments, std::ptrdiff_t place, const Value& added) {
   Array array = arrayAt(arguments, 0);
-  if (place < 0 || place > signedSize(array))
+  if (place < 0 || place > signedSize(array)) {
     return refuse(fmt::format("index {} is outside of an array of {}", place, array.items.size()));
+  }
   const std::vector<Scalar> items = itemsOf(added);
   array.items.insert(array.items.begin() + place, items.begin(), items.end());
   return array;
@@ -39,8 +40,9 @@ Computed remove(const Arguments& arguments) {
   Array array = arrayAt(arguments, 0);
   const int first = intAt(arguments, 1, 0);
   const int count = intAt(arguments, 2, 1);
-  if (first < 0 || first >= signedSize(array))
+  if (first < 0 || first >= signedSize(array)) {
     return refuse(fmt::format("index {} is outside of an array of {}", first, array.items.size()));
+  }
   const auto begin = array.items.begin() + first;
   array.items.erase(begin, begin + std::clamp<std::ptrdiff_t>(count, 0, signedSize(array) - first));
   return array;
@@ -67,8 +69,9 @@ Computed reverse(const Arguments& arguments) {
 Computed sort(const Arguments& arguments) {
   Array array = arrayAt(arguments, 0);
   const bool descending = intAt(arguments, 1, 0) == 1;
-  if (std::any_of(array.items.begin(), array.items.end(), [](const Scalar& item) { return item != item; }))
+  if (std::any_of(array.items.begin(), array.items.end(), [](const Scalar& item) { return item != item; })) {
     return refuse(std::string("a NaN has no place in an order"));
+  }
   std::stable_sort(array.items.begin(), array.items.end(),
                    [&](const Scalar& a, const Scalar& b) { return descending ? b < a : a < b; });
   return array;

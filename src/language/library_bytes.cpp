@@ -25,8 +25,9 @@ Number numberAt(const Bytes& bytes, std::size_t first, int endian) {
 template <class Number>
 std::vector<Number> numbersOf(const Bytes& bytes, int endian) {
   std::vector<Number> numbers;
-  for (std::size_t first = 0; first < bytes.size(); first += sizeof(Number))
+  for (std::size_t first = 0; first < bytes.size(); first += sizeof(Number)) {
     numbers.push_back(numberAt<Number>(bytes, first, endian));
+  }
   return numbers;
 }
 
@@ -57,8 +58,9 @@ Computed int16(const Arguments& arguments) {
 Computed int16s(const Arguments& arguments) {
   std::vector<std::int32_t> numbers;
   for (const auto bits :
-       numbersOf<std::uint16_t>(itemsAt<std::uint8_t>(arguments, 0), intAt(arguments, 1, 0)))
+       numbersOf<std::uint16_t>(itemsAt<std::uint8_t>(arguments, 0), intAt(arguments, 1, 0))) {
     numbers.push_back(int16Of(bits, arguments));
+  }
   return arrayOf(numbers);
 }
 
@@ -68,9 +70,10 @@ Computed string(const Arguments& arguments) {
   if (encoding == kHex) return Scalar(hexOf(bytes));
   if (encoding != kUtf8 && encoding != kAscii) return refuse(std::string("the encoding is 0, 1 or 2"));
   bytes.erase(std::find(bytes.begin(), bytes.end(), 0), bytes.end());
-  if (encoding == kAscii)
+  if (encoding == kAscii) {
     std::replace_if(
         bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte > 0x7F; }, '?');
+  }
   return Scalar(textOf(bytes));
 }
 

@@ -49,9 +49,10 @@ Value poseOf(const Frame& frame) {
                                std::cos(rz) * r(1, 1) - std::sin(rz) * r(0, 1));
   const double ry = std::atan2(-r(2, 0), cos_ry);
   std::vector<float> pose;
-  for (const double number :
-       {frame.position.x(), frame.position.y(), frame.position.z(), radToDeg(rx), radToDeg(ry), radToDeg(rz)})
+  for (const double number : {frame.position.x(), frame.position.y(), frame.position.z(), radToDeg(rx),
+                              radToDeg(ry), radToDeg(rz)}) {
     pose.push_back(static_cast<float>(number + 0.0));
+  }
   return arrayOf(pose);
 }
 
@@ -91,8 +92,9 @@ Computed pointsToCoord(const Arguments& arguments) {
   const Eigen::Vector3d origin = pointAt(arguments, 0);
   const Eigen::Vector3d along = pointAt(arguments, 1) - origin;
   const Eigen::Vector3d normal = along.cross(pointAt(arguments, 2) - origin);
-  if (!(along.norm() > kLeast && normal.norm() > kLeast))
+  if (!(along.norm() > kLeast && normal.norm() > kLeast)) {
     return refuse(std::string("three points on one line"));
+  }
   Frame frame{origin, {}};
   frame.rotation.col(0) = along.normalized();
   frame.rotation.col(2) = normal.normalized();

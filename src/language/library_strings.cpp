@@ -34,9 +34,10 @@ Computed bytes(const Arguments& arguments) {
   if (encoding == 0) return arrayOf(bytesOf(text));
   Bytes result;
   if (encoding == 2) {
-    for (std::size_t at = 0; at < text.size(); at = byteOf(std::string_view(text).substr(at), 1) + at)
+    for (std::size_t at = 0; at < text.size(); at = byteOf(std::string_view(text).substr(at), 1) + at) {
       result.push_back(static_cast<unsigned char>(text[at]) > 0x7F ? '?'
                                                                    : static_cast<std::uint8_t>(text[at]));
+    }
     return arrayOf(result);
   }
   if (encoding != 1) return refuse(std::string("the encoding is 0, 1 or 2"));
@@ -114,8 +115,9 @@ Computed replace(const Arguments& arguments) {
     const bool found = text.compare(at, old.size(), old) == 0;
     result += found ? textAt(arguments, 2) : text.substr(at, 1);
     at += found ? old.size() : 1;
-    if (result.size() > kMaxValueBytes)
+    if (result.size() > kMaxValueBytes) {
       return refuse(fmt::format("a text of more than {} bytes", kMaxValueBytes));
+    }
   }
   return Scalar(result);
 }
@@ -130,8 +132,9 @@ Computed trim(const Arguments& arguments) {
   const std::string& lead = textAt(arguments, 1);
   while (!lead.empty() && text.substr(0, lead.size()) == lead) text.remove_prefix(lead.size());
   const std::string trail = arguments.size() > 2 ? textAt(arguments, 2) : "";
-  while (!trail.empty() && text.size() >= trail.size() && text.substr(text.size() - trail.size()) == trail)
+  while (!trail.empty() && text.size() >= trail.size() && text.substr(text.size() - trail.size()) == trail) {
     text.remove_suffix(trail.size());
+  }
   return Scalar(std::string(text));
 }
 
@@ -139,8 +142,9 @@ Computed trim(const Arguments& arguments) {
 Builtin shifted(char first, char last, int shift) {
   return [=](const Arguments& arguments) -> Computed {
     std::string text = textAt(arguments, 0);
-    for (char& c : text)
+    for (char& c : text) {
       if (c >= first && c <= last) c = static_cast<char>(c + shift);
+    }
     return Scalar(text);
   };
 }

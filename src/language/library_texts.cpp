@@ -79,12 +79,14 @@ std::string noted(const Scalar& scalar, Notation notation) {
 Computed getString(const Arguments& arguments) {
   constexpr int kMostDecimals = 15;
   const Notation notation{intAt(arguments, 1, 10), std::min(intAt(arguments, 2, -1), kMostDecimals)};
-  if (notation.base != 10 && notation.base != 16 && notation.base != 2)
+  if (notation.base != 10 && notation.base != 16 && notation.base != 2) {
     return refuse(std::string("the base is 10, 16 or 2"));
+  }
   if (const auto* scalar = std::get_if<Scalar>(&arguments[0])) return Scalar(noted(*scalar, notation));
   std::string text = "{";
-  for (const Scalar& item : arrayAt(arguments, 0).items)
+  for (const Scalar& item : arrayAt(arguments, 0).items) {
     text += (text.size() > 1 ? "," : "") + noted(item, notation);
+  }
   return Scalar(text + '}');
 }
 
@@ -120,8 +122,9 @@ Computed getAllTokens(const Arguments& arguments) {
 
 Computed length(const Arguments& arguments) {
   const Value& value = arguments[0];
-  if (const auto* array = std::get_if<Array>(&value))
+  if (const auto* array = std::get_if<Array>(&value)) {
     return Scalar(static_cast<std::int32_t>(array->items.size()));
+  }
   const auto* text = std::get_if<std::string>(&std::get<Scalar>(value));
   return Scalar(static_cast<std::int32_t>(text ? characterCount(*text) : sizeOf(value)));
 }

@@ -54,8 +54,9 @@ std::optional<double> parseShortReal(std::string_view text) {
   std::uint64_t digits = 0;
   double power = 1;
   bool behind_point = false;
-  if (text.size() > kExactDigits || text.find_first_of(kDecimalDigits) == std::string_view::npos)
+  if (text.size() > kExactDigits || text.find_first_of(kDecimalDigits) == std::string_view::npos) {
     return std::nullopt;
+  }
   for (const char c : text) {
     if (c == '.' && !behind_point) {
       behind_point = true;
@@ -118,8 +119,9 @@ std::optional<Scalar> literalOf(std::string_view numeral) {
   }
   if (numeral.find_first_not_of(kDecimalDigits) == std::string_view::npos) {
     const auto number = parseDigits(numeral, base);
-    if (number && *number <= static_cast<std::uint32_t>(std::numeric_limits<std::int32_t>::max()))
+    if (number && *number <= static_cast<std::uint32_t>(std::numeric_limits<std::int32_t>::max())) {
       return integerLiteral(*number);
+    }
   }
   const auto value = parseReal(numeral);
   if (!value) return std::nullopt;

@@ -102,16 +102,18 @@ Applied ofNumbers(B binary, const Scalar& a, const Scalar& b, ScalarType type) {
   const auto left = std::get<Number>(*convert(a, type));
   const auto right = std::get<Number>(*convert(b, type));
   if (isComparison(binary)) return Scalar(compare(binary, left, right));
-  if constexpr (std::is_integral_v<Number>)
+  if constexpr (std::is_integral_v<Number>) {
     return ofIntegers(binary, left, right);
-  else
+  } else {
     return ofReals(binary, left, right);
+  }
 }
 
 Applied concatenated(const Scalar& a, const Scalar& b) {
   std::string text = textOf(a) + textOf(b);
-  if (text.size() > kMaxValueBytes)
+  if (text.size() > kMaxValueBytes) {
     return refuse(fmt::format("a text of more than {} bytes", kMaxValueBytes));
+  }
   return Scalar(std::move(text));
 }
 

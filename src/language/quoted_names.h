@@ -15,10 +15,11 @@ template <class ValueOf>
     const std::size_t end = text[at] == '\'' ? text.find('\'', at + 1) : std::string_view::npos;
     const auto value = end == std::string_view::npos ? decltype(valueOf(text)){}
                                                      : valueOf(text.substr(at + 1, end - at - 1));
-    if (value)
+    if (value) {
       result += *value;
-    else
+    } else {
       result += text[at];
+    }
     at = value ? end + 1 : at + 1;
   }
   return result;

@@ -28,10 +28,12 @@ bool has(const Names& names, std::string_view name) {
 
 std::string whyUnknown(std::string_view name) {
   const auto begins = [&](std::string_view family) { return name.substr(0, family.size()) == family; };
-  if (has(kNames, name) || std::any_of(kFamilies.begin(), kFamilies.end(), begins))
+  if (has(kNames, name) || std::any_of(kFamilies.begin(), kFamilies.end(), begins)) {
     return fmt::format("{} is a known function, but not simulated", name);
-  if (has(kOfPrograms, name))
+  }
+  if (has(kOfPrograms, name)) {
     return fmt::format("{} is a function of the programs of TMflow 2, not simulated", name);
+  }
   return fmt::format("there is no function {}", name);
 }
 

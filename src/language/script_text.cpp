@@ -65,8 +65,9 @@ std::string prefixText(const Prefix& prefix) {
                                       ? '(' + toText(std::get<Type>(step)) + ')'
                                       : toText(std::get<PrefixOperator>(step));
     // "- -a" is not "--a".
-    if (!text.empty() && (text.back() == '+' || text.back() == '-') && text.back() == step_text.front())
+    if (!text.empty() && (text.back() == '+' || text.back() == '-') && text.back() == step_text.front()) {
       text += ' ';
+    }
     text += step_text;
   }
   return text + operandText(*prefix.operand);
@@ -74,8 +75,9 @@ std::string prefixText(const Prefix& prefix) {
 
 std::string chainText(const Chain& chain) {
   std::string text = operandText(chain.operands.front());
-  for (std::size_t i = 0; i < chain.operators.size(); ++i)
+  for (std::size_t i = 0; i < chain.operators.size(); ++i) {
     text += ' ' + toText(chain.operators[i]) + ' ' + operandText(chain.operands[i + 1]);
+  }
   return text;
 }
 

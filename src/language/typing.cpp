@@ -21,9 +21,10 @@ bool isEmptyArray(const Expression& expression) {
 
 /// The literal, if it is one, or one with a sign.
 bool isLiteral(const Expression& expression) {
-  if (const auto* prefix = std::get_if<Prefix>(&expression.node))
+  if (const auto* prefix = std::get_if<Prefix>(&expression.node)) {
     return prefix->steps.size() == 1 && prefix->steps[0] == Prefix::Step(PrefixOperator::Minus) &&
            isLiteral(*prefix->operand);
+  }
   return std::holds_alternative<Literal>(expression.node);
 }
 
@@ -47,8 +48,9 @@ std::vector<std::optional<Scalar>> literalsIn(const Expressions& expressions) {
 std::optional<std::string> beyond(const ItemShape& item, const Expression& value) {
   if (!item.most) return std::nullopt;
   if (const auto* array = std::get_if<ArrayLiteral>(&value.node)) {
-    for (const Expression& element : array->elements)
+    for (const Expression& element : array->elements) {
       if (auto reason = beyond(item, element)) return reason;
+    }
     return std::nullopt;
   }
   const auto literal = literalIn(value);
@@ -122,8 +124,9 @@ Result<ItemShape, std::string> Typing::shapeOf(const Item& item) {
     }
     const auto type = typeOf(key);
     if (!type) return refuse(type.error());
-    if (type->is_array || !(isInteger(type->scalar) || type->scalar == ScalarType::String))
+    if (type->is_array || !(isInteger(type->scalar) || type->scalar == ScalarType::String)) {
       return refuse(fmt::format("{} is no name and no number of a {}", toText(*type), item.object));
+    }
     keys.push_back(literalIn(key));
   }
   return environment_.shapeOf(item.object, keys, item.attribute);
@@ -165,8 +168,9 @@ Result<Type, std::string> Typing::commonOf(const Expressions& expressions) {
 }
 
 Result<Type, std::string> Typing::of(const ArrayLiteral& array) {
-  if (array.elements.size() > kMaxElements)
+  if (array.elements.size() > kMaxElements) {
     return refuse(fmt::format("an array of more than {} elements", kMaxElements));
+  }
   const auto element = commonOf(array.elements);
   if (!element) return element;
   if (element->is_array) return refuse(std::string("arrays have one dimension"));
@@ -190,9 +194,11 @@ Result<Type, std::string> Typing::of(const Call& call) {
     if (parameter.is_literal && !isLiteral(argument)) return place("must be written as a literal");
     if (const auto wrong = wrongLength(argument, parameter.length)) return place(*wrong);
   }
-  if (!matched->function->compute)
-    if (auto objection = environment_.objectionTo(call.function, literalsIn(call.arguments)))
+  if (!matched->function->compute) {
+    if (auto objection = environment_.objectionTo(call.function, literalsIn(call.arguments))) {
       return refuse(std::move(*objection));
+    }
+  }
   if (matched->is_warned) warnings_.push_back(fmt::format("an argument of {} is converted", call.function));
   return matched->result;
 }
@@ -206,21 +212,24 @@ Result<Type, std::string> Typing::of(const Item& item) {
 Result<Type, std::string> Typing::of(const Element& element) {
   const auto* item = std::get_if<Item>(&element.array->node);
   auto shape = ItemShape{};
-  if (auto found = item ? shapeOf(*item) : asShape(typeOf(*element.array)); found)
+  if (auto found = item ? shapeOf(*item) : asShape(typeOf(*element.array)); found) {
     shape = *found;
-  else
+  } else {
     return refuse(std::move(found.error()));
+  }
   if (!shape.type.is_array) return refuse(fmt::format("{} has no elements", toText(shape.type)));
   const auto index = typeOf(*element.index);
   if (!index) return index;
-  if (index->is_array || !isInteger(index->scalar))
+  if (index->is_array || !isInteger(index->scalar)) {
     return refuse(fmt::format("{} is no index", toText(*index)));
+  }
   const auto literal = literalIn(*element.index);
   if (literal && shape.length) {
     const auto at = std::get<std::int32_t>(*convert(*literal, ScalarType::Int));
-    if (at < 0 || static_cast<std::size_t>(at) >= *shape.length)
+    if (at < 0 || static_cast<std::size_t>(at) >= *shape.length) {
       return refuse(
           fmt::format("index {} is outside of {}, which has {}", at, toText(*element.array), *shape.length));
+    }
   }
   return Type{shape.type.scalar};
 }
@@ -240,8 +249,9 @@ Result<Type, std::string> Typing::of(const Prefix& prefix) {
     if (!next) return next;
     if (!symbol) {
       const Type cast = std::get<Type>(*step);
-      if (conversionOf(*next, cast) == Conversion::None)
+      if (conversionOf(*next, cast) == Conversion::None) {
         return refuse(fmt::format("{} is no {}", toText(*next), toText(cast)));
+      }
       next = cast;
     }
     type = *next;
@@ -253,8 +263,9 @@ Result<Type, std::string> Typing::of(const Prefix& prefix) {
 Result<Type, std::string> Typing::stepped(const Expression& target, const char* step) {
   const auto shape = targetShape(target);
   if (!shape) return refuse(shape.error());
-  if (shape->type.is_array || !isInteger(shape->type.scalar))
+  if (shape->type.is_array || !isInteger(shape->type.scalar)) {
     return refuse(fmt::format("{} needs an integer", step));
+  }
   return shape->type;
 }
 
@@ -287,12 +298,14 @@ Result<ItemShape, std::string> Typing::targetShape(const Expression& target) {
   if (const auto* item = std::get_if<Item>(&target.node)) return shapeOf(*item);
   const auto* element = std::get_if<Element>(&target.node);
   const Expression& whole = element ? *element->array : target;
-  if (!std::holds_alternative<Name>(whole.node) && !std::holds_alternative<Item>(whole.node))
+  if (!std::holds_alternative<Name>(whole.node) && !std::holds_alternative<Item>(whole.node)) {
     return refuse(fmt::format("{} cannot be changed", toText(target)));
+  }
   auto shape = asShape(typeOf(target));
   const auto* item = std::get_if<Item>(&whole.node);
-  if (shape && item)
+  if (shape && item) {
     if (const auto whole_shape = shapeOf(*item)) shape->most = whole_shape->most;
+  }
   return shape;
 }
 
@@ -316,12 +329,14 @@ Result<Type, std::string> Typing::of(const Assignment& assignment) {
     const auto& compound = assignment.operators[i];
     const auto result = compound ? resultOf(*compound, target->type, *given) : given;
     if (!result) return result;
-    if (conversionOf(*result, target->type) == Conversion::None)
+    if (conversionOf(*result, target->type) == Conversion::None) {
       return refuse(fmt::format("{} is no {}", toText(*result), toText(target->type)));
+    }
     // "b += 1" computes an int; it is the operand that may lose something. A text takes any operand.
     const bool appends = compound && target->type == kString;
-    if (isWarned(conversionOf(*given, target->type)) && !appends)
+    if (isWarned(conversionOf(*given, target->type)) && !appends) {
       warnings_.push_back(fmt::format("{} becomes {}", toText(*given), toText(target->type)));
+    }
     value = target->type;
   }
   return *value;

@@ -26,10 +26,11 @@ bool Variables::set(std::string_view name, Value value) {
   const std::size_t after = bytes_ - before + costOf(name, value);
   if (after > kMaxVariableBytes) return false;
   bytes_ = after;
-  if (found == values_.end())
+  if (found == values_.end()) {
     values_.emplace(name, std::move(value));
-  else
+  } else {
     found->second = std::move(value);
+  }
   return true;
 }
 

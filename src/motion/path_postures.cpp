@@ -31,8 +31,9 @@ PathPostures::PathPostures(const arm::ArmModel& arm, TcpCurvePtr path, const arm
 Result<arm::JointVector, Refusal::Reason> PathPostures::at(double progress,
                                                            const arm::JointVector& reference) const {
   const arm::Pose flange = path_->at(progress) * flange_in_tcp_;
-  if (const auto joints = arm::branchWith(arm_, flange, bits_, reference))
+  if (const auto joints = arm::branchWith(arm_, flange, bits_, reference)) {
     return turnedTo(reference, *joints);
+  }
   const bool reachable = !arm::allBranches(arm_, flange, reference).empty();
   return refuse(reachable ? Refusal::Reason::PoseBits : Refusal::Reason::Unreachable);
 }

@@ -31,8 +31,9 @@ std::string described(const ScriptRequest& request) {
   std::string_view first = takeUntil('\n', script);
   if (!first.empty() && first.back() == '\r') first.remove_suffix(1);
   std::string text = fmt::format("run script {}: {}", request.id, shortened(first));
-  if (further > 0)
+  if (further > 0) {
     fmt::format_to(std::back_inserter(text), " (and {} more {})", further, further == 1 ? "line" : "lines");
+  }
   return text;
 }
 std::string described(const ListenNodeQuery&) {
@@ -137,8 +138,9 @@ std::string describe(const Frame& frame) {
   if (from_controller) return describe(*from_controller);
   const auto from_client = parseClientMessage(frame);
   if (from_client) return describe(*from_client);
-  if (from_controller.error().kind == MessageFault::Kind::UnknownHeader)
+  if (from_controller.error().kind == MessageFault::Kind::UnknownHeader) {
     return fmt::format("unknown header {}, known are TMSCT, TMSTA, TMSVR, CPERR", printable(frame.header));
+  }
   return from_client.error().kind == MessageFault::Kind::Data ? from_client.error().message
                                                               : from_controller.error().message;
 }

@@ -20,8 +20,9 @@ std::string quoted(std::string_view bytes) {
 /// Whether the bytes are, as far as they go, ",*CS\r\n"; CS itself is not looked at. Gives how many are.
 std::size_t matchFrameEnd(std::string_view bytes) {
   const std::size_t size = std::min(bytes.size(), kFrameEnd.size());
-  for (std::size_t i = 0; i < size; ++i)
+  for (std::size_t i = 0; i < size; ++i) {
     if (kFrameEnd[i] != '.' && kFrameEnd[i] != bytes[i]) return i;
+  }
   return size;
 }
 
@@ -219,8 +220,9 @@ bool FrameDecoder::searchEnd(Candidate& candidate) {
   for (;; ++at) {
     at = std::min(bytes.find(kFrameEnd.front(), at), bytes.size());
     const std::string_view end = bytes.substr(at, kFrameEnd.size());
-    if (matchFrameEnd(end) == end.size() && (end.size() < kFrameEnd.size() || isHexPair(end.substr(2))))
+    if (matchFrameEnd(end) == end.size() && (end.size() < kFrameEnd.size() || isHexPair(end.substr(2)))) {
       break;
+    }
   }
   end_sought_ = at;
   candidate.data_end = at;

@@ -155,8 +155,9 @@ bool assignBinary(std::string_view bytes, T& value) {
 
 std::vector<std::string_view> binaryElements(std::string_view bytes, std::size_t size) {
   std::vector<std::string_view> elements;
-  for (; !bytes.empty(); bytes.remove_prefix(std::min(size, bytes.size())))
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(size, bytes.size()))) {
     elements.push_back(bytes.substr(0, size));
+  }
   return elements;
 }
 

@@ -41,8 +41,9 @@ auto unknownHeader(const Frame& frame, std::string_view known) {
 
 Result<ClientMessage, MessageFault> parseScriptRequest(std::string_view data) {
   const std::size_t comma = data.find(',');
-  if (comma == std::string_view::npos || !isAlphanumeric(data.substr(0, comma)))
+  if (comma == std::string_view::npos || !isAlphanumeric(data.substr(0, comma))) {
     return dataFault("a script id of letters and digits, ',' and a script", data);
+  }
   return ClientMessage(
       ScriptRequest{std::string(data.substr(0, comma)), std::string(data.substr(comma + 1))});
 }
@@ -76,12 +77,14 @@ Result<ControllerMessage, MessageFault> parseScriptReply(std::string_view data) 
   constexpr std::string_view kError = "ERROR";
   std::string_view verdict = data;
   const std::string_view id = takeUntil(',', verdict);
-  if (id == kListenNodeEnteredId && id.size() < data.size())
+  if (id == kListenNodeEnteredId && id.size() < data.size()) {
     return ControllerMessage(ListenNodeEntered{std::string(verdict)});
+  }
   for (const std::string_view word : {kOk, kError}) {
     if (!isAlphanumeric(id) || verdict.substr(0, word.size()) != word) continue;
-    if (auto lines = parseLineNumbers(verdict.substr(word.size())))
+    if (auto lines = parseLineNumbers(verdict.substr(word.size()))) {
       return ControllerMessage(ScriptReply{std::string(id), word == kOk, std::move(*lines)});
+    }
   }
   return dataFault("0 and a message, or a script id and OK or ERROR;lines", data);
 }
@@ -92,8 +95,9 @@ Result<ControllerMessage, MessageFault> parseStatusReport(std::string_view data)
   const bool has_fields = command.size() < data.size();
   if (command == kListenNodeStateCommand) {
     const std::string_view state = takeUntil(',', fields);
-    if (state == "true" || state == "false")
+    if (state == "true" || state == "false") {
       return ControllerMessage(ListenNodeState{state == "true", std::string(fields)});
+    }
   } else if (command == kTagCommand) {
     const auto tag = parseDigits(takeUntil(',', fields));
     const auto known = std::find_if(kTagStates.begin(), kTagStates.end(),
@@ -109,8 +113,9 @@ Result<ControllerMessage, MessageFault> parseStatusReport(std::string_view data)
 Result<ControllerMessage, MessageFault> parseCommunicationError(std::string_view data) {
   const auto value = data.size() == 2 ? parseDigits(data, 16) : std::nullopt;
   const auto code = static_cast<CommunicationErrorCode>(value.value_or(-1));
-  if (std::find(kErrorCodes.begin(), kErrorCodes.end(), code) == kErrorCodes.end())
+  if (std::find(kErrorCodes.begin(), kErrorCodes.end(), code) == kErrorCodes.end()) {
     return dataFault("an error code 00 to 04 or F1", data);
+  }
   return ControllerMessage(CommunicationError{code});
 }
 

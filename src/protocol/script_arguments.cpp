@@ -54,8 +54,9 @@ std::size_t Arguments::oneOf(std::string_view what, Literal::Kind kind, const st
 void Arguments::takeEach(std::string_view what, std::string_view expected, std::size_t count,
                          const std::function<void(std::size_t, const Literal&)>& use) {
   if (!more() || literals_[next_].kind != Literal::Kind::Array) {
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
       if (const Literal* literal = take(what, expected)) use(i, *literal);
+    }
     return;
   }
   const Literal* array = take(what, expected);
@@ -95,8 +96,9 @@ std::string Arguments::name(std::string_view what) {
   constexpr std::string_view kExpected = "a name without control characters";
   const Literal* literal = take(what, kExpected);
   if (literal == nullptr) return {};
-  if (literal->kind != Literal::Kind::Text || !isName(literal->text))
+  if (literal->kind != Literal::Kind::Text || !isName(literal->text)) {
     refuseArgument(what, kExpected, *literal);
+  }
   return literal->text;
 }
 
@@ -109,8 +111,9 @@ MotionOptions Arguments::motionOptions() {
 }
 
 std::string Arguments::fault() {
-  if (fault_.empty() && more())
+  if (fault_.empty() && more()) {
     fault_ = fmt::format("expected {} arguments, found {}", next_, literals_.size());
+  }
   return std::move(fault_);
 }
 
@@ -127,16 +130,18 @@ double Arguments::numberOf(const Literal& literal, std::string_view what) {
 }
 
 int Arguments::integerOf(const Literal& literal, std::string_view what, int least, int most) {
-  if (literal.kind == Literal::Kind::Integer && literal.number >= least && literal.number <= most)
+  if (literal.kind == Literal::Kind::Integer && literal.number >= least && literal.number <= most) {
     return static_cast<int>(literal.number);
+  }
   const bool any = least == std::numeric_limits<int>::min();
   refuseArgument(what, any ? "an integer" : fmt::format("an integer from {} to {}", least, most), literal);
   return 0;
 }
 
 void Arguments::refuseArgument(std::string_view what, std::string_view expected, const Literal& found) {
-  if (fault_.empty())
+  if (fault_.empty()) {
     fault_ = fmt::format("argument {} ({}) is {}, expected {}", next_, what, shown(found), expected);
+  }
 }
 
 }  // namespace cobot_command::protocol

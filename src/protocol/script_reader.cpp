@@ -185,8 +185,9 @@ Result<ScriptCommand, std::string> toCommand(const Call& call) {
   if (known == kReaders.end()) return refuse(unknownFunction(call.function));
   Arguments arguments(call.arguments);
   ScriptCommand command = known->second(arguments);
-  if (const std::string fault = arguments.fault(); !fault.empty())
+  if (const std::string fault = arguments.fault(); !fault.empty()) {
     return refuse(call.function + ": " + fault);
+  }
   return command;
 }
 

@@ -115,8 +115,9 @@ Result<std::optional<Call>, std::string> parseLine(std::string_view line) {
   const char* const last = first + line.size();
   try {
     if (x3::phrase_parse(first, last, end | ((assignment[keep] | call[keep]) > end),
-                         x3::char_(std::string(kBlanks))))
+                         x3::char_(std::string(kBlanks)))) {
       return parsed;
+    }
     return refuse(
         fmt::format("expected a command Name(arguments), found \"{}\"", printable(line.substr(0, 32))));
   } catch (const x3::expectation_failure<const char*>& failure) {

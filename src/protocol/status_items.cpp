@@ -90,8 +90,9 @@ std::optional<std::vector<float>> asFloats(const StatusItem& item) {
   if (item.value.size() % sizeof(float) != 0) return std::nullopt;
   std::vector<float> values;
   values.reserve(item.value.size() / sizeof(float));
-  for (std::string_view rest = item.value; !rest.empty(); rest.remove_prefix(sizeof(float)))
+  for (std::string_view rest = item.value; !rest.empty(); rest.remove_prefix(sizeof(float))) {
     values.push_back(readNumber<float>(rest));
+  }
   return values;
 }
 

@@ -33,14 +33,16 @@ void tryItems(ItemFormat format, std::string_view bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   if (const auto items = parseBinaryItems(bytes)) REQUIRE(encodeBinaryItems(*items) == bytes);
-  for (const ItemFormat format : {ItemFormat::Binary, ItemFormat::String, ItemFormat::Json})
+  for (const ItemFormat format : {ItemFormat::Binary, ItemFormat::String, ItemFormat::Json}) {
     tryItems(format, bytes);
+  }
   if (const auto reply = parseStatusReply(bytes)) REQUIRE(parseStatusReply(toContent(*reply)).has_value());
   const Frame frame{std::string(header::kItems), std::string(bytes)};
   REQUIRE(!describe(frame).empty());
   if (const auto status = parseStatusFrame(frame)) {
-    if (const auto items = parseBinaryItems(status->content))
+    if (const auto items = parseBinaryItems(status->content)) {
       REQUIRE(encodeBinaryItems(*items) == status->content);
+    }
   }
   return 0;
 }

@@ -60,8 +60,9 @@ inline Attempt attempt(std::string_view s) {
   unsigned sum = 0;
   for (const char c : s.substr(1, end)) sum ^= static_cast<unsigned char>(c);
   std::string digits = {"0123456789ABCDEF"[sum >> 4u], "0123456789ABCDEF"[sum & 15u]};
-  for (std::size_t i = 0; i < 2; ++i)
+  for (std::size_t i = 0; i < 2; ++i) {
     if (digits[i] != std::toupper(static_cast<unsigned char>(s[end + 2 + i]))) return {"checksum", end + 6};
+  }
   const std::string header(s.substr(1, comma - 1));
   const auto letter = [](unsigned char c) { return c < 0x80 && std::isalpha(c) != 0; };
   if (header.empty() || !std::all_of(header.begin(), header.end(), letter)) return {"header", end + 6};

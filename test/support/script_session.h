@@ -33,8 +33,9 @@ class FakeRobot : public Environment {
                                          const std::string& attribute) const override {
     const auto found = items.find(object + '.' + attribute);
     if (found == items.end()) return refuse("there is no " + object + '.' + attribute);
-    if (keys[0] && *keys[0] == Scalar(std::string("Nowhere")))
+    if (keys[0] && *keys[0] == Scalar(std::string("Nowhere"))) {
       return refuse(std::string("there is no Nowhere"));
+    }
     return found->second.shape;
   }
 
@@ -52,10 +53,11 @@ class FakeRobot : public Environment {
   std::optional<std::string> write(const ItemName& item, std::optional<std::size_t> index,
                                    const Value& value) override {
     Value& whole = items.at(item.object + '.' + item.attribute).value;
-    if (index)
+    if (index) {
       std::get<Array>(whole).items[*index] = std::get<Scalar>(value);
-    else
+    } else {
       whole = value;
+    }
     calls.push_back(textOf(item.keys[0]) + '.' + item.attribute + " = " + textOf(value));
     return std::nullopt;
   }
@@ -114,8 +116,9 @@ class Session {
     if (!findings.errors.empty()) return replyOf(findings);
     Interpreter interpreter = start(text);
     interpreter.run(1000000);
-    if (interpreter.fault())
+    if (interpreter.fault()) {
       return "line " + std::to_string(interpreter.fault()->line) + ": " + interpreter.fault()->reason;
+    }
     return replyOf(findings);
   }
   /// The first error of a script, or how it failed.

@@ -23,8 +23,9 @@ void ifItHas(Message& message, const Write& write) {
 /// Where the robot was at the end; what is unknown stays empty.
 template <class Result>
 void fillFinal(Result& message, const blocks::Outcome& outcome) {
-  if (outcome.final_joints_deg)
+  if (outcome.final_joints_deg) {
     message.final_joints.assign(outcome.final_joints_deg->begin(), outcome.final_joints_deg->end());
+  }
   if (outcome.final_pose_mm_deg) message.final_pose = toTransformation(*outcome.final_pose_mm_deg);
 }
 
@@ -33,8 +34,9 @@ template <class Result>
 void fillSteps(Result& message, const blocks::Outcome& outcome, const JointNames& names) {
   for (const blocks::StepReport& step : outcome.steps) message.steps.push_back(toMessage(step, names));
   message.failed_step = outcome.failed_step;
-  if (outcome.failed_step < 0 || static_cast<std::size_t>(outcome.failed_step) >= outcome.steps.size())
+  if (outcome.failed_step < 0 || static_cast<std::size_t>(outcome.failed_step) >= outcome.steps.size()) {
     return;
+  }
   const blocks::StepReport& failed = outcome.steps[static_cast<std::size_t>(outcome.failed_step)];
   ifItHas(message, [&](auto& m) -> decltype(void(m.step_error_id)) {
     m.step_error_id = failed.error_id;

@@ -18,8 +18,9 @@ struct Outcome {
 
   [[nodiscard]] std::vector<json> lines() const {
     std::vector<json> parsed;
-    for (std::size_t begin = 0; begin < output.size(); begin = output.find('\n', begin) + 1)
+    for (std::size_t begin = 0; begin < output.size(); begin = output.find('\n', begin) + 1) {
       parsed.push_back(json::parse(output.substr(begin, output.find('\n', begin) - begin)));
+    }
     return parsed;
   }
 };
@@ -31,8 +32,9 @@ Outcome run(const std::string& arguments, const std::string& input = "") {
   FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return outcome;
   char block[4096];
-  for (std::size_t size = 0; (size = fread(block, 1, sizeof(block), pipe)) > 0;)
+  for (std::size_t size = 0; (size = fread(block, 1, sizeof(block), pipe)) > 0;) {
     outcome.output.append(block, size);
+  }
   const int status = pclose(pipe);
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return outcome;

@@ -121,13 +121,16 @@ TEST(ScriptChecker, takesANameWithoutQuotesInBracketsWithAWarning) {
 TEST(ScriptChecker, findsOperandsOfWrongTypes) {
   for (const char* value : {"true + 1", "1 && true", "\"a\" * 2", "{1} + {2}", "1.5 | 2", "!1", "~1.5",
                             "-\"a\"", "true < false", "\"a\" == 1", "1 ? 2 : 3", "true ? 1 : \"a\"",
-                            "{1, \"a\"}", "{{1}}", "(int)true", "(bool)1", "({1})[1.5]", "5[0]", "missing"})
+                            "{1, \"a\"}", "{{1}}", "(int)true", "(bool)1", "({1})[1.5]", "5[0]", "missing"}) {
     EXPECT_EQ(replyTo(std::string("int i = ") + value), "ERROR;1") << value;
+  }
 }
 
 TEST(ScriptChecker, findsWhatCannotBeChangedAndLinesThatDoNothing) {
-  for (const char* line : {"5 = 3", "abs(1) = 3", "(a + 1) = 2", "5++", "f++", "1 + 2", "a", "-a", "++a = 1"})
+  for (const char* line :
+       {"5 = 3", "abs(1) = 3", "(a + 1) = 2", "5++", "f++", "1 + 2", "a", "-a", "++a = 1"}) {
     EXPECT_EQ(replyTo(std::string("int a\r\nfloat f\r\n") + line), "ERROR;3") << line;
+  }
 }
 
 TEST(ScriptChecker, looksAtEachPartOnce) {

@@ -26,8 +26,9 @@ void expectPose(const std::string& expression, const std::vector<double>& expect
   ASSERT_EQ(session.run("float[] v = " + expression), "OK") << session.errorOf("float[] v = " + expression);
   const auto& items = std::get<Array>(*session.locals.find("v")).items;
   ASSERT_EQ(items.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i)
+  for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_NEAR(std::get<float>(items[i]), expected[i], tolerance) << expression << ", number " << i;
+  }
 }
 
 TEST(ByteFunctions, makeNumbersOfBytes) {

@@ -36,8 +36,9 @@ Expression anyExpression(int depth);
 
 Expressions anyExpressions(int depth, int least, int most) {
   Expressions expressions;
-  for (int count = *rc::gen::inRange(least, most + 1); count > 0; --count)
+  for (int count = *rc::gen::inRange(least, most + 1); count > 0; --count) {
     expressions.push_back(anyExpression(depth));
+  }
   return expressions;
 }
 
@@ -48,11 +49,12 @@ Expression anyLeaf() {
 Expression anyPrefix(int depth) {
   Prefix prefix{{}, anyExpression(depth)};
   for (int count = *rc::gen::inRange(1, 4); count > 0; --count) {
-    if (*rc::gen::arbitrary<bool>())
+    if (*rc::gen::arbitrary<bool>()) {
       prefix.steps.emplace_back(
           Type{static_cast<ScalarType>(*rc::gen::inRange(0, 6)), *rc::gen::arbitrary<bool>()});
-    else
+    } else {
       prefix.steps.emplace_back(static_cast<PrefixOperator>(*rc::gen::inRange(0, 6)));
+    }
   }
   return {std::move(prefix)};
 }
@@ -70,15 +72,17 @@ Expression anyChain(int depth) {
                                              {B::BitOr}};
   const auto family = *rc::gen::elementOf(families);
   Chain chain{anyExpressions(depth, 2, 4), {}};
-  while (chain.operators.size() + 1 < chain.operands.size())
+  while (chain.operators.size() + 1 < chain.operands.size()) {
     chain.operators.push_back(*rc::gen::elementOf(family));
+  }
   return {std::move(chain)};
 }
 
 Expression anyConditional(int depth) {
   Conditional conditional{anyExpressions(depth, 1, 2), {}, anyExpression(depth)};
-  while (conditional.results.size() < conditional.conditions.size())
+  while (conditional.results.size() < conditional.conditions.size()) {
     conditional.results.push_back(anyExpression(depth));
+  }
   return {std::move(conditional)};
 }
 

@@ -111,8 +111,9 @@ RC_GTEST_PROP(ItemsProperty, areReadAsTheyWereWritten, ()) {
 RC_GTEST_PROP(ItemsProperty, ofAnyBytesAreTheSameBytesOrAFault, ()) {
   const Bytes content = *anyBytes();
   if (const auto items = parseBinaryItems(content)) RC_ASSERT(encodeBinaryItems(*items) == content);
-  if (const auto reply = parseStatusReply(content))
+  if (const auto reply = parseStatusReply(content)) {
     RC_ASSERT(parseStatusReply(toContent(*reply)).has_value());
+  }
 }
 
 }  // namespace

@@ -62,8 +62,9 @@ TEST_P(Golden, isDecodedOrRefusedAsItsFieldsSay) {
 TEST_P(ValidGolden, isEncodedToTheSameBytes) {
   const GoldenFrame& golden = GetParam();
   std::string expected = golden.bytes;
-  for (std::size_t i = expected.size() - 4; i < expected.size(); ++i)
+  for (std::size_t i = expected.size() - 4; i < expected.size(); ++i) {
     expected[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(expected[i])));
+  }
   EXPECT_EQ(encodeFrame(golden.header, data()), expected);
 }
 
@@ -95,15 +96,17 @@ TEST(GoldenFrames, waitAtEveryPrefix) {
 TEST(GoldenFrames, areTheSameInAnyTwoPieces) {
   for (const GoldenFrame& golden : goldenFrames()) {
     const std::string& bytes = golden.bytes;
-    for (std::size_t first = 1; first < bytes.size(); ++first)
+    for (std::size_t first = 1; first < bytes.size(); ++first) {
       ASSERT_EQ(decodeInPieces(bytes, first, bytes.size()), reference::decode(bytes))
           << printable(bytes) << first;
+    }
   }
 }
 
 TEST(GoldenFrames, areTheSameByteByByte) {
-  for (const GoldenFrame& golden : goldenFrames())
+  for (const GoldenFrame& golden : goldenFrames()) {
     ASSERT_EQ(decodeInPieces(golden.bytes, 1, 1), reference::decode(golden.bytes)) << printable(golden.bytes);
+  }
 }
 
 TEST(GoldenFrames, areAsTheReferenceSaysAfterEverySingleByteChange) {

@@ -94,8 +94,9 @@ TEST(ItemContent, ofAnotherFormatIsRefused) {
     EXPECT_FALSE(parseItemNames(format, ""));
     EXPECT_FALSE(parseItems(format, "[{}]"));
   }
-  for (const char* text : {"Ctrl_DO0", "=1", "A=1\r\nB", "\r\n"})
+  for (const char* text : {"Ctrl_DO0", "=1", "A=1\r\nB", "\r\n"}) {
     EXPECT_FALSE(parseItems(ItemFormat::String, text));
+  }
   for (const char* text :
        {"Ctrl_DO0=1", "{}", "[]", "[1]", "[{}]", R"([{"Item":7,"Value":1}])", R"([{"Item":"A"}])",
         R"([{"Item":"","Value":1}])", R"([{"Item":"A","Value":[[1]]}])", "[{\"Item\":\"\xFF\"}]",
@@ -123,17 +124,22 @@ TEST(ItemValueText, ofAnotherTypeIsNoValue) {
          {"\"on\"", "256", "-1", "1.5", "{1,2}", "[1,2]", "", "x", "true", "null", "1,2", "{}"}) {
       EXPECT_FALSE(parseValue(format, text, std::uint8_t{})) << text;
     }
-    for (const char* text : {"1e39", "\"1\"", "nan", "1,5", "+1", "\"", "{1}"})
+    for (const char* text : {"1e39", "\"1\"", "nan", "1,5", "+1", "\"", "{1}"}) {
       EXPECT_FALSE(parseValue(format, text, 0.0F)) << text;
-    for (const char* text : {"2", "1.0", "True", "\"true\""})
+    }
+    for (const char* text : {"2", "1.0", "True", "\"true\""}) {
       EXPECT_FALSE(parseValue(format, text, false)) << text;
-    for (const char* text : {"2147483648", "5.0"})
+    }
+    for (const char* text : {"2147483648", "5.0"}) {
       EXPECT_FALSE(parseValue(format, text, std::int32_t{})) << text;
-    for (const char* text : {"1", "x", "\"a\"b\"", "\"\xFF\""})
+    }
+    for (const char* text : {"1", "x", "\"a\"b\"", "\"\xFF\""}) {
       EXPECT_FALSE(parseValue(format, text, ""s)) << text;
+    }
   }
-  for (const char* text : {"{1,}", "{,1}", "{1 2}", "{1", "{{1}}", "1"})
+  for (const char* text : {"{1,}", "{,1}", "{1 2}", "{1", "{{1}}", "1"}) {
     EXPECT_FALSE(parseValue(ItemFormat::String, text, std::vector<std::int32_t>{})) << text;
+  }
 }
 
 TEST(ItemValueText, takesBoolsAsBitsAndFloatsAsIntegers) {

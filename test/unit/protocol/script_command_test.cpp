@@ -341,8 +341,9 @@ class DecimalComma : public testing::Test {
     std::string do_grouping() const override { return "\3"; }
   };
   DecimalComma() : before_(std::locale::global(std::locale(std::locale::classic(), new Comma))) {
-    for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
+    for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"}) {
       if (std::setlocale(LC_NUMERIC, name) != nullptr) break;
+    }
   }
   ~DecimalComma() override {
     std::setlocale(LC_NUMERIC, "C");

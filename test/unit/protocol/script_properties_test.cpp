@@ -14,8 +14,9 @@ using Bytes = std::string;
 
 SixNumbers anySix() {
   SixNumbers six{};
-  for (double& value : six)
+  for (double& value : six) {
     value = *rc::gen::inRange(-2000000000, 2000000000) / 1e6 + *rc::gen::inRange(-9, 9) / 1e7;
+  }
   return six;
 }
 

@@ -106,10 +106,12 @@ TEST(Item, isLittleEndianOnTheWire) {
 
 TEST(Item, isReadAsWhatItWasWrittenAs) {
   for (const std::int32_t value :
-       {0, 1, -1, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
+       {0, 1, -1, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
     EXPECT_EQ(item::asInt(item::ofInt("x", value)), value);
-  for (const float value : {0.F, -1.29178234E-05F, 125.000435F, std::numeric_limits<float>::max()})
+  }
+  for (const float value : {0.F, -1.29178234E-05F, 125.000435F, std::numeric_limits<float>::max()}) {
     EXPECT_EQ(item::asFloat(item::ofFloat("x", value)), value);
+  }
   EXPECT_EQ(item::asByte(item::ofByte("x", 255)), 255);
   EXPECT_EQ(item::asBool(item::ofBool("x", true)), true);
 }
@@ -139,8 +141,9 @@ TEST(StatusReply, isReadAndWritten) {
 }
 
 TEST(StatusReply, withoutAKnownCodeIsADataFault) {
-  for (const char* content : {"", "00", "00,", "00,;x", "0,OK", "000,OK", "08,OK", "xx,OK", "-1,OK"})
+  for (const char* content : {"", "00", "00,", "00,;x", "0,OK", "000,OK", "08,OK", "xx,OK", "-1,OK"}) {
     EXPECT_FALSE(parseStatusReply(content)) << content;
+  }
 }
 
 }  // namespace
