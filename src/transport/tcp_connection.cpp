@@ -106,7 +106,7 @@ class TcpConnection::Impl : public std::enable_shared_from_this<Impl> {
   void endOpening() {
     opening_ = false;
     error_code ignored;
-    deadline_.cancel();
+    deadline_.cancel(ignored);  // the form without it may throw, and this runs in destructors, too
     socket_.close(ignored);
     lookup_.reset();
   }

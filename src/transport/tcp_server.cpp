@@ -84,9 +84,9 @@ class TcpServer::Impl : public std::enable_shared_from_this<Impl> {
   }
 
   void close() {
-    pause_.cancel();
+    error_code ignored;
+    pause_.cancel(ignored);  // the form without it may throw, and this runs in the destructor, too
     if (listener_) {
-      error_code ignored;
       listener_->close(ignored);
       listener_.reset();
     }

@@ -39,7 +39,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   boost::asio::ip::tcp::socket socket_;
   const std::size_t send_limit_;
   const Callbacks callbacks_;
-  std::array<char, 16 * 1024> inbox_{};
+  std::array<char, std::size_t{16} * 1024> inbox_{};
   std::string outbox_;
   bool waiting_to_write_ = false;
 };
