@@ -44,7 +44,8 @@ void defineControllerFunctions(language::FunctionTable& functions, std::function
     const std::int64_t least = scalarAt<std::int32_t>(arguments, 0),
                        most = scalarAt<std::int32_t>(arguments, 1);
     if (least > most) return refuse(fmt::format("there is no integer from {} to {}", least, most));
-    return Scalar(static_cast<std::int32_t>(least + (*engine)() % (most - least + 1)));
+    const auto count = static_cast<std::uint64_t>(most - least + 1);
+    return Scalar(static_cast<std::int32_t>(least + static_cast<std::int64_t>((*engine)() % count)));
   });
   functions.define("string GetNow(string?)", kSinceEver, [state](const Arguments& arguments) -> Computed {
     const std::string format =
