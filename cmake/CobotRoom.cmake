@@ -9,7 +9,13 @@ add_library(cobot_sanitizers INTERFACE)
 if(COBOT_SANITIZE)
   target_compile_options(cobot_sanitizers INTERFACE -fsanitize=${COBOT_SANITIZE} -fno-omit-frame-pointer
                                                     -fno-sanitize-recover=all)
+  # g++ loses sight of what is initialized between the checks that sanitizers put in, and says so of itself.
+  target_compile_options(cobot_sanitizers INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(cobot_sanitizers INTERFACE -fsanitize=${COBOT_SANITIZE})
+endif()
+if(COBOT_FUZZ)
+  # What libFuzzer sees of the code that it drives.
+  target_compile_options(cobot_sanitizers INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # cobot_add_room(<name> SOURCES <file>... [USES <target>...] [PRIVATELY_USES <target>...])

@@ -6,13 +6,14 @@ readonly build=${COBOT_BUILD_DIR:-$root/build}
 
 say() { printf '\n== %s\n' "$*"; }
 
+# install_missing [list of packages, from the root of the repository]
 install_missing() {
-  say "Looking for the packages of scripts/packages.txt"
-  local package missing=()
+  local list=${1:-scripts/packages.txt} package missing=()
+  say "Looking for the packages of $list"
   while read -r package; do
     [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] ||
       missing+=("$package")
-  done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/scripts/packages.txt")
+  done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/$list")
   if [ ${#missing[@]} -eq 0 ]; then
     echo "all there"
     return
@@ -46,11 +47,11 @@ install_foreign_clients() {
   fi
 }
 
-# build_with <build folder> <cmake option>...
+# configure <build folder> <cmake option>...
 # For work on the project: assertions are on, and what debuggers and optimizers could add is left out where it costs
 # compile time (a third with full debug information, as much again with -O2). Every build of the scripts has the same
 # options, so that each finds in the compiler cache what another one has compiled.
-build_with() {
+configure() {
   local folder=$1
   shift
   mkdir -p "$folder"
@@ -59,18 +60,26 @@ build_with() {
   # The ROS tools belong to the system's Python, whatever else stands first on the PATH.
   cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
     -DBUILD_SHARED_LIBS=ON -DCOBOT_WARNINGS_AS_ERRORS=ON -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-    -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" >"$folder/configure.log" 2>&1 ||
+    -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >"$folder/configure.log" 2>&1 ||
     { cat "$folder/configure.log" >&2; exit 1; }
-  ninja -C "$folder"
 }
 
+# build_with <build folder> <cmake option>...
+build_with() {
+  configure "$@"
+  ninja -C "$1"
+}
+
+# use_build [build folder]: its messages, programs and packages, in this shell.
 use_build() {
+  local folder=${1:-$build}
   # For the same reason: our own Python programs ask for the first python3 on the PATH.
   export PATH="/usr/bin:$PATH"
   # ROS's own set-up script reads variables that may not be set.
   set +u
   # shellcheck disable=SC1091
-  source "$build/devel/setup.bash"
+  source "$folder/devel/setup.bash"
   set -u
 }
 

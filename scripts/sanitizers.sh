@@ -1,0 +1,19 @@
+# Shared by the scripts beside it: builds with sanitizers, in folders of their own. To be sourced behind setup.sh.
+
+# The rooms that read what a peer sent, and those that decide what becomes of it: the quick form, run with every change.
+readonly core_tests=(test_protocol test_language test_link test_blocks test_simulator fuzz_corpora)
+readonly core_tests_pattern='^(protocol|language|link|blocks|simulator|fuzz)\.'
+readonly threaded_targets=(test_transport test_runtime test_runtime_clock test_ros command_node simulated_controller_node)
+readonly threaded_tests_pattern='^(transport|runtime|runtime_clock|ros)\.'
+
+# build_sanitized address|thread [target...]
+build_sanitized() {
+  local kind=$1 flags=$1
+  shift
+  [ "$kind" = address ] && flags=address,undefined
+  configure "$build/$kind" -DCOBOT_SANITIZE="$flags"
+  ninja -C "$build/$kind" "$@"
+  export ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1
+  export UBSAN_OPTIONS=print_stacktrace=1
+  export TSAN_OPTIONS="halt_on_error=1:second_deadlock_stack=1:suppressions=$root/test/tsan-suppressions.txt"
+}
