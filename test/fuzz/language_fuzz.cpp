@@ -19,8 +19,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Session session({1, 84});
   if (!session.check(text).errors.empty()) return 0;
   Interpreter interpreter = session.start(text);
-  for (int waits = 0; interpreter.run(10000) == Progress::Waiting && waits < 1000; ++waits)
+  for (int waits = 0; interpreter.run(10000) == Progress::Waiting && waits < 1000; ++waits) {
     interpreter.resume(Scalar(1));
+  }
   REQUIRE((interpreter.progress() == Progress::Failed) == interpreter.fault().has_value());
   return 0;
 }

@@ -1,0 +1,126 @@
+// A command core whose actions are held against the rules that always hold, whatever came in: one end for
+// each goal, no end without an error that the catalogue knows, and never anything to do in the past.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "require.h"
+
+#include "cobot_command/blocks/command_core.h"
+#include "cobot_command/blocks/error_catalogue.h"
+
+namespace cobot_command::fuzz {
+
+class WatchedCore {
+ public:
+  explicit WatchedCore(std::optional<arm::ArmModel> arm = std::nullopt)
+      : core_(std::move(arm), link::LinkSettings{}) {}
+
+  void submit(const blocks::Goal& goal) {
+    blocks_[++last_goal_] = blocks::blockOf(goal);
+    core_.submit(last_goal_, goal, now_);
+    collect();
+  }
+  void cancel(blocks::GoalId id) {
+    tell([&] { core_.cancel(id, now_); });
+  }
+
+  void opened(link::ConnectionId id) {
+    tell([&] { core_.opened(id, now_); });
+  }
+  void openFailed(link::ConnectionId id, link::OpenFailure::Kind kind) {
+    tell([&] { core_.openFailed(id, {kind, "as the system says"}, now_); });
+  }
+  void received(link::ConnectionId id, std::string_view bytes) {
+    tell([&] { core_.received(id, bytes, now_); });
+  }
+  void closed(link::ConnectionId id) {
+    tell([&] { core_.closed(id, "closed by the peer", now_); });
+  }
+
+  /// From deadline to deadline.
+  void pass(Duration duration) {
+    const Instant end = now_ + duration;
+    for (auto due = core_.nextDeadline(); due && *due <= end; due = core_.nextDeadline()) {
+      REQUIRE(++advances_ < 1000000);  // it would never come to an end
+      now_ = std::max(now_, *due);
+      tell([&] { core_.advance(now_); });
+    }
+    now_ = end;
+    tell([&] { core_.advance(now_); });
+  }
+
+  /// All goals end with it, and nothing is left to do.
+  void shutDown() {
+    tell([&] { core_.shutDown(now_); });
+    REQUIRE(ended_.size() == blocks_.size());
+  }
+
+  [[nodiscard]] blocks::GoalId lastGoal() const { return last_goal_; }
+  /// Asked for and not yet answered, or open; the newest of the channel.
+  [[nodiscard]] link::ConnectionId connection(link::Channel channel) const {
+    const auto found = connections_.find(channel);
+    return found == connections_.end() ? 0 : found->second;
+  }
+  /// What was sent since the last call.
+  [[nodiscard]] std::string takeSent() { return std::exchange(sent_, {}); }
+  [[nodiscard]] bool hasEnded(blocks::GoalId id) const { return ended_.count(id) != 0; }
+
+ private:
+  template <class Event>
+  void tell(const Event& event) {
+    event();
+    collect();
+  }
+  void collect() {
+    for (const blocks::Action& action : core_.takeActions())
+      std::visit([this](const auto& what) { take(what); }, action);
+  }
+
+  void take(const blocks::OpenConnection& open) {
+    REQUIRE(seen_.insert(open.id).second);
+    connections_[open.channel] = open.id;
+  }
+  void take(const blocks::CloseConnection& /*close*/) {}
+  void take(const blocks::SendBytes& send) { sent_ += send.bytes; }
+  void take(const blocks::GoalAccepted& accepted) {
+    REQUIRE(accepted_.insert(accepted.goal).second);
+    REQUIRE(ended_.count(accepted.goal) == 0);
+  }
+  void take(const blocks::GoalProgressed& progressed) { REQUIRE(ended_.count(progressed.goal) == 0); }
+  void take(const blocks::GoalEnded& ended) {
+    REQUIRE(ended_.insert(ended.goal).second);
+    const blocks::Outcome& outcome = ended.outcome;
+    const bool error =
+        outcome.ending == blocks::Ending::Rejected || outcome.ending == blocks::Ending::Aborted;
+    REQUIRE(error == (outcome.error_id != 0));
+    if (!error) return;
+    REQUIRE(blocks::findError(blocks_.at(ended.goal), outcome.error_id) != nullptr);
+    REQUIRE(!outcome.error_description.empty() && !outcome.remedy.empty());
+  }
+  void take(const blocks::StatusChanged& changed) {
+    for (const blocks::BlockOutputs& o : changed.status.blocks) {
+      REQUIRE(o.busy + o.done + o.error + o.command_aborted <= 1);
+      REQUIRE(o.active + o.done + o.error + o.command_aborted <= 1);
+    }
+  }
+  template <class Told>
+  void take(const Told& /*told*/) {}
+
+  blocks::CommandCore core_;
+  Instant now_{std::chrono::seconds(1000)};
+  long advances_ = 0;
+  blocks::GoalId last_goal_ = 0;
+  std::map<blocks::GoalId, blocks::Block> blocks_;
+  std::set<blocks::GoalId> accepted_;
+  std::set<blocks::GoalId> ended_;
+  std::set<link::ConnectionId> seen_;
+  std::map<link::Channel, link::ConnectionId> connections_;
+  std::string sent_;
+};
+
+}  // namespace cobot_command::fuzz
