@@ -32,8 +32,9 @@ class Session {
   void take(std::string_view line) {
     const char kind = line.empty() ? ' ' : line.front();
     if (kind == '>') return robot_.script(script_, "1", std::string(line.substr(1)));
-    if (kind == '<')
+    if (kind == '<') {
       return robot_.send(status_, protocol::encodeFrame("TMSVR", line.substr(1)), Port::Status);
+    }
     if (kind == '+') return robot_.wait(std::chrono::milliseconds(millisecondsOf(line.substr(1))));
     const auto reply = simulator::control(robot_.controller(), line, robot_.now());
     REQUIRE(line.find_first_not_of(" \t\r\v\f") == std::string_view::npos || !reply.text.empty());

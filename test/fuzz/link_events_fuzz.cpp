@@ -69,8 +69,9 @@ class Peer {
       REQUIRE(frame != nullptr);
       const auto message = protocol::parseClientMessage(*frame);
       REQUIRE(message.has_value());
-      if (const auto* const script = std::get_if<protocol::ScriptRequest>(&*message))
+      if (const auto* const script = std::get_if<protocol::ScriptRequest>(&*message)) {
         last_script_ = script->id;
+      }
     }
   }
   [[nodiscard]] std::string answer(FuzzInput& input) const {

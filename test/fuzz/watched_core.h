@@ -77,8 +77,9 @@ class WatchedCore {
     collect();
   }
   void collect() {
-    for (const blocks::Action& action : core_.takeActions())
+    for (const blocks::Action& action : core_.takeActions()) {
       std::visit([this](const auto& what) { take(what); }, action);
+    }
   }
 
   void take(const blocks::OpenConnection& open) {

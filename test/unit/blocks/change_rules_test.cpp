@@ -137,8 +137,9 @@ TEST(ProgramControlRules, takePauseAndResumeAndNothingElse) {
   EXPECT_EQ(protocol::toText(commandOf(command(static_cast<int>(ProgramCommand::Pause)))), "Pause()");
   EXPECT_EQ(protocol::toText(commandOf(command(static_cast<int>(ProgramCommand::Resume)))), "Resume()");
   for (const int known : {0, 1}) EXPECT_EQ(errorOf(command(known)), 0);
-  for (const int unknown : {-1, 2, 99})
+  for (const int unknown : {-1, 2, 99}) {
     EXPECT_EQ(errorOf(command(unknown)), own_error::kProgramCommandUnknown);
+  }
 }
 
 TEST(ExitListenNodeRules, areToLeaveTheNode) {

@@ -251,8 +251,9 @@ TEST(GoalMessages, aSequenceTakesOfEachStepTheGoalThatItsKindNames) {
   EXPECT_EQ(goal.steps_fault, "");
   EXPECT_THAT(goal.start_joints, ElementsAre(1, 2, 3, 4, 5, 6));
   std::vector<int> ids;
-  for (const auto& step : goal.steps)
+  for (const auto& step : goal.steps) {
     ids.push_back(std::visit([](const auto& g) { return g.command_id; }, step));
+  }
   EXPECT_THAT(ids, ElementsAre(6, 2, 4, 3, 5));
   EXPECT_TRUE(std::holds_alternative<blocks::ChangeTcpGoal>(goal.steps[0]));
   EXPECT_TRUE(std::holds_alternative<blocks::ChangeBaseGoal>(goal.steps[4]));

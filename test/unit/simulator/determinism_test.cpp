@@ -74,8 +74,9 @@ void expectEqual(const Session& one, const Session& other) {
   EXPECT_EQ(one.script_bytes, other.script_bytes);
   EXPECT_TRUE(one.status_bytes == other.status_bytes);
   ASSERT_EQ(one.joints.size(), other.joints.size());
-  for (std::size_t i = 0; i < one.joints.size(); ++i)
+  for (std::size_t i = 0; i < one.joints.size(); ++i) {
     EXPECT_EQ(one.joints[i], other.joints[i]) << "step " << i;
+  }
 }
 
 TEST(Determinism, twoRunsAreBitIdentical) {
@@ -98,8 +99,9 @@ TEST(Determinism, advancingEachMillisecondChangesNothing) {
 
 TEST(Determinism, advancingFromEventToEventChangesNothing) {
   expectEqual(play(inOneStep), play([](SimulatedRobot& robot, Instant target) {
-                while (robot.controller().nextEvent() <= target)
+                while (robot.controller().nextEvent() <= target) {
                   robot.waitUntil(robot.controller().nextEvent());
+                }
                 robot.waitUntil(target);
               }));
 }

@@ -172,8 +172,10 @@ TEST(SettingsText, namesSixNumbers) {
   const auto named = parseNamedNumbers("My base=1,-2.5,3,1e2,0,90");
   EXPECT_EQ(named->first, "My base");
   EXPECT_THAT(named->second, ElementsAre(1, -2.5, 3, 100, 0, 90));
-  for (const char* text : {"", "b", "b=", "=1,2,3,4,5,6", "b=1,2,3,4,5", "b=1,2,3,4,5,6,7", "b=1,2,3,4,5,x"})
+  for (const char* text :
+       {"", "b", "b=", "=1,2,3,4,5,6", "b=1,2,3,4,5", "b=1,2,3,4,5,6,7", "b=1,2,3,4,5,x"}) {
     EXPECT_THAT(parseNamedNumbers(text).error(), HasSubstr("NAME=1,2,3,4,5,6")) << text;
+  }
 }
 
 TEST(SettingsText, areCheckedAsAWhole) {
