@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Runs pick-and-place cycles through the action `pick_and_place` and prints what became of each step.
 
-Ctrl-C stops the robot. Exit status: 0 only if every step is Done, 1 if not, 2 if the command node or the steps
+Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 only if every step is Done, 1 if not, 2 if the command node or the steps
 cannot be used.
 """
 import argparse
 import math
+import signal
 import sys
 import time
 
@@ -23,13 +24,17 @@ CONNECT_TIMEOUT = 30.0  # [s]; the Connect block's own range is 10..300
 STOP_TIMEOUT = CLOSE_TIMEOUT = 5.0  # [s]
 STEPS_UNREADABLE = 0x256
 MOVING = (PickAndPlaceFeedback.ACTIVE, PickAndPlaceFeedback.HELD)
+END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 ROW = "{:>5} {:>5}  {:<17} {:<5} {:<4} {:<36} {:>9} {:>9} {:>4}  {}"
 
 
 def main():
     arguments = parse_arguments()
-    # Ctrl-C must stop the robot: with signals of its own rospy would be shut down before that can be said.
+    # With signals of its own rospy would be shut down before the robot can be told to stop.
     rospy.init_node("pick_and_place", anonymous=True, disable_signals=True)
+    for number in END_SIGNALS:
+        if signal.getsignal(number) != signal.SIG_IGN:  # nohup ignores SIGHUP
+            signal.signal(number, interrupt)
     # Not simple ones, which would miss what comes in the first moments (doc/actions/README.md).
     connect = actionlib.ActionClient("connect", ConnectAction)
     pick_and_place = actionlib.ActionClient("pick_and_place", PickAndPlaceAction)
@@ -37,14 +42,23 @@ def main():
         if not client.wait_for_server(rospy.Duration(CONNECT_TIMEOUT)):
             print(f"no action server {rospy.resolve_name(name)}: is the command node running?")
             return 2
-    link = connect.send_goal(ConnectGoal(host=arguments.host, port=arguments.port, timeout=CONNECT_TIMEOUT))
+    link = None
     try:
+        link = connect.send_goal(ConnectGoal(host=arguments.host, port=arguments.port, timeout=CONNECT_TIMEOUT))
         return run(pick_and_place, arguments) if is_ready(link) else 1
     except KeyboardInterrupt:
         return 1
     finally:
-        link.cancel()  # the normal end of Connect
-        wait_for_end(link, CLOSE_TIMEOUT)
+        if link:
+            link.cancel()  # the normal end of Connect
+            wait_for_end(link, CLOSE_TIMEOUT)
+
+
+def interrupt(*_):
+    """The first signal begins the end, and nothing disturbs that any more."""
+    for number in END_SIGNALS:
+        signal.signal(number, signal.SIG_IGN)
+    raise KeyboardInterrupt
 
 
 def parse_arguments():

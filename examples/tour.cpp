@@ -2,8 +2,10 @@
 // another base with another tool, pauses and resumes, stops, and comes back. Needs about 1 m of free space
 // around the robot.
 //
-// Exit status: 0 when everything went as it should, 1 with the reason when not. The same in Python: tour.py.
+// Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 when everything went as it should, 1
+// with the reason when not. The same in Python: tour.py.
 
+#include <csignal>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -29,6 +31,22 @@ using namespace cobot_command;
 using State = actionlib::SimpleClientGoalState;
 
 const ros::Duration kTimeout(60);
+const ros::Duration kCloseTimeout(5);  // a command node that hangs must not hold up who wants to leave
+const ros::Duration kGlance(0.02);
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void interrupt(int /*signal*/) {
+  interrupted = 1;
+}
+
+/// With a handler of its own roscpp would be shut down before the robot can be told to stop.
+void heedSignals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(signal, interrupt);
+    if (before == SIG_IGN) std::signal(signal, SIG_IGN);  // nohup ignores SIGHUP
+  }
+}
 
 /// mm and degrees, or six joints in degrees.
 Transformation six(double x, double y, double z, double rx = 0, double ry = 0, double rz = 0) {
@@ -112,6 +130,7 @@ class Client {
 
   /// Returns when the goal is taken, that is when it may be cancelled.
   void start(const Goal& goal) {
+    if (interrupted != 0) throw std::runtime_error("interrupted");
     if (!client_.waitForServer(kTimeout))
       throw std::runtime_error("no action server " + name_ + ": is the command node running?");
     client_.sendGoal(goal);
@@ -119,7 +138,11 @@ class Client {
   }
 
   Result expect(State::StateEnum state) {
-    if (!client_.waitForResult(kTimeout)) throw std::runtime_error(name_ + " did not end");
+    const ros::Time deadline = ros::Time::now() + kTimeout;
+    while (!client_.waitForResult(kGlance)) {
+      if (interrupted != 0) throw std::runtime_error("interrupted");
+      if (ros::Time::now() > deadline) throw std::runtime_error(name_ + " did not end");
+    }
     const Result result = *client_.getResult();
     if (client_.getState() != state)
       throw std::runtime_error(name_ + ": " + result.error_description + " -> " + result.remedy);
@@ -129,7 +152,7 @@ class Client {
   bool isActive() { return client_.getState() == State::ACTIVE; }
   void cancelAndWait() {
     client_.cancelGoal();
-    client_.waitForResult(kTimeout);
+    client_.waitForResult(kCloseTimeout);
   }
 
  private:
@@ -225,7 +248,8 @@ void pauseResumeAndStop() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "tour", ros::init_options::AnonymousName);
+  ros::init(argc, argv, "tour", ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
+  heedSignals();
   const ros::NodeHandle node;
   try {
     std::puts("Connect: the goal stays active as long as the link lives");

@@ -2,8 +2,10 @@
 """A tour of the actions: connects, checks before it moves, moves in three ways with blending, works in another base
 with another tool, pauses and resumes, stops, and comes back. Needs about 1 m of free space around the robot.
 
-Exit status: 0 when everything went as it should, 1 with the reason when not. The same in C++: tour.cpp.
+Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 when everything went as it should, 1 with the
+reason when not. The same in C++: tour.cpp.
 """
+import signal
 import sys
 
 import actionlib
@@ -28,7 +30,9 @@ ARC = MoveCircleGoal(data_format=MoveCircleGoal.CAP, arc_point=Transformation(48
                      precise_positioning=True)
 SLOWLY_DOWN = MoveRelativeGoal(movement_command=MoveRelativeGoal.LINE, data_format=MoveRelativeGoal.TAP,
                                target_position=Transformation(z=150), speed=20, accel_time=300)
-TIMEOUT = rospy.Duration(60)
+TIMEOUT = 60.0  # [s]
+CLOSE_TIMEOUT = 5.0  # [s]; a command node that hangs must not hold up who wants to leave
+END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class Failed(Exception):
@@ -96,7 +100,7 @@ class Tour:
         """The normal end of connect. Without one it does nothing."""
         if self.link and self.link.get_goal_status() == GoalStatus.ACTIVE:
             self.link.cancel()
-            self.expect("connect", self.link, GoalStatus.SUCCEEDED)
+            self.expect("connect", self.link, GoalStatus.SUCCEEDED, CLOSE_TIMEOUT)
 
     def do(self, action, goal):
         """Runs a goal to its end and returns its result; anything but SUCCEEDED is a failure."""
@@ -107,31 +111,42 @@ class Tour:
         if action not in self.clients:
             kind = getattr(msg, type(goal).__name__.replace("Goal", "Action"))
             self.clients[action] = actionlib.ActionClient(action, kind)
-        if not self.clients[action].wait_for_server(TIMEOUT):
+        if not self.clients[action].wait_for_server(rospy.Duration(TIMEOUT)):
             raise Failed(f"no action server {rospy.resolve_name(action)}: is the command node running?")
         sent = self.clients[action].send_goal(goal)
         wait_until(lambda: sent.get_goal_status() != GoalStatus.PENDING, f"an answer of {action}")
         return sent
 
     @staticmethod
-    def expect(action, sent, state):
-        wait_until(lambda: sent.get_comm_state() == CommState.DONE, f"the end of {action}")
+    def expect(action, sent, state, timeout=TIMEOUT):
+        wait_until(lambda: sent.get_comm_state() == CommState.DONE, f"the end of {action}", timeout)
         result = sent.get_result()
         if sent.get_goal_status() != state:
             raise Failed(f"{action}: 16#{result.error_id:X} {result.error_description} -> {result.remedy}")
         return result
 
 
-def wait_until(condition, what):
-    deadline = rospy.Time.now() + TIMEOUT
+def wait_until(condition, what, timeout=TIMEOUT):
+    deadline = rospy.Time.now() + rospy.Duration(timeout)
     while not condition():
         if rospy.Time.now() > deadline:
             raise Failed(f"{what} did not come")
         rospy.sleep(0.01)
 
 
+def interrupt(*_):
+    """The first signal begins the end, and nothing disturbs that any more."""
+    for number in END_SIGNALS:
+        signal.signal(number, signal.SIG_IGN)
+    raise Failed("interrupted")
+
+
 def main():
-    rospy.init_node("tour", anonymous=True)
+    # With signals of its own rospy would be shut down before the robot can be told to stop.
+    rospy.init_node("tour", anonymous=True, disable_signals=True)
+    for number in END_SIGNALS:
+        if signal.getsignal(number) != signal.SIG_IGN:  # nohup ignores SIGHUP
+            signal.signal(number, interrupt)
     tour = Tour()
     try:
         tour.run()

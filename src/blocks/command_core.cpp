@@ -26,6 +26,14 @@ void CommandCore::keepConnected(const ConnectGoal& target, Instant now) {
   impl_->keepConnected(target, now);
 }
 
+void CommandCore::retire(Instant now) {
+  impl_->retire(now);
+}
+
+bool CommandCore::retired() const {
+  return impl_->retired();
+}
+
 void CommandCore::shutDown(Instant now) {
   impl_->shutDown(now);
 }

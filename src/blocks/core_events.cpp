@@ -112,7 +112,7 @@ void CommandCore::Impl::settle(Instant now) {
       connect_.motionsEnded(now);
       more = true;
     }
-    if (kept_ && !connect_.busy() && !shut_down_) {
+    if (kept_ && !connect_.busy() && life_ == Life::Working) {
       connect_.keep(*kept_, now);
       more = true;
     }

@@ -14,6 +14,8 @@
 namespace cobot_command::blocks {
 namespace {
 
+constexpr const char* kShuttingDown = "the command layer is shutting down";
+
 void append(std::vector<Failure>& failures, const std::vector<Failure>& more) {
   failures.insert(failures.end(), more.begin(), more.end());
 }
@@ -26,7 +28,10 @@ void sortByTable(std::vector<Failure>& failures) {
 }  // namespace
 
 void CommandCore::Impl::submit(GoalId id, const Goal& goal, Instant now) {
-  if (shut_down_) {
+  if (life_ == Life::Retiring) {
+    board_.wait(blockOf(goal), id);
+    endAborted(blockOf(goal), id, kShuttingDown);
+  } else if (life_ == Life::Over) {
     board_.reject(blockOf(goal), id, toRejection(blockOf(goal), {{own_error::kShutDown, "", ""}}));
   } else {
     std::visit([&](const auto& g) { execute(id, g, now); }, goal);
@@ -246,19 +251,36 @@ void CommandCore::Impl::keepConnected(const ConnectGoal& target, Instant now) {
   settle(now);
 }
 
-void CommandCore::Impl::shutDown(Instant now) {
-  constexpr const char* kWhy = "the command layer is shutting down";
-  shut_down_ = true;
+void CommandCore::Impl::retire(Instant now) {
+  if (life_ != Life::Working) return;
+  life_ = Life::Retiring;
   kept_.reset();
-  dropWaiting(kWhy);
-  if (cycle_) cycle_->cancel(kWhy, now);
-  if (run_) run_->abandon(kWhy, now);
+  abortAll(kShuttingDown, now);
   if (mayStillMove() && !stop_.busy()) stop_.ask(now);
-  for (CommandRun& run : direct_) run.abandon(kWhy, now);
+  settle(now);
+}
+
+bool CommandCore::Impl::retired() const {
+  return life_ != Life::Working && !run_ && !cycle_ && direct_.empty() && !stop_.busy();
+}
+
+void CommandCore::Impl::shutDown(Instant now) {
+  const std::string why = stop_.busy() ? fmt::format(
+                                             "{}; the robot was told to stop, and did not confirm it in "
+                                             "the time there was: it may still move",
+                                             kShuttingDown)
+                                       : kShuttingDown;
+  life_ = Life::Over;
+  kept_.reset();
+  dropWaiting(why);
+  if (cycle_) cycle_->cancel(why, now);
+  if (run_) run_->abandon(why, now);
+  if (mayStillMove() && !stop_.busy()) stop_.ask(now);
+  for (CommandRun& run : direct_) run.abandon(why, now);
   finishRuns(now);
   finishCycle(now);
-  for (const GoalId id : std::exchange(stop_goals_, {})) endAborted(Block::Stop, id, kWhy);
-  connect_.abandon(kWhy, now);
+  for (const GoalId id : std::exchange(stop_goals_, {})) endAborted(Block::Stop, id, why);
+  connect_.abandon(why, now);
   settle(now);
 }
 

@@ -38,6 +38,8 @@ class CommandCore::Impl : private link::Wire {
   void cancel(GoalId id, Instant now);
   void finish(FinishAfter after, Instant now);
   void keepConnected(const ConnectGoal& target, Instant now);
+  void retire(Instant now);
+  [[nodiscard]] bool retired() const;
   void shutDown(Instant now);
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
@@ -55,6 +57,7 @@ class CommandCore::Impl : private link::Wire {
     int told_place = 0;         ///< in the queue, as last reported; 0: not yet
     std::optional<Origin> end;  ///< where it will leave the robot, as far as that can be foreseen
   };
+  enum class Life { Working, Retiring, Over };
   static constexpr std::size_t kMaxWaiting = 64;
   using Failures = std::vector<Failure>;
 
@@ -158,7 +161,7 @@ class CommandCore::Impl : private link::Wire {
   std::deque<Waiting> waiting_;
   std::optional<Instant> loose_since_;
   std::optional<ConnectGoal> kept_;  ///< the link to keep while no connect goal is Busy
-  bool shut_down_ = false;
+  Life life_ = Life::Working;
   std::uint64_t late_events_ = 0;
   CommandStatus published_;
   ActiveFrames published_frames_;

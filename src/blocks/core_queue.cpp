@@ -122,7 +122,7 @@ void CommandCore::Impl::endAborted(Block block, GoalId id, const std::string& wh
 // --- Whose turn it is.
 
 void CommandCore::Impl::dispatch(Instant now) {
-  while (!shut_down_ && !run_ && !stop_.busy() && !orphan_.moves()) {
+  while (life_ == Life::Working && !run_ && !stop_.busy() && !orphan_.moves()) {
     if (cycle_) {
       if (!cycle_->next()) return;
       continueCycle(now);

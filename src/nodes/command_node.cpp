@@ -3,16 +3,22 @@
 
 #include <ros/ros.h>
 
+#include "cobot_command/ros/node_end.h"
+
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "command_node");
+  namespace ros_adapter = cobot_command::ros_adapter;
+  ros::init(argc, argv, "command_node", ros::init_options::NoSigintHandler);
+  ros_adapter::NodeEnd end;
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
-  auto parameters = cobot_command::ros_adapter::readCommandParameters(node, self);
+  auto parameters = ros_adapter::readCommandParameters(node, self);
   if (!parameters) {
     ROS_FATAL_STREAM(parameters.error().message);
     return 2;
   }
-  const cobot_command::ros_adapter::CommandNode command_node(node, self, std::move(*parameters));
-  ros::spin();
+  ros_adapter::CommandNode command_node(node, self, std::move(*parameters));
+  end.serve([&] { command_node.retire(); });
+  command_node.stop();
+  end.leaveWithin(ros_adapter::kFarewellPatience);
   return 0;
 }

@@ -4,21 +4,26 @@
 
 #include <ros/ros.h>
 
+#include "cobot_command/ros/node_end.h"
+
 int main(int argc, char** argv) {
   using cobot_command::runtime::SimulatorError;
-  ros::init(argc, argv, "simulated_controller");
+  namespace ros_adapter = cobot_command::ros_adapter;
+  ros::init(argc, argv, "simulated_controller", ros::init_options::NoSigintHandler);
+  ros_adapter::NodeEnd end;
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
-  auto parameters = cobot_command::ros_adapter::readSimulatorParameters(node, self);
+  auto parameters = ros_adapter::readSimulatorParameters(node, self);
   if (!parameters) {
     ROS_FATAL_STREAM(parameters.error().message);
     return 2;
   }
-  cobot_command::ros_adapter::SimulatedControllerNode controller(self, std::move(*parameters));
+  ros_adapter::SimulatedControllerNode controller(self, std::move(*parameters));
   if (const auto started = controller.start(); !started) {
     ROS_FATAL_STREAM(started.error().message);
     return started.error().kind == SimulatorError::Kind::BadOption ? 2 : 1;
   }
-  ros::spin();
+  end.serve([] {});
+  end.leaveWithin(ros_adapter::kFarewellPatience);
   return 0;
 }

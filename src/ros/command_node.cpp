@@ -8,6 +8,7 @@
 
 #include "cobot_command/common/overloaded.h"
 #include "cobot_command/ros/action_servers.h"
+#include "cobot_command/ros/node_end.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -67,8 +68,18 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
 }
 
 CommandNode::~CommandNode() {
+  stop();
+}
+
+void CommandNode::retire() {
+  runtime_->retire();
+}
+
+void CommandNode::stop() {
+  runtime_->retire();
   intake_.advance(Instant::max());  // so that the core ends those too
   runtime_->stop();
+  deliverPublished(kDeliveryPatience);
 }
 
 GoalSink CommandNode::sink() {

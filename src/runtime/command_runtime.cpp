@@ -1,7 +1,9 @@
 #include "cobot_command/runtime/command_runtime.h"
 
 #include <chrono>
+#include <condition_variable>
 #include <map>
+#include <mutex>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -58,7 +60,13 @@ class CommandRuntime::Impl {
     return thread_.post([this, event = std::move(event)] { handle(event); });
   }
 
+  void retire() {
+    post([](blocks::CommandCore& core, Instant now) { core.retire(now); });
+  }
+
   void stop() {
+    retire();
+    awaitRetirement();
     thread_.finish([this] {
       core_.shutDown(now());
       carryOut();
@@ -69,10 +77,25 @@ class CommandRuntime::Impl {
   [[nodiscard]] Instant now() const { return Instant(Clock::now() - start_); }
 
  private:
+  /// The connections have to live until the stop was heard: closed with answers unread, they would be reset,
+  /// and some systems then drop what came before.
+  void awaitRetirement() {
+    std::unique_lock<std::mutex> lock(retiring_);
+    retired_changed_.wait_for(lock, kRetirement, [this] { return retired_; });
+  }
+
+  void noteRetirement() {
+    if (!core_.retired()) return;
+    const std::lock_guard<std::mutex> lock(retiring_);
+    retired_ = true;
+    retired_changed_.notify_all();
+  }
+
   template <class Event>
   void handle(const Event& event) {
     event(core_, now());
     carryOut();
+    noteRetirement();
     const auto deadline = core_.nextDeadline();
     if (!deadline) {
       timer_.cancel();
@@ -135,6 +158,9 @@ class CommandRuntime::Impl {
   const Clock::time_point start_;
   boost::asio::steady_timer timer_;
   std::map<link::ConnectionId, transport::TcpConnection> connections_;
+  std::mutex retiring_;
+  std::condition_variable retired_changed_;
+  bool retired_ = false;
 };
 
 CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
@@ -157,6 +183,10 @@ void CommandRuntime::cancel(blocks::GoalId id) {
 
 bool CommandRuntime::finish(blocks::FinishAfter after) {
   return impl_->post([after](auto& core, Instant now) { core.finish(after, now); });
+}
+
+void CommandRuntime::retire() {
+  impl_->retire();
 }
 
 void CommandRuntime::stop() {

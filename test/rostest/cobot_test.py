@@ -11,6 +11,7 @@ import traceback
 import unittest
 
 import actionlib
+import roslib.packages
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import PoseStamped
@@ -245,6 +246,11 @@ class Robot:
         """Until the layer has taken in the controller's status for so long from now on: by its clock, not by ours."""
         until = rospy.Time.now() + rospy.Duration(seconds)
         self.robot_status.wait_for(lambda s: s.header.stamp >= until, f"{seconds} s")
+
+
+def program(name):
+    """Its path; rosrun passes over build folders."""
+    return roslib.packages.find_node("cobot_command", name)[0]
 
 
 def wait_until(condition, what):

@@ -6,7 +6,6 @@ import re
 import signal
 import subprocess
 
-import roslib.packages
 import rospkg
 import rospy
 from actionlib_msgs.msg import GoalStatus
@@ -14,6 +13,7 @@ from actionlib_msgs.msg import GoalStatus
 import cobot_command.msg
 from cobot_command.msg import CommandStatus
 from cobot_goals import HOME, base, tcp, to_joints
+from cobot_test import program
 from motion_checks import MotionTestCase
 
 CLIENT_DEADLINE = 120  # [s]
@@ -58,12 +58,17 @@ class Examples(MotionTestCase):
             self.assertEqual(len(re.findall(rf"^ +[12] +\d  {name}  .*  Done$", output, re.M)), 2, output)
         self.assertIn("2 cycle(s), all steps Done", output)
 
-    def test_pick_and_place_stops_the_robot_when_it_is_interrupted(self):
+    def test_clients_stop_the_robot_when_they_are_told_to_end(self):
+        for command in (["pick_and_place.py", "--cycles", "0"], ["tour.py"], ["tour"]):
+            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                with self.subTest(command=command, signal=number.name):
+                    self.interrupt([program(command[0]), *command[1:]], number)
+
+    def interrupt(self, command, number):
         self.robot.close()
-        command = [program("pick_and_place.py"), "--cycles", "0"]
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as client:
             self.robot.wait_for_motion()
-            client.send_signal(signal.SIGINT)
+            client.send_signal(number)
             output, _ = client.communicate(timeout=CLIENT_DEADLINE)
         self.assertEqual(client.returncode, 1, output)
         self.assertIn("interrupted", output)
@@ -99,11 +104,6 @@ class Examples(MotionTestCase):
             end = results.wait_for(lambda m: rospy.get_name() not in m.status.goal_id.id, "the result")
         self.assertEqual(end.status.status, getattr(GoalStatus, example["state"] or "SUCCEEDED"), end)
         self.assertEqual(hex(end.result.error_id), hex(int(example["error_id"] or "0", 16)), end)
-
-
-def program(name):
-    """Its path; rosrun passes over build folders."""
-    return roslib.packages.find_node("cobot_command", name)[0]
 
 
 @contextlib.contextmanager

@@ -27,10 +27,15 @@ class CommandNode {
  public:
   /// `self`: the node's private namespace.
   CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self, CommandParameters parameters);
-  /// Ends every open goal, closes the connections and joins the core's thread.
-  ~CommandNode();
+  ~CommandNode();  ///< stop()
   CommandNode(const CommandNode&) = delete;
   CommandNode& operator=(const CommandNode&) = delete;
+
+  /// Begins the end, and returns at once: the robot is told to stop. From any thread.
+  void retire();
+  /// Ends every open goal, closes the connections and joins the core's thread. When it returns the results are
+  /// on their way. It takes at most 0.4 s, whatever the robot, the master and the clients do.
+  void stop();
 
  private:
   void onAction(const blocks::Action& action, Instant now);  // on the core's thread

@@ -4,6 +4,7 @@
 // sockets' share of the actions is carried out here.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +16,9 @@
 #include "cobot_command/link/connection.h"
 
 namespace cobot_command::runtime {
+
+/// How long stop() waits at most until the robot has confirmed that it stands.
+inline constexpr Duration kRetirement = std::chrono::milliseconds(300);
 
 /// Thread-safe, but for what is said of stop().
 class CommandRuntime {
@@ -30,7 +34,8 @@ class CommandRuntime {
   CommandRuntime(const CommandRuntime&) = delete;
   CommandRuntime& operator=(const CommandRuntime&) = delete;
 
-  /// False, and nothing will be heard of the goal, once stop() has begun. Otherwise it gets its GoalEnded.
+  /// False, and nothing will be heard of the goal, once stop() has closed the core. Otherwise it gets its
+  /// GoalEnded.
   [[nodiscard]] bool submit(blocks::GoalId id, blocks::Goal goal);
   /// The falling edge of Execute. After stop() all goals have ended, so there is nothing to cancel.
   void cancel(blocks::GoalId id);
@@ -39,8 +44,11 @@ class CommandRuntime {
   /// See CommandCore.
   void keepConnected(blocks::ConnectGoal target);
 
-  /// Ends all goals, closes all connections, ends the thread. The observer is not called any more once this
-  /// returns, whichever thread called it first. It never waits for the network. Not from the observer.
+  /// Begins the end, and returns at once: no goal is taken any more, a robot that moves is told to stop.
+  void retire();
+  /// retire(), then ends all goals, closes all connections, ends the thread. The observer is not called any
+  /// more once this returns, whichever thread called it first. What moved gets kRetirement to stand still;
+  /// for anything else of the network it never waits. Not from the observer.
   void stop();
 
  private:

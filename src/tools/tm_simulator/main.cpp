@@ -1,7 +1,7 @@
 // tm_simulator: a simulated TM controller on two TCP ports, without ROS.
 //
-// Exit status: 0 after SIGINT or SIGTERM, 1 when the ports cannot be served, 2 on bad usage. When nobody
-// reads its output any more, it serves on.
+// Exit status: 0 after SIGINT, SIGTERM or SIGHUP, 1 when the ports cannot be served, 2 on bad usage. When
+// nobody reads its output any more, it serves on.
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #include "cobot_command/arm/arm_model.h"
+#include "cobot_command/runtime/end_signals.h"
 #include "cobot_command/runtime/simulator_runtime.h"
 #include "cobot_command/simulator/control_line.h"
 
@@ -159,7 +160,8 @@ int serve(Options options) {
     return BadUsage;
   }
   boost::asio::io_context context;
-  boost::asio::signal_set end(context, SIGINT, SIGTERM);
+  boost::asio::signal_set end(context);
+  for (const int signal : runtime::endSignals()) end.add(signal);
   end.async_wait([](const boost::system::error_code&, int) {});
 
   tools::LinePrinter printer("tm_simulator");

@@ -191,6 +191,40 @@ TEST_F(Chain, endsEveryGoalWhenItIsStoppedAndIsSilentAfterwards) {
   EXPECT_EQ(commander->toldCount(), told);
 }
 
+TEST_F(Chain, hasStoppedTheArmWhenItIsStopped) {
+  power(kReal);
+  const auto move = commander->submit(endlessMove());
+  ASSERT_TRUE(commander->reaches(move, Phase::Active));
+  commander->runtime().retire();
+  const auto outcome = commander->outcomeOf(move);
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(outcome->ending, Ending::CommandAborted);
+  EXPECT_LT(robot->state().velocities.cwiseAbs().maxCoeff(), degToRad(0.1));
+  EXPECT_EQ(commander->told<blocks::GoalEnded>().size(), 1u);  // the link is kept until stop()
+  commander->stop();
+  EXPECT_EQ(commander->told<blocks::GoalEnded>().size(), 2u);
+}
+
+TEST_F(Chain, doesNotWaitLongForARobotThatDoesNotAnswerTheStop) {
+  power(kReal);
+  const auto move = commander->submit(endlessMove());
+  ASSERT_TRUE(commander->reaches(move, Phase::Active));
+  std::promise<void> silent;
+  robot->operate([&](auto& controller, Instant now) {
+    controller.operate(simulator::SetFault{"silence", true, 0, 0, ""}, now);
+    silent.set_value();
+  });
+  silent.get_future().wait();
+  const auto begun = std::chrono::steady_clock::now();
+  commander->stop();
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, 10 * kRetirement);  // on a loaded machine
+  const auto outcome = commander->outcomeOf(move);
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(outcome->ending, Ending::CommandAborted);
+  EXPECT_NE(outcome->error_description.find("may still move"), std::string::npos)
+      << outcome->error_description;
+}
+
 TEST_F(Chain, mayBeCommandedFromWithinTheObserver) {
   robot.emplace(kQuick);
   link::LinkSettings settings;

@@ -183,7 +183,7 @@ class Controlling(unittest.TestCase):
 
 class Ending(unittest.TestCase):
     def test_ends_cleanly_by_signal_also_in_motion_and_with_clients(self):
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             with self.subTest(number), Simulator() as simulator, Client(simulator.script) as client, \
                     Client(simulator.status):
                 client.send('TMSCT', '1,PTP("JPP",90,0,90,0,90,0,1,200,0,false)')

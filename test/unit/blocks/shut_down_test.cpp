@@ -153,5 +153,92 @@ TEST(ShutDown, stopsABlendedMotionThatIsDoneForItsGoal) {
   EXPECT_TRUE(stopped);
 }
 
+void retire(CoreRig& rig) {
+  rig.core.retire(rig.now);
+  rig.pump();
+}
+
+TEST(Retirement, stopsAMotionAndEndsItsGoalWhenTheStopWasAccepted) {
+  for (const bool accepted_before : {false, true}) {
+    CoreRig rig;
+    const GoalId connect = rig.connect();
+    const GoalId id = rig.submit(CoreRig::move());
+    const auto motion = rig.takeScript();
+    if (accepted_before) rig.reply(motion.id);
+    retire(rig);
+    const auto stop = rig.takeScript();
+    EXPECT_EQ(stop.script, "StopAndClearBuffer()");
+    EXPECT_EQ(rig.outcome(id), nullptr);
+    EXPECT_FALSE(rig.core.retired());
+    rig.reply(stop.id);
+    expectAborted(rig, id, static_cast<std::size_t>(Block::MoveAbsolute));
+    EXPECT_TRUE(rig.core.retired());
+    EXPECT_EQ(rig.outcome(connect), nullptr);
+    rig.shutDown();
+    expectAborted(rig, connect, 0);
+    expectSilence(rig);
+  }
+}
+
+TEST(Retirement, endsACycleWhoseRobotStands) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId cycle = rig.submit(good<PickAndPlaceGoal>());
+  rig.reply(rig.takeScript().id);
+  retire(rig);
+  rig.reply(rig.takeScript().id);
+  expectAborted(rig, cycle, static_cast<std::size_t>(Block::PickAndPlace));
+  EXPECT_TRUE(rig.core.retired());
+}
+
+TEST(Retirement, stopsABlendedMotionThatIsDoneForItsGoal) {
+  CoreRig rig;
+  rig.connect();
+  MoveAbsoluteGoal blended = CoreRig::move();
+  blended.blending_enable = true;
+  rig.submit(blended);
+  rig.reply(rig.takeScript().id);
+  retire(rig);
+  EXPECT_FALSE(rig.core.retired());
+  rig.reply(rig.takeScript().id);
+  EXPECT_TRUE(rig.core.retired());
+}
+
+TEST(Retirement, takesNothingMoreAndEndsWhatWaits) {
+  CoreRig rig;
+  rig.connect();
+  rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id);
+  const GoalId waiting = rig.submit(buffered(CoreRig::move()));
+  retire(rig);
+  expectAborted(rig, waiting, static_cast<std::size_t>(Block::MoveAbsolute));
+  for (const Goal& goal : commands()) expectAborted(rig, rig.submit(goal), goal.index());
+  rig.discardSent();
+}
+
+TEST(Retirement, isOverAtOnceWhenNothingIsUnderWay) {
+  CoreRig rig;
+  EXPECT_FALSE(rig.core.retired());
+  rig.connect();
+  retire(rig);
+  EXPECT_TRUE(rig.core.retired());
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST(Retirement, ofARobotThatDoesNotAnswerIsTold) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId id = rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id);
+  retire(rig);
+  rig.takeScript();
+  rig.pass(300ms);
+  EXPECT_FALSE(rig.core.retired());
+  rig.shutDown();
+  expectAborted(rig, id, static_cast<std::size_t>(Block::MoveAbsolute));
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("may still move"));
+  expectSilence(rig);
+}
+
 }  // namespace
 }  // namespace cobot_command::testing

@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""How nodes come to their end, in motion: by signals, by `rosnode kill`, by being killed or held up, and without a
+master. Whatever it is, the arm must not just go on, and each goal has one end."""
+import math
+import signal
+
+import rosnode
+import rospy
+from actionlib_msgs.msg import GoalStatus
+
+from cobot_command.msg import CommandStatus, MoveRelativeActionResult
+from cobot_goals import HOME, relative, to_joints, turn
+from cobot_test import OutcomeTestCase, Robot, wait_until
+from own_nodes import Master, node
+
+FAR = 150  # [deg], at 5 % of 180 deg/s: 17 s
+END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+SIMULATOR = {"robot_model": "tm5-900", "script_port": 0, "status_port": 0}
+
+
+def angle(joints):
+    return math.degrees(joints.position[0])
+
+
+class EndsTestCase(OutcomeTestCase):
+    """A simulated controller and a command node for each test."""
+
+    def setUp(self):
+        self.robot = Robot()
+        self.simulator = self.start("simulated_controller_node", "simulated_controller", **SIMULATOR)
+        self.robot.true_joints.wait_for(lambda m: True, "the arm")
+
+    def start(self, kind, name, **parameters):
+        process = node(kind, name, **parameters)
+        self.addCleanup(process.clear_away)
+        return process
+
+    def start_command_node(self, **parameters):
+        self.robot = Robot()  # its clients have to find the new node
+        return self.start("command_node", "command_node", robot_model="tm5-900", **parameters)
+
+    def go_home(self):
+        self.robot.establish()
+        self.assert_done(self.robot.run(to_joints(*HOME, speed=100)))
+
+    def start_far(self):
+        """A motion that takes long, on its way."""
+        sent = self.robot.send(turn(FAR, 0, 0, 0, 0, 0, speed=5)).wait_until_active()
+        self.wait_until_it_moves()
+        return sent
+
+    def wait_until_it_moves(self):
+        self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) > 0.05, "the motion of the arm")
+
+    def assert_stops_on_its_way(self):
+        last = self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill")
+        self.assertLess(angle(last), FAR - 20)
+
+    def assert_ended_by_the_node(self, sent, words="the command layer is shutting down"):
+        state, result = sent.finish()
+        self.assertEqual(state, GoalStatus.PREEMPTED, result)
+        self.assertIn(words, result.error_description)
+
+    def assert_works(self):
+        """A new link, and a motion over it."""
+        self.go_home()
+        self.assert_done(self.robot.run(relative(0, 0, 1, 0, 0, 0)))
+
+
+class AnEndThatIsAskedFor(EndsTestCase):
+    def test_stops_the_robot_and_tells_every_client(self):
+        ways = [(number.name, lambda n=number: self.command_node.signal(n)) for number in END_SIGNALS]
+        ways += [("rosnode kill", lambda: rosnode.kill_nodes(["/command_node"])),
+                 ("twice", lambda: [self.command_node.signal(n) for n in END_SIGNALS])]
+        for name, ask in ways:
+            with self.subTest(name):
+                self.command_node = self.start_command_node()
+                self.go_home()
+                sent = self.start_far()
+                waiting = self.robot.send(relative(0, 0, 1, 0, 0, 0, buffer_mode=1)).wait_until_queued()
+                begun = rospy.get_time()
+                ask()
+                status = self.command_node.wait()
+                print(f"{name}: gone after {rospy.get_time() - begun:.3f} s", flush=True)
+                self.assertEqual(status, 0)
+                self.assert_ended_by_the_node(sent)
+                self.assert_ended_by_the_node(self.robot.connect)
+                self.assertEqual(waiting.finish()[0], GoalStatus.RECALLED)
+                self.assert_stops_on_its_way()
+
+    def test_does_not_wait_long_for_a_robot_that_does_not_answer(self):
+        command_node = self.start_command_node()
+        self.go_home()
+        sent = self.start_far()
+        self.robot.fault("silence")
+        self.assertEqual(command_node.end(signal.SIGTERM)[0], 0)
+        self.assert_ended_by_the_node(sent, "may still move")
+
+    def test_of_the_simulated_controller_ends_goals_and_the_next_one_is_found(self):
+        for number in (*END_SIGNALS, signal.SIGKILL):
+            with self.subTest(number.name):
+                command_node = self.start_command_node()
+                self.go_home()
+                sent = self.start_far()
+                status, _ = self.simulator.end(number)
+                self.assertEqual(status, -number if number == signal.SIGKILL else 0)
+                self.assert_aborted(sent.finish(), 0x99)
+                self.assert_aborted(self.robot.connect.finish(), 0x90)
+                rospy.delete_param("simulated_controller/listening")
+                self.simulator = self.start("simulated_controller_node", "simulated_controller", **SIMULATOR)
+                self.assert_works()
+                self.assertEqual(command_node.end(signal.SIGTERM)[0], 0)
+
+
+class ANodeThatIsNotAsked(EndsTestCase):
+    def test_when_it_was_killed_the_next_one_stops_the_arm(self):
+        command_node = self.start_command_node()
+        self.go_home()
+        self.start_far()
+        command_node.end(signal.SIGKILL)
+        self.start_command_node()
+        self.robot.establish()
+        self.assert_stops_on_its_way()
+        self.assert_works()
+
+    def test_when_it_was_held_up_for_long_every_goal_has_one_end_and_the_link_recovers(self):
+        command_node = self.start_command_node()
+        self.go_home()
+        ends = []
+        rospy.Subscriber("move_relative/result", MoveRelativeActionResult, lambda m: ends.append(m.status.goal_id.id))
+        sent = self.start_far()
+        command_node.signal(signal.SIGSTOP)
+        until = rospy.Time.now() + rospy.Duration(5)
+        self.robot.true_status.wait_for(lambda m: m.header.stamp > until, "5 s of the controller")
+        command_node.signal(signal.SIGCONT)
+        state, _ = sent.finish()
+        self.assertIn(state, (GoalStatus.SUCCEEDED, GoalStatus.ABORTED))
+        self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill")
+        if self.robot.connect.ended():
+            self.assert_works()
+        else:
+            self.assert_done(self.robot.run(relative(0, 0, 1, 0, 0, 0)))
+        self.assertEqual(ends.count(sent.handle.comm_state_machine.action_goal.goal_id.id), 1)
+
+
+class WithoutAMaster(EndsTestCase):
+    """The command node has a master of its own; the truth of the arm comes over that of the test."""
+
+    def setUp(self):
+        super().setUp()
+        self.master = Master()
+        self.addCleanup(lambda: self.master.clear_away())  # it may be another one then
+        self.command_node = node("command_node", "command_node", master=self.master.uri, robot_model="tm5-900",
+                                 auto_connect="true", robot_ip="127.0.0.1", script_port=self.robot.port(),
+                                 status_port=self.robot.port("status_port"))
+        self.addCleanup(self.command_node.clear_away)
+        self.client("rostopic", "echo", "--filter", f"m.link_state == {CommandStatus.READY}", "-n1",
+                    "/command_status").wait()
+        self.result = self.client("rostopic", "echo", "-n1", "/move_relative/result")
+        wait_until(lambda: self.master.is_sent("/command_node", "/move_relative/result"), "a listener of results")
+        self.client("rostopic", "pub", "-1", "/move_relative/goal", "cobot_command/MoveRelativeActionGoal",
+                    "{goal: {movement_command: 1, data_format: 0, target_position: {x: %d}, speed: 5, "
+                    "accel_time: 300}}" % FAR)
+        self.wait_until_it_moves()
+
+    def client(self, *command):
+        process = self.master.client(*command)
+        self.addCleanup(process.clear_away)
+        return process
+
+    def assert_ends_orderly(self):
+        status, seconds = self.command_node.end(signal.SIGTERM)
+        self.assertEqual(status, 0)
+        self.assert_stops_on_its_way()
+        wait_until(lambda: "the command layer is shutting down" in self.result.output(), "the result")
+        return seconds
+
+    def test_the_node_works_on_and_ends_as_ever(self):
+        self.master.end(signal.SIGKILL)
+        self.assertTrue(self.command_node.is_alive())
+        self.assert_ends_orderly()
+
+    def test_the_node_ends_as_ever_with_a_master_that_was_started_anew(self):
+        self.master.end(signal.SIGKILL)
+        self.master = Master(self.master.port)
+        self.assertTrue(self.command_node.is_alive())
+        self.assert_ends_orderly()
+
+    def test_the_node_does_not_wait_for_a_master_that_hangs(self):
+        self.master.signal(signal.SIGSTOP)
+        print(f"hanging master: gone after {self.assert_ends_orderly():.3f} s", flush=True)
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("ends_test")
+    rostest.rosrun("cobot_command", "ends", "ends_test")  # all classes of this file
