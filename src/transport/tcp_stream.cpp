@@ -36,7 +36,7 @@ void TcpStream::read() {
       return;
     }
     if (code) {
-      self->end(code == asio::error::eof ? "closed by the peer" : code.message());
+      self->end(self->reasonOf(code));
       return;
     }
     self->callbacks_.received(std::string_view(self->inbox_.data(), n));
@@ -78,8 +78,24 @@ void TcpStream::write() {
       }
     });
   } else if (code) {
-    outbox_.clear();  // the reader learns of it too, after the last bytes that the peer has sent
+    giveUp(code);
   }
+}
+
+/// What could not be written is lost, and with it the sense of the rest. The reader ends the connection,
+/// after the last bytes that the peer has sent.
+void TcpStream::giveUp(const error_code& code) {
+  outbox_.clear();
+  write_failure_ = code;
+  error_code ignored;
+  socket_.shutdown(tcp::socket::shutdown_both, ignored);
+}
+
+std::string TcpStream::reasonOf(const error_code& read_failure) const {
+  if (write_failure_) {
+    return write_failure_.message();
+  }
+  return read_failure == asio::error::eof ? "closed by the peer" : read_failure.message();
 }
 
 void TcpStream::close() {

@@ -34,6 +34,8 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
  private:
   void read();
   void write();
+  void giveUp(const boost::system::error_code& code);
+  [[nodiscard]] std::string reasonOf(const boost::system::error_code& read_failure) const;
   void end(const std::string& reason);
 
   boost::asio::ip::tcp::socket socket_;
@@ -42,6 +44,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   std::array<char, std::size_t{16} * 1024> inbox_{};
   std::string outbox_;
   bool waiting_to_write_ = false;
+  boost::system::error_code write_failure_;
 };
 
 }  // namespace cobot_command::transport

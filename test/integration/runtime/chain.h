@@ -24,8 +24,8 @@ inline arm::ArmModel testArm() {
 /// A simulated controller on given ports, or on any.
 class Robot {
  public:
-  explicit Robot(double time_scale, SimulatorPorts ports = {})
-      : runtime_(testArm(), simulator::Settings{}, optionsFor(time_scale, ports)) {
+  explicit Robot(double time_scale, SimulatorPorts ports = {}, simulator::Settings settings = {})
+      : runtime_(testArm(), std::move(settings), optionsFor(time_scale, ports)) {
     const auto started = runtime_.start();
     EXPECT_TRUE(started.has_value()) << started.error().message;
     ports_ = started.value_or(SimulatorPorts{});
@@ -113,6 +113,7 @@ class Commander {
     }
     return kinds;
   }
+  [[nodiscard]] std::size_t submitted() const { return last_goal_; }
   [[nodiscard]] std::size_t toldCount() const { return log_.events().size(); }
 
  private:
