@@ -9,6 +9,7 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
     : settings_(settings),
       script_(settings_, *this),
       status_(settings_, *this),
+      tags_(settings_.first_tag),
       preflight_(std::move(arm)),
       board_(actions_),
       connect_(settings_, script_, status_, robot_, board_),
@@ -106,6 +107,7 @@ void CommandCore::Impl::settle(Instant now) {
     }
     tellOfClosedConnection(now);
     watchOrphan(now);
+    watchStrangers(now);
     finish(now);
     dispatch(now);
     if (connect_.disconnecting() && !run_ && !cycle_ && !stop_.busy() && direct_.empty()) {
@@ -140,6 +142,12 @@ void CommandCore::Impl::watchOrphan(Instant now) {
   log(Severity::Warning,
       fmt::format("{}{}", OrphanWatch::kText, settings_.stop_orphaned_motion ? ": it is stopped" : ""));
   if (settings_.stop_orphaned_motion && !stop_.busy()) stop_.ask(now);
+}
+
+void CommandCore::Impl::watchStrangers(Instant now) {
+  if (!script_.connected()) strangers_.forget();
+  const bool ours = !connect_.ready() || run_ || cycle_ || mayStillMove() || stop_.busy() || orphan_.moves();
+  strangers_.see(robot_, ours, now);
 }
 
 void CommandCore::Impl::finish(Instant now) {
@@ -203,6 +211,7 @@ void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
   const bool awaited = run_ && run_->order().tag == event.tag && tags_.isOpen(event.tag);
   if (!awaited) {
     if (event.asked) return;  // asked before the command ended
+    if (tags_.isForeign(event.tag)) strangers_.tagReported(event.tag);
     const bool stale = !tags_.complete(event.tag);
     if (stale) log(Severity::Warning, fmt::format("report of tag {}, for which nothing waits", event.tag));
     return;

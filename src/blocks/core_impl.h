@@ -22,6 +22,7 @@
 #include "preflight.h"
 #include "robot_watch.h"
 #include "stop_run.h"
+#include "stranger_watch.h"
 
 #include "cobot_command/blocks/command_core.h"
 #include "cobot_command/link/script_link.h"
@@ -123,6 +124,7 @@ class CommandCore::Impl : private link::Wire {
   void finish(Instant now);
   void tellOfClosedConnection(Instant now);
   void watchOrphan(Instant now);
+  void watchStrangers(Instant now);
   void handle(const link::LinkChanged& event, Instant now);
   void handle(const link::LinkLost& event, Instant now);
   void handle(const link::ScriptAnswered& event, Instant now);
@@ -148,6 +150,7 @@ class CommandCore::Impl : private link::Wire {
   RobotWatch robot_;
   FrameWatch frames_;
   OrphanWatch orphan_;
+  StrangerWatch strangers_;
   Preflight preflight_;
   OutputBoard board_;
   ConnectRun connect_;

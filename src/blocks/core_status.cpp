@@ -42,6 +42,7 @@ void CommandCore::Impl::publishStatus() {
   }
   status.diagnosis = diagnose(script_, robot_);
   if (orphan_.moves()) status.diagnosis += fmt::format("; {}", OrphanWatch::kText);
+  if (const std::string text = strangers_.text(); !text.empty()) status.diagnosis += "; " + text;
   status.host = connect_.target().host;
   status.port = connect_.target().port;
   status.listen_node = script_.listenNode();

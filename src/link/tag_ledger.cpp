@@ -2,6 +2,11 @@
 
 namespace cobot_command::link {
 
+TagLedger::TagLedger(int first) {
+  const int begin = exists(first) ? first : kFirst;
+  for (int i = 0; i < kLast; ++i) at(kFirst + (begin - kFirst + i) % kLast).since = ++serial_;
+}
+
 std::optional<int> TagLedger::open(int preferred) {
   std::optional<int> tag;
   if (exists(preferred) && at(preferred).use == Use::Free) tag = preferred;
@@ -12,6 +17,7 @@ std::optional<int> TagLedger::open(int preferred) {
 }
 
 bool TagLedger::complete(int tag) {
+  last_reported_ = tag;
   if (!exists(tag) || at(tag).use != Use::Open) {
     ++stale_reports_;
     if (exists(tag)) at(tag).use = Use::Free;
@@ -22,6 +28,10 @@ bool TagLedger::complete(int tag) {
     if (entry.use == Use::Suspect && entry.since < at(tag).since) entry.use = Use::Free;
   }
   return true;
+}
+
+bool TagLedger::isForeign(int tag) const {
+  return !exists(tag) || (at(tag).use == Use::Free && tag != last_reported_);
 }
 
 void TagLedger::abandon(int tag) {

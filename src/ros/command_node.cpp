@@ -1,12 +1,14 @@
 #include "cobot_command/ros/command_node.h"
 
 #include <chrono>
+#include <random>
 #include <utility>
 
 #include <fmt/format.h>
 #include <ros/console.h>
 
 #include "cobot_command/common/overloaded.h"
+#include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/ros/action_servers.h"
 #include "cobot_command/ros/node_end.h"
 
@@ -33,6 +35,15 @@ void log(const blocks::LogMessage& message) {
   }
 }
 
+/// Another client's motions have tags of the same fifteen numbers: all nodes beginning with 1 would meet
+/// there.
+link::LinkSettings withAnyFirstTag(link::LinkSettings settings) {
+  std::random_device random;
+  settings.first_tag =
+      std::uniform_int_distribution<int>(link::TagLedger::kFirst, link::TagLedger::kLast)(random);
+  return settings;
+}
+
 }  // namespace
 
 CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
@@ -56,7 +67,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   bridges_ = serveActions(node, jointNames(parameters.prefix), sink());
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
-      std::move(parameters.arm), parameters.link,
+      std::move(parameters.arm), withAnyFirstTag(parameters.link),
       [this](const blocks::Action& action, Instant now) { onAction(action, now); });
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {

@@ -44,6 +44,9 @@ struct LinkSettings {
   Duration unplanned_motion_timeout = std::chrono::seconds(300);  ///< when the motion could not be planned
   Duration stop_timeout = std::chrono::seconds(2);  ///< from an accepted stop until the robot stands
   /// A connect goal whose link is lost: false: it ends (16#90), as in the thesis. True: it stays Busy and
+  /// The queue tag of the first motion, 1..15. Two command layers that begin alike take each other's tags for
+  /// their own more often, so a program draws it.
+  int first_tag = 1;
   /// tries again for its timeout before it ends. Open motions end at the loss either way; nothing resumes by
   /// itself.
   bool auto_reconnect = false;

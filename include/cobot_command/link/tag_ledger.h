@@ -19,6 +19,9 @@ class TagLedger {
   static constexpr int kFirst = 1;
   static constexpr int kLast = 15;
 
+  /// `first`: the number that is given out first, without a preference; the others follow in their order.
+  explicit TagLedger(int first = kFirst);
+
   /// A number for a new motion: `preferred` if that is free, else the one that has been free for longest.
   /// Nothing when all are open. 0: no preference.
   [[nodiscard]] std::optional<int> open(int preferred = 0);
@@ -26,6 +29,10 @@ class TagLedger {
   /// A completion was reported. True when a motion of this epoch waits for it; it is free afterwards. Else it
   /// is stale: it is counted, and means nothing.
   [[nodiscard]] bool complete(int tag);
+
+  /// Whether a report of it now, which nobody awaits, can be none of ours: neither the late one of a motion
+  /// of the past, nor the last one once more.
+  [[nodiscard]] bool isForeign(int tag) const;
 
   /// The motion ended without its report.
   void abandon(int tag);
@@ -52,6 +59,7 @@ class TagLedger {
 
   std::array<Entry, kLast + 1> entries_;  ///< by number; 0 is not used
   std::uint64_t serial_ = 0;
+  int last_reported_ = 0;
   std::uint64_t epoch_ = 0;
   std::uint64_t stale_reports_ = 0;
 };

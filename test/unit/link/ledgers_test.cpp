@@ -82,6 +82,33 @@ TEST(TagLedger, givesOutAllFifteenAndNoMore) {
   EXPECT_EQ(ledger.open(), 7);
 }
 
+/// Two command layers on one controller hear each other's tags.
+TEST(TagLedger, beginsWhereItIsTold) {
+  TagLedger ledger(14);
+  for (const int tag : {14, 15, 1, 2}) EXPECT_EQ(ledger.open(), tag);
+  EXPECT_EQ(ledger.open(9), 9);
+  EXPECT_EQ(ledger.open(), 3);
+  EXPECT_TRUE(ledger.complete(1));
+  for (const int tag : {4, 5, 6, 7, 8, 10, 11, 12, 13, 1}) EXPECT_EQ(ledger.open(), tag);
+  for (const int nonsense : {0, -1, 16}) EXPECT_EQ(TagLedger(nonsense).open(), 1);
+}
+
+TEST(TagLedger, tellsAForeignReportFromALateOneAndFromADuplicate) {
+  TagLedger ledger;
+  EXPECT_TRUE(ledger.isForeign(1)) << "it was never given out";
+  EXPECT_TRUE(ledger.isForeign(0));
+  EXPECT_TRUE(ledger.isForeign(16));
+  EXPECT_EQ(ledger.open(), 1);
+  EXPECT_FALSE(ledger.isForeign(1));
+  EXPECT_TRUE(ledger.complete(1));
+  EXPECT_FALSE(ledger.isForeign(1)) << "the same report once more";
+  EXPECT_EQ(ledger.open(), 2);
+  ledger.renewEpoch();
+  EXPECT_FALSE(ledger.isForeign(2)) << "a late one";
+  EXPECT_FALSE(ledger.complete(2));
+  EXPECT_TRUE(ledger.isForeign(1));
+}
+
 TEST(TagLedger, honoursAWishThatIsFree) {
   TagLedger ledger;
   EXPECT_EQ(ledger.open(5), 5);
