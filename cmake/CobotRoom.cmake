@@ -42,14 +42,19 @@ function(cobot_add_program name)
   set_property(GLOBAL APPEND PROPERTY COBOT_INSTALLED_PROGRAMS ${name})
 endfunction()
 
-# cobot_add_test(<name> SOURCES <file>... USES <target>...)
-# Makes one GoogleTest program; each of its tests is a CTest entry of its own, named <name>.<Suite>.<test>.
+# cobot_add_test(<name> SOURCES <file>... USES <target>... [TIMEOUT <seconds>])
+# Makes one GoogleTest program; each of its tests is a CTest entry of its own, named <name>.<Suite>.<test>, that may take
+# 120 s or the time that is given.
 function(cobot_add_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;USES" ${ARGN})
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 120)
+  endif()
   add_executable(test_${name} ${TEST_SOURCES})
   # Not where catkin puts programs: rosrun and roslaunch look there.
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test/support)
   target_link_libraries(test_${name} PRIVATE ${TEST_USES} cobot_source_tree GTest::gmock GTest::gtest_main cobot_warnings)
-  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 120)
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT ${TEST_TIMEOUT})
 endfunction()

@@ -5,6 +5,7 @@
 #include <functional>
 #include <future>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "event_log.h"
