@@ -1,0 +1,49 @@
+// The faults of the matrix: what each does, and how a goal may end that it meets.
+#pragma once
+
+#include <functional>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "block_cases.h"
+#include "hostile_rig.h"
+
+namespace cobot_command::hostile {
+
+/// How goals may end. The ids are those of a motion; allowedFor() says what that means for the other blocks.
+struct Ends {
+  enum class Done { Must, May, Never };
+  Done done = Done::Must;
+  std::set<int> ids;
+  /// The fault is one of motions: goals of blocks that wait for no tag do not meet it, and must be Done.
+  bool of_motions = false;
+};
+
+/// The ids that a goal of this block may end with.
+[[nodiscard]] std::set<int> allowedFor(const BlockCase& block, const Ends& ends);
+[[nodiscard]] Ends::Done doneFor(const BlockCase& block, const Ends& ends);
+
+using Random = std::mt19937;
+
+struct Variant {
+  std::string name;
+  /// Before the goal is submitted.
+  std::function<void(HostileRig&, Random&)> before;
+  Ends ends;
+  /// While the goal is Active or Held; a goal that ends sooner does not meet it.
+  std::function<void(HostileRig&)> meanwhile;
+  Pace pace = Pace::Quick;
+};
+
+struct FaultRow {
+  std::string name;  ///< the number of the matrix and what it is
+  std::vector<Variant> variants;
+  /// Each block meets all variants, one after the other; else one for each seed.
+  bool all_at_once = false;
+};
+
+[[nodiscard]] std::vector<FaultRow> faultRows();
+
+}  // namespace cobot_command::hostile
