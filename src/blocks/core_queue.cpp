@@ -317,6 +317,7 @@ void CommandCore::Impl::finishStop(Instant now) {
   for (const GoalId id : std::exchange(stop_goals_, {})) {
     Outcome outcome;
     if (result->failure) outcome = toOutcome(Block::Stop, Ending::Aborted, *result->failure);
+    if (!result->failure && !result->confirmed) outcome.error_description = StopRun::kNotSeen;
     board_.end(Block::Stop, id, std::move(outcome));
   }
   if (result->failure) dropWaiting("the robot may still move: " + result->failure->found);

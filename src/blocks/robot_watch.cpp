@@ -3,26 +3,20 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/common/units.h"
 #include "cobot_command/protocol/frame.h"
 
 namespace cobot_command::blocks {
-namespace {
-
-/// Below this every joint counts as standing; above the noise of a real arm's Joint_Speed.
-constexpr double kStandstill = degToRad(0.1);  // [rad/s]
-
-}  // namespace
 
 void RobotWatch::update(const link::RobotStatus& status) {
   const bool same = status_ && status.error.value_or(false) && status.error_code == status_->error_code;
   error_acknowledged_ = error_acknowledged_ && same;
   status_ = status;
+  standstill_.see(status);
 }
 
-std::optional<bool> RobotWatch::moving() const {
-  if (!status_ || !status_->joint_velocities) return std::nullopt;
-  return !(status_->joint_velocities->cwiseAbs().maxCoeff() < kStandstill);
+void RobotWatch::forget() {
+  status_.reset();
+  standstill_.forget();
 }
 
 bool RobotWatch::held() const {

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "standstill.h"
+
 #include "cobot_command/link/robot_status.h"
 
 namespace cobot_command::blocks {
@@ -13,12 +15,14 @@ class RobotWatch {
  public:
   void update(const link::RobotStatus& status);
   /// The stream stopped: nothing is known any more.
-  void forget() { status_.reset(); }
+  void forget();
 
   [[nodiscard]] const std::optional<link::RobotStatus>& status() const { return status_; }
 
-  /// Nothing when it cannot be told.
-  [[nodiscard]] std::optional<bool> moving() const;
+  /// Nothing when it cannot be told, or not yet.
+  [[nodiscard]] std::optional<bool> moving() const { return standstill_.moving(); }
+  /// There is a stream of which it can be told, if need be after some frames.
+  [[nodiscard]] bool tellsMotion() const { return status_ && (status_->joint_velocities || status_->joints); }
   /// The project is paused, or a safeguard holds the robot: motions take as long as that lasts.
   [[nodiscard]] bool held() const;
   [[nodiscard]] bool paused() const { return status_ && status_->project_paused.value_or(false); }
@@ -42,6 +46,7 @@ class RobotWatch {
 
  private:
   std::optional<link::RobotStatus> status_;
+  Standstill standstill_;
   bool error_acknowledged_ = false;
 };
 

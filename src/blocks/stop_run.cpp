@@ -39,11 +39,12 @@ void StopRun::robotChanged(Instant now) {
 
 void StopRun::advance(Instant now) {
   if (!deadline_ || now < *deadline_) return;
-  if (robot_.moving().value_or(false)) {
-    fail({own_error::kStopNotConfirmed, "the robot still moves after the accepted stop", ""}, now);
-  } else {
-    fire(Event::Standing, now);
-  }
+  fail({own_error::kStopNotConfirmed,
+        robot_.moving() == true
+            ? "the robot still moves after the accepted stop"
+            : "the stop was accepted, but the status stream did not go on to show the robot standing",
+        ""},
+       now);
 }
 
 std::optional<StopRun::Result> StopRun::takeResult() {
@@ -64,6 +65,7 @@ void StopRun::fire(Event event, Instant now) {
       return;
     case StopAction::Send:
       deadline_.reset();
+      told_ = robot_.tellsMotion();
       // Whatever was queued before is dropped, and its tags mean nothing any more.
       tags_.renewEpoch();
       script_id_ =
@@ -71,16 +73,17 @@ void StopRun::fire(Event event, Instant now) {
       return;
     case StopAction::AwaitStandstill:
       deadline_ = now + settings_.stop_timeout;
-      // Without a stream that tells of joint speeds, the accepted stop is all that can be known.
-      if (!robot_.moving()) fire(Event::Standing, now);
+      // Where there never was a stream that tells, the accepted stop is all that can be known.
+      told_ = told_ || robot_.tellsMotion();
+      if (!told_) fire(Event::Standing, now);
       return;
     case StopAction::EndStopped:
       deadline_.reset();
-      result_.emplace();
+      result_ = Result{std::nullopt, told_};
       return;
     case StopAction::EndFailed:
       deadline_.reset();
-      result_ = Result{failure_};
+      result_ = Result{failure_, false};
       return;
   }
 }

@@ -21,7 +21,11 @@ class StopRun {
   /// How a stop ended: the robot stands, or why that is not certain.
   struct Result {
     std::optional<Failure> failure;
+    bool confirmed =
+        true;  ///< it was seen to stand; false: the controller accepted the stop, and that is all
   };
+  static constexpr const char* kNotSeen =
+      "the controller accepted the stop, but no status stream tells whether the robot stands";
 
   StopRun(const link::LinkSettings& settings, link::ScriptLink& link, link::TagLedger& tags,
           const RobotWatch& robot)
@@ -52,6 +56,7 @@ class StopRun {
   StopState state_ = StopState::Idle;
   std::string script_id_;
   std::optional<Instant> deadline_;  ///< of the standstill
+  bool told_ = false;                ///< the status stream told whether the robot moves, when it was asked
   Failure failure_;
   std::optional<Result> result_;
 };

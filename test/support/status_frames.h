@@ -44,6 +44,9 @@ class StatusFrames {
     items_ = std::move(kept);
     return *this;
   }
+  StatusFrames& at(const std::vector<float>& joints_deg) {
+    return with(protocol::item::ofFloats("Joint_Angle", joints_deg));
+  }
   StatusFrames& moving() { return with(protocol::item::ofFloats("Joint_Speed", {0, 5, -20, 0, 0, 0})); }
   StatusFrames& paused() { return with(protocol::item::ofBool("Project_Pause", true)); }
   StatusFrames& emergencyStop() { return with(protocol::item::ofBool("ESTOP", true)); }

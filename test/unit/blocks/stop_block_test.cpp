@@ -41,6 +41,22 @@ TEST(StopBlock, worksWithoutACommandUnderWay) {
   rig.reply(rig.takeScript().id);
   ASSERT_NE(rig.outcome(stop), nullptr);
   EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
+  EXPECT_THAT(rig.outcome(stop)->error_description,
+              HasSubstr("no status stream tells whether the robot stands"));
+}
+
+TEST(StopBlock, isAnErrorWhenTheStreamIsLostBeforeTheRobotWasSeenToStand) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.connect();
+  rig.status(StatusFrames().moving());
+  rig.discardSent();
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  rig.close("gone", link::Channel::Status);
+  EXPECT_EQ(rig.outcome(stop), nullptr);
+  rig.pass(2s);
+  ASSERT_NE(rig.outcome(stop), nullptr);
+  EXPECT_EQ(rig.outcome(stop)->error_id, own_error::kStopNotConfirmed);
 }
 
 TEST(StopBlock, emptiesTheQueue) {
