@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -53,9 +55,32 @@ std::string found(const YAML::Node& node) {
 }
 
 template <class Value>
+bool decode(const YAML::Node& node, Value& value) {
+  return YAML::convert<Value>::decode(node, value);
+}
+
+/// yaml-cpp reads numbers by the locale of the process: where people write a comma, 2.5 would be none,
+/// and 2.500 be 2500.
+template <class Number>
+bool decodeNumber(const YAML::Node& node, Number& value) {
+  std::istringstream stream(node.Scalar());
+  stream.imbue(std::locale::classic());
+  stream.unsetf(std::ios::dec);  // 0x10 is a whole number as well
+  return stream >> std::noskipws >> value && stream.peek() == std::istringstream::traits_type::eof();
+}
+template <>
+bool decode(const YAML::Node& node, double& value) {
+  return decodeNumber(node, value);
+}
+template <>
+bool decode(const YAML::Node& node, int& value) {
+  return decodeNumber(node, value);
+}
+
+template <class Value>
 Value convert(const YAML::Node& node, const std::string& key, const char* allowed) {
   Value value{};
-  if (!node.IsScalar() || !YAML::convert<Value>::decode(node, value))
+  if (!node.IsScalar() || !decode(node, value))
     throw Fault(node.Mark(), fmt::format("{} is {}; it must be {}", key, found(node), allowed));
   return value;
 }

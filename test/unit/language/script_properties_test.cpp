@@ -1,7 +1,7 @@
 // Trees and texts of scripts, tried on random ones. A failure prints the seed: RC_PARAMS="seed=..." repeats
 // it.
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
@@ -131,7 +131,8 @@ RC_GTEST_PROP(ScriptTreeProperty, hasTheNearestDoubleOfEachNumeral, ()) {
   RC_ASSERT(script.faults.empty());
   const auto& declaration = std::get<Declaration>(script.statements.at(0).content);
   const Scalar& value = std::get<Literal>(declaration.initial->node).value;
-  const double nearest = std::strtod(numeral.c_str(), nullptr);
+  double nearest = 0;  // not by strtod(), which goes by the locale
+  std::from_chars(numeral.data(), numeral.data() + numeral.size(), nearest);
   RC_ASSERT(value == Scalar(nearest) || value == Scalar(static_cast<float>(nearest)));
 }
 
