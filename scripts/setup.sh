@@ -86,3 +86,11 @@ use_build() {
 free_port() {
   /usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
+
+# run_rostest <name> [argument:=value...]: test/rostest/<name>.test, with all that it prints.
+run_rostest() {
+  local name=$1
+  shift
+  ROS_LOG_DIR=$build/$name/log ROS_HOME=$build/$name/home ROS_HOSTNAME=localhost \
+    rostest --text "$root/test/rostest/$name.test" "$@"
+}

@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include <actionlib/server/action_server.h>
 #include <ros/node_handle.h>
 
 #include "cobot_command/blocks/goal.h"
@@ -23,6 +22,7 @@
 #include "cobot_command/ros/goal_intake.h"
 #include "cobot_command/ros/goal_messages.h"
 #include "cobot_command/ros/outcome_messages.h"
+#include "cobot_command/ros/tidy_action_server.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -51,7 +51,7 @@ class ActionBridge : public GoalListener {
         sink_(std::move(sink)),
         server_(
             node, name, [this](Handle handle) { onGoal(handle); },
-            [this](Handle handle) { onCancel(handle); }, false) {
+            [this](Handle handle) { onCancel(handle); }) {
     server_.start();
   }
 
@@ -94,7 +94,7 @@ class ActionBridge : public GoalListener {
   }
 
  private:
-  using Server = actionlib::ActionServer<Action>;
+  using Server = TidyActionServer<Action>;
   using Handle = typename Server::GoalHandle;
   using Result = typename Server::Result;
   using Feedback = typename Server::Feedback;

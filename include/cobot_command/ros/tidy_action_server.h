@@ -1,0 +1,62 @@
+// actionlib's server, where it loses goals or lives by the clocks of its clients.
+//
+// - Its queues have 50 places: of a burst of goals the first, and of their results too, would be lost.
+// - A cancel of a goal that it does not know, as of one that ended seconds ago, is kept until five seconds
+//   after the stamp of the cancel: for ever when the stamp is zero, as that of every usual cancel. The list
+//   that each status message carries would never end to grow.
+// - A cancel with a stamp in the future, from a machine whose clock is ahead, would cancel on arrival all
+//   goals until then.
+//
+// Threads: as actionlib's server.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <actionlib/server/action_server.h>
+#include <ros/node_handle.h>
+
+namespace cobot_command::ros_adapter {
+
+template <class Action>
+class TidyActionServer : public actionlib::ActionServer<Action> {
+  using Base = actionlib::ActionServer<Action>;
+
+ public:
+  /// Serves `name`, relative to `node`, from start() on.
+  template <class OnGoal, class OnCancel>
+  TidyActionServer(const ros::NodeHandle& node, const std::string& name, OnGoal onGoal, OnCancel onCancel)
+      : Base(node, name, std::move(onGoal), std::move(onCancel), false),
+        tidying_(node.createSteadyTimer(ros::WallDuration(kTidyPeriod),
+                                        [this](const ros::SteadyTimerEvent&) { tidy(); })) {
+    widenQueues(ros::NodeHandle(node, name));
+  }
+
+ private:
+  static constexpr double kTidyPeriod = 1.0;  // [s]
+  // Of goals that come, or messages that go, at once.
+  static constexpr int kQueueSize = 1000;
+
+  /// What somebody has set already stays.
+  static void widenQueues(const ros::NodeHandle& action) {
+    for (const char* name : {"actionlib_server_sub_queue_size", "actionlib_server_pub_queue_size"}) {
+      if (!action.hasParam(name)) action.setParam(name, kQueueSize);
+    }
+  }
+
+  void tidy() {
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    const ros::Time now = ros::Time::now();
+    for (auto& tracker : this->status_list_) {
+      if (!tracker.handle_tracker_.expired()) continue;  // its goal is still open
+      ros::Time& since = tracker.handle_destruction_time_;
+      if (since.isZero() || since > now) since = now;  // from here on actionlib's own five seconds
+    }
+    this->last_cancel_ = std::min(this->last_cancel_, now);
+  }
+
+  ros::SteadyTimer tidying_;
+};
+
+}  // namespace cobot_command::ros_adapter

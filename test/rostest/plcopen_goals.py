@@ -1,0 +1,199 @@
+"""The PLCopen rules that goals have to hold, each by itself and all of a round together, and the truth of what succeeded;
+doc/plcopen.md numbers them. Times are the stamps of the node's own messages."""
+import math
+
+import rospy
+from actionlib_msgs.msg import GoalStatus
+
+from cobot_command.msg import (MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, PickAndPlaceGoal, RunScriptGoal,
+                               StopGoal)
+from load_watch import first_at_or_after
+from plcopen_status import QUEUED_BLOCKS
+
+MOVES = (MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal)
+# For the state of the layer or the robot, not for what the goal says.
+NOT_READY = {0x10, 0x11, 0x208, 0x216, 0x220, 0x221, 0x222, 0x227, 0x231, 0x242}
+FAILED = (GoalStatus.REJECTED, GoalStatus.ABORTED)
+WITHDRAWN = (GoalStatus.RECALLED, GoalStatus.PREEMPTED)
+QUEUED = 1  # phase
+STANDING = 1e-6  # [rad/s]
+AROUND = rospy.Duration(0.5)
+AT_TARGET = 1e-4  # [rad]
+
+
+def faults_of(record, table):
+    """Of one goal that has ended: (words)."""
+    _, state, result = record.end
+    faults = list(_end_faults(record, state, result, table)) + list(_verdict_faults(record, state, result))
+    faults += _feedback_faults(record)
+    if state == GoalStatus.SUCCEEDED:
+        faults += _success_faults(record, result)
+    goal = " ".join(str(record.goal).split())
+    end = f"{record}, state {state}, 16#{result.error_id:X} '{result.error_description}'"
+    return [f"{end}: {fault}; goal: {goal[:3000]}" for fault in faults]
+
+
+def _end_faults(record, state, result, table):
+    if (state in FAILED) != bool(result.error_id):
+        yield f"error_id {result.error_id} in state {state}"
+    if result.error_id and (record.block, result.error_id) not in table:
+        yield "an error that the table of its block does not have"
+    if result.error_id and not (result.remedy and result.error_description):
+        yield "an error without words or remedy"
+    step = getattr(result, "step_error_id", 0)
+    if step and ("move_absolute", step) not in table:
+        yield f"step_error_id 16#{step:X} is not of move_absolute"
+
+
+def _verdict_faults(record, state, result):
+    """Of goals that are wrong by themselves."""
+    if not record.drawn or record.drawn.errors is None:
+        return
+    if state == GoalStatus.SUCCEEDED:
+        yield "succeeded, though it cannot"
+    allowed = record.drawn.errors
+    if allowed and result.error_id and result.error_id not in allowed | NOT_READY:
+        yield f"not the error that it has: {[hex(e) for e in sorted(allowed)]}"
+    if allowed and state == GoalStatus.ABORTED and record.block != "pick_and_place":
+        yield "was sent to the robot, though it is wrong by itself"
+
+
+def _feedback_faults(record):
+    goal, turn_has_come = record.goal, False
+    for _, feedback in record.feedback:
+        place = getattr(feedback, "place_in_queue", 0)
+        if turn_has_come and place > 0:
+            yield "waits again after its turn had come"
+        turn_has_come = turn_has_come or place == 0
+        if place < 0 or (place > 0 and feedback.phase != QUEUED):
+            yield f"place {place} in phase {feedback.phase}"
+        if not 0 <= getattr(feedback, "progress", 0) <= 1:
+            yield f"progress {feedback.progress}"
+        if getattr(goal, "check_only", False) and record.block != "check_sequence":
+            yield "is told of as if it ran, though it is only to be checked"
+    if getattr(goal, "buffer_mode", None) == 0 and any(f.place_in_queue > 1 for _, f in record.feedback):
+        yield "REFUSE, and it waits behind another goal"
+
+
+def _success_faults(record, result):
+    goal = record.goal
+    command_id = getattr(goal, "command_id", 0)
+    if command_id and not getattr(goal, "check_only", False) and result.command_id_ack != command_id:
+        yield f"command_id {command_id} is acknowledged as {result.command_id_ack}"
+    if not isinstance(goal, MOVES):
+        return
+    if goal.check_only:
+        if not result.joint_path.points or result.planned_duration.to_sec() < 0:
+            yield "checked, and no path is told"
+
+
+def _six(t):
+    return (t.x, t.y, t.z, t.rx, t.ry, t.rz)
+
+
+def shown_faults(records, status):
+    """R3, R4: each block shows the end of its last goal until it is executed again. To be asked when nothing is under way."""
+    last = {}
+    for record in sorted(records, key=lambda r: r.end[0]):
+        if record.end[2].error_description or record.end[1] == GoalStatus.SUCCEEDED:  # else the core has never seen it
+            last[record.block] = record
+    for outputs in status.blocks:
+        if outputs.block not in last or outputs.busy:
+            continue
+        _, state, result = last[outputs.block].end
+        shown = (outputs.done, outputs.error, outputs.command_aborted, outputs.error_id)
+        if shown != (state == GoalStatus.SUCCEEDED, state in FAILED, state in WITHDRAWN, result.error_id):
+            yield f"R4: {outputs.block} shows {shown} behind {last[outputs.block]}, state {state}, 16#{result.error_id:X}"
+
+
+class Round:
+    """All goals of a round, when the last has ended."""
+
+    def __init__(self, records, truth):
+        self._records, self._truth = records, truth
+        self._queued = [r for r in records if r.block in QUEUED_BLOCKS and r.results]
+        self.compared = 0  # ends that the truth of the simulator could be asked about
+
+    def faults(self):
+        return [*self._overlaps(), *self._survivors(), *self._lies()]
+
+    def _overlaps(self):
+        """R9: one command at a time is with the controller."""
+        spans = sorted(((began, r.end[0], r) for r in self._queued if (began := _begin(r))), key=lambda span: span[0])
+        for (_, ended, first), (began, _, second) in zip(spans, spans[1:]):
+            if began < ended:
+                yield f"R9: {second} began before the end of {first}"
+
+    def _survivors(self):
+        """R10: what waits behind a command that fails ends with it."""
+        waiting = [(r.feedback[0][0], r) for r in self._queued if r.feedback and r.feedback[0][1].place_in_queue > 0]
+        for failed in self._queued:
+            stamp, state, _ = failed.end
+            if state != GoalStatus.ABORTED:
+                continue
+            for since, r in waiting:
+                if since < stamp < r.end[0]:
+                    yield f"R10: {r} waited when {failed} failed, and ended later"
+
+    def _lies(self):
+        """Ends that say that the robot stands, or where, against what the simulator itself says."""
+        spans = [(_begin(r) or r.sent, r.end[0]) for r in self._queued if r.end[1] != GoalStatus.REJECTED]
+        for record in self._records:
+            stamp, state, _ = record.end
+            if not _stands(record.goal, state):
+                continue
+            # The first one behind the end may have been looked up before it, and published late.
+            place = first_at_or_after(self._truth, stamp) + 1
+            if place >= len(self._truth):
+                continue
+            seen, joints, fastest = self._truth[place]
+            if any(began <= seen and ended > stamp for began, ended in spans):
+                continue  # it moves on for another goal
+            self.compared += 1
+            if fastest > STANDING:
+                yield (f"{record} ended in state {state}, and {(seen - stamp).to_sec():.4f} s later the robot moves with "
+                       f"{fastest}; {self._around(stamp)}")
+            target = _joint_target(record.goal) if state == GoalStatus.SUCCEEDED else None
+            if target and max(abs(math.radians(a) - b) for a, b in zip(target, joints)) > AT_TARGET:
+                found = [math.degrees(j) for j in joints]
+                yield f"{record} succeeded, and the robot is at {found}, not at {target}; {self._around(stamp)}"
+
+    def _around(self, stamp):
+        """What went on about then, for whoever has to understand a fault."""
+        told = []
+        for record in self._records:
+            begin, end = _begin(record) or record.sent, record.end[0]
+            if end > stamp - AROUND and begin < stamp + AROUND:
+                span = f"{(begin - stamp).to_sec():.4f}..{(end - stamp).to_sec():.4f} s"
+                goal = " ".join(str(record.goal).split())[:700]
+                told.append((begin, f"{record}: {span}, state {record.end[1]}, {goal}, "
+                                    f"'{record.end[2].error_description}'"))
+        return "about then:\n    " + "\n    ".join(text for _, text in sorted(told))
+
+
+def _begin(record):
+    """When it was its turn; None if that never came."""
+    if getattr(record.goal, "check_only", False):
+        return None
+    return next((stamp for stamp, f in record.feedback if getattr(f, "place_in_queue", 0) == 0), None)
+
+
+def _stands(goal, state):
+    """Whether this end promises that the robot stands."""
+    if isinstance(goal, StopGoal):
+        return state == GoalStatus.SUCCEEDED
+    if getattr(goal, "check_only", False):
+        return False
+    if isinstance(goal, MOVES):
+        return state == GoalStatus.PREEMPTED or (state == GoalStatus.SUCCEEDED and not goal.blending_enable)
+    if isinstance(goal, PickAndPlaceGoal):
+        return state in (GoalStatus.SUCCEEDED, GoalStatus.PREEMPTED)
+    return isinstance(goal, RunScriptGoal) and goal.await_motion and state == GoalStatus.SUCCEEDED
+
+
+def _joint_target(goal):
+    if isinstance(goal, MoveAbsoluteGoal) and goal.data_format == MoveAbsoluteGoal.JPP:
+        return _six(goal.target_position)
+    if isinstance(goal, PickAndPlaceGoal) and goal.steps:
+        return _joint_target(goal.steps[-1].move)
+    return None
