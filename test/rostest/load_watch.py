@@ -17,7 +17,6 @@ from cobot_command.msg import CommandStatus
 from load_clients import BLOCKS, action_kind
 
 NAMED_BY_SERVER = "/command_node-"
-FORGETS_AFTER = rospy.Duration(4.5)  # [s]; actionlib keeps an ended goal for 5 s
 TERMINAL = {GoalStatus.PREEMPTED, GoalStatus.SUCCEEDED, GoalStatus.ABORTED, GoalStatus.REJECTED, GoalStatus.RECALLED}
 # What may follow a state in the status of an action, steps between may be missing; a terminal state is the last.
 _FOLLOWERS = {GoalStatus.PENDING: TERMINAL | {GoalStatus.ACTIVE, GoalStatus.RECALLING, GoalStatus.PREEMPTING},
@@ -188,14 +187,14 @@ class Watch:
                 self.faults.append(f"{block}/status lists a goal twice: {ids}")
             for status in message.status_list:
                 if record := self._known(status.goal_id.id):
-                    self._take_state(record, status.status, message.header.stamp)
+                    self._take_state(record, status.status)
 
-    def _take_state(self, record, state, stamp):
+    def _take_state(self, record, state):
         before, record.state = record.state, state
         if before in (None, state) or state in _FOLLOWERS.get(before, ()):
             return
         # A cancel of a goal that actionlib has forgotten is kept for a while, in case that the goal comes.
-        if not (state == GoalStatus.RECALLING and record.results and stamp > record.end[0] + FORGETS_AFTER):
+        if not (state == GoalStatus.RECALLING and before in TERMINAL):
             self.faults.append(f"{record} went from state {before} to {state}")
 
     def _take_feedback(self, message, block):
