@@ -33,6 +33,7 @@ class Record:
         self.sent = rospy.Time.now()
         self.waited_since = time.monotonic()
         self.state = None  # as the status topic told it last
+        self.accepted = None  # the stamp of the first status that told so: before anything was sent to the controller
         self.results = []  # (stamp, state, result)
         self.feedback = []  # (stamp, feedback)
 
@@ -187,10 +188,12 @@ class Watch:
                 self.faults.append(f"{block}/status lists a goal twice: {ids}")
             for status in message.status_list:
                 if record := self._known(status.goal_id.id):
-                    self._take_state(record, status.status)
+                    self._take_state(record, status.status, message.header.stamp)
 
-    def _take_state(self, record, state):
+    def _take_state(self, record, state, stamp):
         before, record.state = record.state, state
+        if record.accepted is None and state in (GoalStatus.ACTIVE, GoalStatus.PREEMPTING):
+            record.accepted = stamp
         if before in (None, state) or state in _FOLLOWERS.get(before, ()):
             return
         # A cancel of a goal that actionlib has forgotten is kept for a while, in case that the goal comes.

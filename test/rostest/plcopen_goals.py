@@ -175,7 +175,9 @@ def _begin(record):
     """When it was its turn; None if that never came."""
     if getattr(record.goal, "check_only", False):
         return None
-    return next((stamp for stamp, f in record.feedback if getattr(f, "place_in_queue", 0) == 0), None)
+    # The feedback comes when the command is already on its way: the robot may move before it.
+    told = [stamp for stamp, f in record.feedback if getattr(f, "place_in_queue", 0) == 0]
+    return min([*told[:1], *([record.accepted] if record.accepted else [])], default=None)
 
 
 def _stands(goal, state):

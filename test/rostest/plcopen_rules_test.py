@@ -92,7 +92,8 @@ def record(name, goal, begin, end, state, block="move_absolute", waits_since=Non
         waiting = MoveAbsoluteFeedback(place_in_queue=1, phase=plcopen_goals.QUEUED)
         made.feedback.append((rospy.Time(waits_since), waiting))
     if begin is not None:
-        made.feedback.append((rospy.Time(begin), MoveAbsoluteFeedback()))
+        made.accepted = rospy.Time(begin)
+        made.feedback.append((rospy.Time(begin + 0.1), MoveAbsoluteFeedback()))
     kind = MoveAbsoluteResult if block == "move_absolute" else StopResult
     made.results.append((rospy.Time(end), state, kind(**result)))
     return made
