@@ -1,6 +1,7 @@
 // What each fault of the proxy makes of a frame, without a proxy.
 #include "frame_faults.h"
 
+#include "fault_line.h"
 #include "frame_cutter.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -179,6 +180,37 @@ TEST(FrameFaults, answerInTheNameOfTheController) {
   EXPECT_EQ(first[1].direction, Direction::ToController);
   EXPECT_THAT(bytesOf(struck(fault(FaultKind::AnswerAhead, Direction::ToController), kScript)),
               ElementsAre(encodeFrame("TMSCT", "5,OK"), bytesOf(kScript)));
+}
+
+TEST(FaultLine, saysAllThatAFaultIs) {
+  const auto order = parseFaultLine(
+      "status delay direction=to_controller which=tag first=2 count=3 time=0.5 jitter=0.25 rate=10 text=F1");
+  ASSERT_TRUE(order.has_value()) << order.error();
+  EXPECT_EQ(order->port, FaultProxy::Port::Status);
+  const Fault& read = order->fault;
+  EXPECT_EQ(read.kind, FaultKind::Delay);
+  EXPECT_EQ(read.direction, Direction::ToController);
+  EXPECT_EQ(read.which, Which::Tag);
+  EXPECT_EQ(std::pair(read.first, read.count), std::pair(std::size_t{2}, std::size_t{3}));
+  EXPECT_EQ(std::pair(read.time, read.jitter), std::pair(Duration(500ms), Duration(250ms)));
+  EXPECT_EQ(read.rate, 10);
+  EXPECT_EQ(read.text, "F1");
+}
+
+TEST(FaultLine, namesWhatIsWrong) {
+  const std::pair<const char*, const char*> lines[] = {{"", "port"},
+                                                       {"tcp drop", "tcp"},
+                                                       {"script", "unknown fault"},
+                                                       {"script x", "\"x\""},
+                                                       {"script drop time=-1", "time"},
+                                                       {"script drop time=nan", "time"},
+                                                       {"script drop which=", "which"},
+                                                       {"script drop up", "up"}};
+  for (const auto& [line, words] : lines) {
+    const auto order = parseFaultLine(line);
+    ASSERT_FALSE(order.has_value()) << line;
+    EXPECT_THAT(order.error(), HasSubstr(words));
+  }
 }
 
 /// What a cutter makes of a stream; frames in brackets.
