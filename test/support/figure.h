@@ -39,12 +39,12 @@ class Figure {
 
  private:
   [[nodiscard]] double percentile(std::size_t percent) const {
-    return values_[(values_.size() - 1) * percent / 100];
+    return values_[(values_.size() * percent + 99) / 100 - 1];
   }
   void print() {
     std::sort(values_.begin(), values_.end());
     const double judged = limited_ == Limited::Worst ? values_.back() : percentile(99);
-    std::printf("figure: | %s | %s | %zu | %.3g | %.3g | %.3g | %s | %s %g | %s |\n", goal_.c_str(),
+    std::printf("figure: | %s | %s | %zu | %.4g | %.4g | %.4g | %s | %s %g | %s |\n", goal_.c_str(),
                 what_.c_str(), values_.size(), percentile(50), percentile(99), values_.back(), unit_.c_str(),
                 limited_ == Limited::Worst ? "all" : "99 %", limit_, judged <= limit_ ? "holds" : "OVER");
   }

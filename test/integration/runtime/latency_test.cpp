@@ -1,0 +1,192 @@
+// How long it takes from a call until the frame is on the wire, and until a dead robot is known to be one.
+//
+// What is sent in which event is the core's, and asserted with invented time in test/unit; here it only has
+// to come.
+#include <thread>
+
+#include "figure.h"
+#include "script_peer.h"
+#include "session_states.h"
+#include "thorough.h"
+
+namespace cobot_command::runtime {
+namespace {
+
+using blocks::Phase;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kStop = "StopAndClearBuffer";
+
+/// A commander that keeps nothing of what a flood brings.
+class Asker {
+ public:
+  explicit Asker(SimulatorPorts ports)
+      : runtime_(testArm(), settingsFor(ports), [this](const blocks::Action& action, Instant /*now*/) {
+          if (std::holds_alternative<blocks::GoalEnded>(action) ||
+              std::holds_alternative<blocks::GoalProgressed>(action) ||
+              std::holds_alternative<blocks::RobotStatusReceived>(action)) {
+            keep(action);
+          }
+        }) {
+    const auto link = submit(blocks::ConnectGoal{"127.0.0.1", ports.script, 60, {}});
+    EXPECT_TRUE(reaches(link, Phase::Connected));
+  }
+
+  blocks::GoalId submit(const blocks::Goal& goal) {
+    EXPECT_TRUE(runtime_.submit(++last_goal_, goal));
+    return last_goal_;
+  }
+  void cancel(blocks::GoalId goal) { runtime_.cancel(goal); }
+  [[nodiscard]] bool reaches(blocks::GoalId goal, Phase phase) {
+    return goals_.waitUntil([&](const auto& events) {
+      return std::any_of(events.begin(), events.end(), [&](const Event& event) {
+        return event.goal == goal && (event.ended || event.phase == phase);
+      });
+    });
+  }
+  [[nodiscard]] bool ends(blocks::GoalId goal) {
+    return goals_.waitUntil([&](const auto& events) {
+      return std::any_of(events.begin(), events.end(),
+                         [&](const Event& event) { return event.goal == goal && event.ended; });
+    });
+  }
+
+ private:
+  struct Event {
+    blocks::GoalId goal = 0;
+    Phase phase{};
+    bool ended = false;
+  };
+  static link::LinkSettings settingsFor(SimulatorPorts ports) {
+    link::LinkSettings settings;
+    settings.status_port = ports.status;
+    settings.reply_timeout = std::chrono::minutes(1);  // behind a flood an answer is late, and no flood lasts
+    return settings;
+  }
+  void keep(const blocks::Action& action) {
+    if (const auto* const ended = std::get_if<blocks::GoalEnded>(&action)) {
+      goals_.add({ended->goal, {}, true});
+    } else if (const auto* const progressed = std::get_if<blocks::GoalProgressed>(&action)) {
+      goals_.add({progressed->goal, progressed->progress.phase, false});
+    }
+  }
+
+  test::EventLog<Event> goals_;
+  blocks::GoalId last_goal_ = 0;
+  CommandRuntime runtime_;
+};
+
+blocks::MoveAbsoluteGoal bufferedMove(double joint_deg) {
+  auto move = moveJoints({joint_deg, 0, 90, 0, 90, 0});
+  move.buffer_mode = static_cast<int>(blocks::BufferMode::Buffered);
+  return move;
+}
+
+/// A hundred moves: those that blend are in the controller's queue, of the others one is sent and waits for
+/// its tag, the rest waits in the layer's. The one that waits for its tag.
+blocks::GoalId queueHundredMoves(Asker& asker, ScriptPeer& peer, std::size_t round) {
+  constexpr int kBlended = 40, kOthers = 60;
+  for (int i = 0; i < kBlended; ++i) {
+    auto move = bufferedMove(i % 2);
+    move.blending_enable = true;
+    EXPECT_TRUE(asker.ends(asker.submit(move)));
+  }
+  const auto first = asker.submit(bufferedMove(0));
+  EXPECT_TRUE(peer.timeOf("QueueTag", round));
+  for (int i = 1; i < kOthers; ++i) {
+    const auto other = asker.submit(bufferedMove(i % 2));
+    EXPECT_TRUE(asker.reaches(other, Phase::Queued));
+  }
+  return first;
+}
+
+enum class Reader { Calm, Flooded };
+
+class StopPath : public ::testing::TestWithParam<Reader> {};
+INSTANTIATE_TEST_SUITE_P(Of, StopPath, ::testing::Values(Reader::Calm, Reader::Flooded),
+                         [](const auto& tested) {
+                           return tested.param == Reader::Calm ? "a_calm_reader" : "a_flooded_reader";
+                         });
+
+/// Asks for a stop behind a hundred moves, again and again.
+template <class Ask>
+void measureStops(Reader reader, test::Figure& figure, const Ask& ask) {
+  ScriptPeer peer;
+  Asker asker(peer.ports());
+  for (int i = 0; i < test::quickOrThorough(2, 100); ++i) {
+    const auto round = static_cast<std::size_t>(i);
+    const auto first = queueHundredMoves(asker, peer, round);
+    if (reader == Reader::Flooded) {
+      ASSERT_TRUE(peer.floods());
+    }
+    const auto start = Clock::now();
+    ask(asker, first);
+    const auto heard = peer.timeOf(kStop, round);
+    peer.endFlood();
+    ASSERT_TRUE(heard.has_value());
+    figure.add(*heard - start);
+    ASSERT_TRUE(asker.ends(first));
+  }
+}
+
+std::string underLoad(const std::string& what, Reader reader) {
+  return what + ", 100 moves queued" + (reader == Reader::Flooded ? ", both ports flooded" : "");
+}
+
+TEST_P(StopPath, isOpenForAStop) {
+  test::Figure figure("G4", underLoad("stop to its frame read by the robot", GetParam()), "ms", 20,
+                      test::Figure::Limited::NinetyNinthPercentile);
+  measureStops(GetParam(), figure, [](Asker& asker, auto /*moving*/) { asker.submit(blocks::StopGoal{}); });
+}
+
+TEST_P(StopPath, isOpenForACancel) {
+  test::Figure figure("G4", underLoad("cancel to the stop frame read by the robot", GetParam()), "ms", 20,
+                      test::Figure::Limited::NinetyNinthPercentile);
+  measureStops(GetParam(), figure, [](Asker& asker, auto moving) { asker.cancel(moving); });
+}
+
+TEST(CommandLatency, ofFiftyGoalsASecond) {
+  constexpr auto kPeriod = std::chrono::milliseconds(20);
+  test::Figure figure("G3", "goal to its frame read by the robot, 50 goals/s", "ms", 20,
+                      test::Figure::Limited::NinetyNinthPercentile);
+  ScriptPeer peer;
+  Asker asker(peer.ports());
+  auto next = Clock::now();
+  for (int i = 0; i < test::quickOrThorough(10, 1000); ++i) {
+    std::this_thread::sleep_until(next += kPeriod);  // the load, not a wait for something
+    auto move = moveJoints({i % 2 == 0 ? 5.0 : 0.0, 0, 90, 0, 90, 0});
+    move.blending_enable = true;
+    const auto start = Clock::now();
+    const auto goal = asker.submit(move);
+    const auto heard = peer.timeOf("PTP", static_cast<std::size_t>(i));
+    ASSERT_TRUE(heard.has_value());
+    figure.add(*heard - start);
+    ASSERT_TRUE(asker.ends(goal));
+  }
+}
+
+TEST(DeadPeer, isFoundByItsLifesignAndEndsAllThatIsUnderWay) {
+  test::Figure found("G6", "a robot falls silent in motion, until the link is lost", "ms", 3000);
+  test::Figure ended("G6", "from the first goal that ends by it to the last", "ms", 100);
+  for (int i = 0; i < test::quickOrThorough(1, 20); ++i) {
+    Session session;
+    session.robot = std::make_unique<Robot>(1);
+    session.commander = std::make_unique<Commander>(session.robot->ports().status);
+    const auto link = session.commander->connect(session.robot->ports());
+    const auto move = session.move();
+    const auto start = Clock::now();
+    session.fault("silence");
+    const auto of_move = session.commander->outcomeOf(move);
+    const auto first = Clock::now();
+    const auto of_link = session.commander->outcomeOf(link);
+    const auto last = Clock::now();
+    ASSERT_TRUE(of_move && of_link);
+    EXPECT_EQ(of_move->error_id, 0x99) << of_move->error_description;
+    EXPECT_EQ(of_link->error_id, 0x90) << of_link->error_description;
+    found.add(first - start);
+    ended.add(last - first);
+  }
+}
+
+}  // namespace
+}  // namespace cobot_command::runtime
