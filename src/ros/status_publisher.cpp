@@ -72,6 +72,10 @@ void StatusPublisher::publish(const blocks::PathPlanned& path) {
 }
 
 void StatusPublisher::sendActiveFrames(const ros::Time& stamp) {
+  // tf warns of everything that comes with the stamp of what it has; a simulated clock may be slower than the
+  // stream.
+  if (stamp == frames_sent_) return;
+  frames_sent_ = stamp;
   std::vector<geometry_msgs::TransformStamped> frames;
   if (active_frames_.base)
     frames.push_back(stamped(*active_frames_.base, base_frame_, prefix_ + "active_base", stamp));

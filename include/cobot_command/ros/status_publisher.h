@@ -48,6 +48,7 @@ class StatusPublisher {
   ros::Publisher frames_;
   tf2_ros::TransformBroadcaster tf_;
   blocks::ActiveFrames active_frames_;
+  ros::Time frames_sent_;  ///< the stamp of the last ones in tf
   bool streaming_ = false;
 };
 
