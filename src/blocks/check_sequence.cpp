@@ -46,14 +46,17 @@ Start startOf(const CheckSequenceGoal& goal, const std::optional<Origin>& origin
   return start;
 }
 
+/// Of joints that are none; there may be any number of them.
+std::string foundStart(const std::vector<double>& joints) {
+  if (joints.empty()) return "";
+  if (joints.size() != arm::kJointCount) return fmt::format("there are {} start_joints", joints.size());
+  return fmt::format("start_joints are {}", fmt::join(joints, ", "));
+}
+
 std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, bool has_model) {
   std::vector<Failure> failures;
   if (!start.joints) {
-    failures.push_back({own_error::kStartUnknown,
-                        goal.start_joints.empty()
-                            ? ""
-                            : fmt::format("start_joints are {}", fmt::join(goal.start_joints, ", ")),
-                        ""});
+    failures.push_back({own_error::kStartUnknown, foundStart(goal.start_joints), ""});
   }
   if (!has_model) failures.push_back({own_error::kNoModel, "", ""});
   if (!goal.steps_fault.empty()) {

@@ -294,6 +294,15 @@ TEST(CheckSequence, needsAStart) {
   }
 }
 
+TEST(CheckSequence, doesNotQuoteAllStartJointsThatAreTooMany) {
+  CheckSequenceGoal goal = sequence({toJoints(kAside)});
+  goal.start_joints.assign(1000000, 0.1);
+  const Outcome outcome = checkSequence(goal, model(), at(kHome));
+  EXPECT_EQ(outcome.error_id, own_error::kStartUnknown);
+  EXPECT_NE(outcome.error_description.find("1000000 start_joints"), std::string::npos);
+  EXPECT_LT(outcome.error_description.size(), 200u);
+}
+
 TEST(CheckSequence, needsAModel) {
   EXPECT_EQ(checkSequence(sequence({toJoints(kAside)}), std::nullopt, at(kHome)).error_id,
             own_error::kNoModel);
