@@ -1,17 +1,16 @@
 // Any sequence of (event, time, bytes) at the links of a core that is given good goals: one end for each of
 // them.
 #include "fuzz_input.h"
+#include "robot_peer.h"
 #include "status_frames.h"
 #include "watched_core.h"
-
-#include "cobot_command/protocol/frame_decoder.h"
-#include "cobot_command/protocol/message.h"
 
 using namespace cobot_command;
 
 namespace {
 
 using fuzz::FuzzInput;
+using fuzz::RobotPeer;
 using fuzz::WatchedCore;
 using link::Channel;
 
@@ -59,44 +58,6 @@ Channel anyChannel(FuzzInput& input) {
   return input.choice(4) == 0 ? Channel::Status : Channel::Script;
 }
 
-/// A robot at the other end, mostly: its answers carry the ids that were asked with.
-class Peer {
- public:
-  void hear(std::string_view sent) {
-    decoder_.feed(sent);
-    while (const auto event = decoder_.next()) {
-      const auto* const frame = std::get_if<protocol::Frame>(&*event);
-      REQUIRE(frame != nullptr);
-      const auto message = protocol::parseClientMessage(*frame);
-      REQUIRE(message.has_value());
-      if (const auto* const script = std::get_if<protocol::ScriptRequest>(&*message)) {
-        last_script_ = script->id;
-      }
-    }
-  }
-  [[nodiscard]] std::string answer(FuzzInput& input) const {
-    switch (input.choice(6)) {
-      case 0:
-        return protocol::encode(protocol::ScriptReply{last_script_, true, {}});
-      case 1:
-        return protocol::encode(protocol::ScriptReply{last_script_, false, {static_cast<int>(input.byte())}});
-      case 2:
-        return protocol::encode(protocol::ListenNodeState{input.flag(), "Listen1"});
-      case 3:
-        return protocol::encode(protocol::ListenNodeEntered{"Listen1"});
-      case 4:
-        return protocol::encode(protocol::TagReport{static_cast<int>(input.choice(16)),
-                                                    static_cast<protocol::TagState>(input.choice(3))});
-      default:
-        return protocol::encodeFrame(input.flag() ? "TMSTA" : "CPERR", input.text());
-    }
-  }
-
- private:
-  protocol::FrameDecoder decoder_;
-  std::string last_script_ = "1";
-};
-
 std::string statusFrame(FuzzInput& input) {
   testing::StatusFrames frame;
   switch (input.choice(5)) {
@@ -132,7 +93,7 @@ void connectionEvent(FuzzInput& input, WatchedCore& core) {
   }
 }
 
-void step(FuzzInput& input, WatchedCore& core, Peer& peer) {
+void step(FuzzInput& input, WatchedCore& core, RobotPeer& peer) {
   switch (input.choice(9)) {
     case 0:
       return core.submit(blocks::ConnectGoal{"robot", 5890, 10, {}});
@@ -162,7 +123,7 @@ void step(FuzzInput& input, WatchedCore& core, Peer& peer) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzInput input(data, size);
   WatchedCore core;
-  Peer peer;
+  RobotPeer peer;
   while (!input.empty()) step(input, core, peer);
   core.shutDown();
   return 0;

@@ -1,5 +1,6 @@
 // A command core whose actions are held against the rules that always hold, whatever came in: one end for
-// each goal, no end without an error that the catalogue knows, and never anything to do in the past.
+// each goal, no end without an error that the catalogue knows, texts that are not endless, and never anything
+// to do in the past.
 #pragma once
 
 #include <map>
@@ -27,6 +28,10 @@ class WatchedCore {
   }
   void cancel(blocks::GoalId id) {
     tell([&] { core_.cancel(id, now_); });
+  }
+
+  void finish(blocks::FinishAfter after) {
+    tell([&] { core_.finish(after, now_); });
   }
 
   void opened(link::ConnectionId id) {
@@ -92,25 +97,42 @@ class WatchedCore {
     REQUIRE(accepted_.insert(accepted.goal).second);
     REQUIRE(ended_.count(accepted.goal) == 0);
   }
-  void take(const blocks::GoalProgressed& progressed) { REQUIRE(ended_.count(progressed.goal) == 0); }
+  void take(const blocks::GoalProgressed& progressed) {
+    REQUIRE(ended_.count(progressed.goal) == 0);
+    requireText(progressed.progress.text);
+  }
   void take(const blocks::GoalEnded& ended) {
     REQUIRE(ended_.insert(ended.goal).second);
     const blocks::Outcome& outcome = ended.outcome;
     const bool error =
         outcome.ending == blocks::Ending::Rejected || outcome.ending == blocks::Ending::Aborted;
     REQUIRE(error == (outcome.error_id != 0));
+    requireText(outcome.error_description);
+    requireText(outcome.remedy);
+    for (const blocks::StepReport& step : outcome.steps) {
+      requireText(step.error_description);
+    }
     if (!error) return;
     REQUIRE(blocks::findError(blocks_.at(ended.goal), outcome.error_id) != nullptr);
     REQUIRE(!outcome.error_description.empty() && !outcome.remedy.empty());
   }
   void take(const blocks::StatusChanged& changed) {
+    requireText(changed.status.diagnosis);
+    requireText(changed.status.status_diagnosis);
+    requireText(changed.status.listen_node);
     for (const blocks::BlockOutputs& o : changed.status.blocks) {
       REQUIRE(o.busy + o.done + o.error + o.command_aborted <= 1);
       REQUIRE(o.active + o.done + o.error + o.command_aborted <= 1);
+      requireText(o.error_description);
     }
   }
+  void take(const blocks::LogMessage& message) { requireText(message.text); }
   template <class Told>
   void take(const Told& /*told*/) {}
+
+  /// Whatever came in, what is told of it can be read on a screen.
+  static void requireText(const std::string& text) { REQUIRE(text.size() <= kLongestText); }
+  static constexpr std::size_t kLongestText = 4096;
 
   blocks::CommandCore core_;
   Instant now_{std::chrono::seconds(1000)};

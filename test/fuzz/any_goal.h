@@ -1,0 +1,269 @@
+// Goals of all blocks, good ones of which any fields are given any values: an input that changes little gets
+// as deep as a good goal does.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "block_goals.h"
+#include "fuzz_input.h"
+
+#include "cobot_command/blocks/goal.h"
+
+namespace cobot_command::fuzz {
+
+/// Planning a path takes time in proportion to its duration, so a fuzzer that is let go slower than this
+/// finds nothing but slow inputs [mm/s].
+inline constexpr double kSlowestPlannedPath = 50;
+
+class AnyGoal {
+ public:
+  /// `plans`: the core has an arm, so paths are not to take too long.
+  AnyGoal(FuzzInput& input, bool plans) : input_(input), plans_(plans) {}
+
+  [[nodiscard]] blocks::Goal next() {
+    switch (static_cast<blocks::Block>(input_.choice(blocks::kBlockCount))) {
+      case blocks::Block::Connect:
+        return connect();
+      case blocks::Block::MoveAbsolute:
+        return moveAbsolute();
+      case blocks::Block::MoveRelative:
+        return moveRelative();
+      case blocks::Block::MoveCircle:
+        return moveCircle();
+      case blocks::Block::ChangeBase:
+        return changeBase();
+      case blocks::Block::ChangeTcp:
+        return changeTcp();
+      case blocks::Block::ProgramControl:
+        return programControl();
+      case blocks::Block::Stop:
+        return blocks::StopGoal{};
+      case blocks::Block::ExitListenNode:
+        return exitListenNode();
+      case blocks::Block::RunScript:
+        return runScript();
+      case blocks::Block::CheckSequence:
+        return checkSequence();
+      case blocks::Block::PickAndPlace:
+        return pickAndPlace();
+    }
+    return blocks::StopGoal{};
+  }
+
+ private:
+  static constexpr std::size_t kMostSteps = 3;
+
+  blocks::ConnectGoal connect() {
+    blocks::ConnectGoal goal{"robot", 5890, 10, {}};
+    begin();
+    vary(goal.host, goal.port, goal.timeout, goal.status_port);
+    return goal;
+  }
+
+  blocks::MoveAbsoluteGoal moveAbsolute() {
+    auto goal = testing::good<blocks::MoveAbsoluteGoal>();
+    begin();
+    vary(goal.command_id, goal.movement_command, goal.data_format, goal.target, goal.target_pose);
+    varyMotion(goal);
+    vary(goal.robot_pose_enable, goal.robot_pose, goal.check_only);
+    return bounded(goal, goal.movement_command == static_cast<int>(blocks::Movement::Line));
+  }
+
+  blocks::MoveRelativeGoal moveRelative() {
+    auto goal = testing::good<blocks::MoveRelativeGoal>();
+    begin();
+    vary(goal.command_id, goal.movement_command, goal.data_format, goal.target);
+    varyMotion(goal);
+    vary(goal.check_only);
+    return bounded(goal, goal.movement_command == static_cast<int>(blocks::Movement::Line));
+  }
+
+  blocks::MoveCircleGoal moveCircle() {
+    auto goal = testing::good<blocks::MoveCircleGoal>();
+    begin();
+    vary(goal.command_id, goal.data_format, goal.arc_point, goal.end_point, goal.arc_pose, goal.end_pose);
+    varyMotion(goal);
+    vary(goal.arc_angle, goal.check_only);
+    return bounded(goal, true);
+  }
+
+  blocks::ChangeBaseGoal changeBase() {
+    auto goal = testing::good<blocks::ChangeBaseGoal>();
+    begin();
+    vary(goal.command_id, goal.transformation, goal.base_pose, goal.base_name, goal.exit_node,
+         goal.buffer_mode);
+    return goal;
+  }
+
+  blocks::ChangeTcpGoal changeTcp() {
+    auto goal = testing::good<blocks::ChangeTcpGoal>();
+    begin();
+    vary(goal.command_id, goal.tcp_offset, goal.weight, goal.moment_of_inertia, goal.mass_center,
+         goal.tcp_name, goal.exit_node, goal.buffer_mode);
+    return goal;
+  }
+
+  blocks::ProgramControlGoal programControl() {
+    blocks::ProgramControlGoal goal;
+    begin();
+    vary(goal.command_id, goal.command);
+    return goal;
+  }
+
+  blocks::ExitListenNodeGoal exitListenNode() {
+    blocks::ExitListenNodeGoal goal;
+    begin();
+    vary(goal.buffer_mode);
+    return goal;
+  }
+
+  blocks::RunScriptGoal runScript() {
+    auto goal = testing::good<blocks::RunScriptGoal>();
+    begin();
+    vary(goal.script, goal.await_motion, goal.reply_timeout, goal.buffer_mode);
+    return goal;
+  }
+
+  blocks::CheckSequenceGoal checkSequence() {
+    blocks::CheckSequenceGoal goal;
+    goal.steps.resize(input_.choice(kMostSteps + 1));
+    for (auto& step : goal.steps) {
+      step = sequenceStep();
+    }
+    begin();
+    varyFault(goal.steps_fault);
+    if (varied()) {
+      anyJoints(goal.start_joints);
+    }
+    return goal;
+  }
+
+  blocks::SequenceStep sequenceStep() {
+    switch (input_.choice(5)) {
+      case 0:
+        return moveAbsolute();
+      case 1:
+        return moveRelative();
+      case 2:
+        return moveCircle();
+      case 3:
+        return changeBase();
+      default:
+        return changeTcp();
+    }
+  }
+
+  blocks::PickAndPlaceGoal pickAndPlace() {
+    blocks::PickAndPlaceGoal goal;
+    goal.steps.resize(input_.choice(kMostSteps + 1));
+    for (auto& step : goal.steps) {
+      step.move = moveAbsolute();
+      begin();
+      vary(step.output, step.dwell);
+    }
+    begin();
+    varyFault(goal.steps_fault);
+    vary(goal.cycles, goal.buffer_mode, goal.check_only);
+    return goal;
+  }
+
+  /// The inputs that all motions have.
+  template <class Motion>
+  void varyMotion(Motion& goal) {
+    vary(goal.speed, goal.accel_time, goal.blending_enable, goal.blending_value, goal.precise_positioning,
+         goal.exit_node, goal.buffer_mode);
+  }
+
+  template <class Motion>
+  [[nodiscard]] Motion bounded(Motion goal, bool along_a_path) const {
+    if (plans_ && along_a_path && goal.speed < kSlowestPlannedPath) {
+      goal.speed += kSlowestPlannedPath;  // what is out of range by far stays so
+    }
+    return goal;
+  }
+
+  /// Which fields of the next struct are varied.
+  void begin() { mask_ = input_.byte() | input_.byte() << 8 | input_.byte() << 16; }
+  bool varied() {
+    const bool is_varied = (mask_ & 1) != 0;
+    mask_ >>= 1;
+    return is_varied;
+  }
+  template <class... Fields>
+  void vary(Fields&... fields) {
+    ((varied() ? any(fields) : void()), ...);
+  }
+
+  /// The layer's own words, from above the core: always short.
+  void varyFault(std::string& field) {
+    if (varied()) {
+      field = input_.text();
+    }
+  }
+  /// Six, a few, or many.
+  void anyJoints(std::vector<double>& joints) {
+    joints.resize(input_.choice(8));
+    for (double& joint : joints) {
+      any(joint);
+    }
+    if (input_.choice(16) == 0) {
+      joints.resize(10000, input_.number());
+    }
+  }
+
+  void any(bool& field) { field = input_.flag(); }
+  void any(int& field) { field = input_.whole(); }
+  void any(double& field) { field = input_.number(); }
+  /// Short ones, and those that are longer than any name.
+  void any(std::string& field) {
+    const std::size_t times = input_.choice(16) == 0 ? 500 : 1;
+    const std::string text = input_.text();
+    field.clear();
+    for (std::size_t i = 0; i < times; ++i) {
+      field += text;
+    }
+  }
+  template <class Value, std::size_t kSize>
+  void any(std::array<Value, kSize>& field) {
+    const std::size_t which = input_.choice(kSize + 1);
+    for (std::size_t i = 0; i < kSize; ++i) {
+      if (which == kSize || which == i) {
+        any(field[i]);
+      }
+    }
+  }
+  template <class Value>
+  void any(std::optional<Value>& field) {
+    field.emplace();
+    any(*field);
+  }
+  void any(blocks::FramedPose& field) {
+    field = testing::framedPose();
+    const auto mask = std::exchange(mask_, input_.byte());
+    vary(field.frame, field.position, field.quaternion);
+    varyFault(field.fault);
+    if (varied()) {
+      field.frame_in_robot_base.reset();
+    } else if (varied()) {
+      field.frame_in_robot_base->translation().x() = input_.number();
+    }
+    mask_ = mask;
+  }
+  void any(blocks::OutputAction& field) {
+    field = {input_.flag() ? "EndModule" : "ControlBox", input_.whole(), input_.flag()};
+    if (input_.choice(8) == 0) {
+      any(field.module);
+    }
+  }
+
+  FuzzInput& input_;
+  bool plans_;
+  unsigned mask_ = 0;
+};
+
+}  // namespace cobot_command::fuzz
