@@ -1,9 +1,12 @@
 // What the controller's answers mean for a running command.
 
+#include <algorithm>
+
 #include "command_run.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -11,16 +14,27 @@ namespace {
 using Event = CommandRunEvent;
 using State = CommandRunState;
 
-/// "line 1: PTP(...); line 3: QueueTag(...)" for the lines that the controller named.
-std::string faultyLines(const std::vector<std::string>& script, const std::vector<int>& lines) {
+/// "line 1: PTP(...); line 3: QueueTag(...)" for the lines that the controller named; of a long list the
+/// first ones. What it names beside the script is its own fault, and told as that.
+std::string faultyLines(const std::vector<std::string>& script, std::vector<int> lines) {
+  constexpr std::size_t kMaxNamed = 8;
+  if (lines.empty()) return "no line was named";
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  const auto known = [&](int line) { return line >= 1 && line <= static_cast<int>(script.size()); };
+  const auto ours = std::stable_partition(lines.begin(), lines.end(), known);
+  const auto named = static_cast<std::size_t>(ours - lines.begin());
   std::string text;
-  for (const int line : lines) {
-    text += fmt::format("{}line {}", text.empty() ? "" : "; ", line);
-    if (line >= 1 && line <= static_cast<int>(script.size())) {
-      text += ": " + script[static_cast<std::size_t>(line - 1)];
-    }
+  for (std::size_t i = 0; i < std::min(named, kMaxNamed); ++i) {
+    text += fmt::format("{}line {}: {}", i == 0 ? "" : "; ", lines[i],
+                        foreignText(script[static_cast<std::size_t>(lines[i]) - 1]));
   }
-  return text.empty() ? "no line was named" : text;
+  if (named > kMaxNamed) text += fmt::format("; and {} more lines", named - kMaxNamed);
+  if (ours == lines.end()) return text;
+  return fmt::format("{}{}the controller named {} that a script of {} lines has not, such as line {}", text,
+                     text.empty() ? "" : "; ",
+                     lines.end() - ours == 1 ? "one" : fmt::format("{} lines", lines.end() - ours),
+                     script.size(), *ours);
 }
 
 Failure failureOf(const protocol::CommunicationError& error) {

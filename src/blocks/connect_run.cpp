@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
-#include "cobot_command/protocol/frame.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::blocks {
 
@@ -61,10 +61,10 @@ std::vector<Failure> checkConnect(const ConnectGoal& goal) {
     failures.push_back({connect_error::kTimeoutRange, fmt::format("timeout is {} s", goal.timeout), ""});
   }
   if (!isHost(goal.host)) {
-    failures.push_back({own_error::kHostInvalid,
-                        fmt::format("host is '{}' ({} characters)",
-                                    protocol::printable(goal.host.substr(0, 64)), goal.host.size()),
-                        ""});
+    failures.push_back(
+        {own_error::kHostInvalid,
+         fmt::format("host is '{}' ({} characters)", foreignText(goal.host, kQuoteLimit), goal.host.size()),
+         ""});
   }
   if (goal.port < 1 || goal.port > 65535) {
     failures.push_back({own_error::kPortRange, fmt::format("port is {}", goal.port), ""});

@@ -8,14 +8,13 @@
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/units.h"
-#include "cobot_command/protocol/frame.h"
 
 namespace cobot_command::blocks {
 namespace {
 
 constexpr double kUnitLengthTolerance = 1e-3;
-constexpr std::size_t kShownOfAFrame = 64;
 
 template <std::size_t N>
 bool isFinite(const std::array<double, N>& values) {
@@ -38,10 +37,9 @@ arm::Pose inRobotBase(const FramedPose& pose) {
 
 void checkPose(ParameterChecks& checks, const char* field, const FramedPose& pose) {
   const bool frame_known = pose.frame_in_robot_base && pose.frame_in_robot_base->matrix().allFinite();
-  checks.require(
-      frame_known, own_error::kFrameUnknown,
-      fmt::format("{} is in \"{}\"{}{}", field, protocol::printable(pose.frame.substr(0, kShownOfAFrame)),
-                  pose.fault.empty() ? "" : ": ", pose.fault));
+  checks.require(frame_known, own_error::kFrameUnknown,
+                 fmt::format("{} is in \"{}\"{}{}", field, foreignText(pose.frame, kQuoteLimit),
+                             pose.fault.empty() ? "" : ": ", foreignText(pose.fault)));
   if (!isFinite(pose.position) || !isFinite(pose.quaternion)) {
     checks.require(false, own_error::kNotFinite, fmt::format("a number of {} is not finite", field));
     return;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
-#include "cobot_command/protocol/frame.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/protocol/script_command.h"
 
 namespace cobot_command::blocks {
@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kMinCommandId = 2;
 constexpr int kMaxCommandId = 9;
-constexpr std::size_t kShownOfAName = 64;
 
 bool isBufferMode(int buffer_mode) {
   return buffer_mode >= static_cast<int>(BufferMode::Refuse) &&
@@ -50,8 +49,7 @@ void ParameterChecks::sixValues(const char* field, const SixValues& values) {
 
 void ParameterChecks::name(const char* field, const std::string& name) {
   require(protocol::isName(name), own_error::kNameInvalid,
-          fmt::format("{} is \"{}\", {} bytes", field, protocol::printable(name.substr(0, kShownOfAName)),
-                      name.size()));
+          fmt::format("{} is \"{}\", {} bytes", field, foreignText(name, kQuoteLimit), name.size()));
 }
 
 std::vector<Failure> ParameterChecks::violations() && {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -36,7 +37,7 @@ void checkStep(const PickAndPlaceStep& step, std::size_t number, std::vector<Fai
   if (step.output && !isOutput(*step.output)) {
     failures.push_back({own_error::kOutputInvalid,
                         fmt::format("step {}: output {} of module '{}'", number, step.output->output,
-                                    step.output->module.substr(0, 64)),
+                                    foreignText(step.output->module, kQuoteLimit)),
                         ""});
   }
   if (step.move.blending_enable && (step.dwell > 0 || step.output)) {

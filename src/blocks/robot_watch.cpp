@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/protocol/frame.h"
 
 namespace cobot_command::blocks {
 
@@ -26,9 +25,7 @@ bool RobotWatch::held() const {
 std::string RobotWatch::errorText() const {
   if (!status_) return "";
   std::string text = fmt::format("error 0x{:X}", static_cast<unsigned>(status_->error_code.value_or(0)));
-  if (status_->error_text && !status_->error_text->empty()) {
-    text += ": " + protocol::printable(*status_->error_text);
-  }
+  if (status_->error_text && !status_->error_text->empty()) text += ": " + *status_->error_text;
   return text;
 }
 

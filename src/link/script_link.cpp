@@ -181,7 +181,7 @@ void ScriptLink::diagnose(Trouble trouble, std::string diagnosis) {
 void ScriptLink::diagnoseListening() {
   switch (state_) {
     case State::Ready:
-      diagnose(Trouble::None, fmt::format("in the Listen node '{}'", protocol::printable(listen_node_)));
+      diagnose(Trouble::None, fmt::format("in the Listen node '{}'", listen_node_));
       break;
     case State::NotListening:
     case State::Leaving:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/link/script_link.h"
 
 namespace cobot_command::link {
@@ -61,7 +62,7 @@ void ScriptLink::fault(std::string_view bytes, const std::string& meaning, Insta
 }
 
 void ScriptLink::take(const protocol::ListenNodeEntered& message, Instant now) {
-  listen_node_ = message.message;
+  listen_node_ = foreignText(message.message);
   fire(Event::NodeEntered, now);
 }
 
@@ -72,7 +73,7 @@ void ScriptLink::take(const protocol::ListenNodeState& message, Instant now) {
   }
   unanswered_lifesigns_ = 0;
   lifesign_at_ = now + settings_.supervision_period;
-  if (message.listening) listen_node_ = message.message;
+  if (message.listening) listen_node_ = foreignText(message.message);
   fire(eventOf(message), now);
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/protocol/controller_error.h"
 
 namespace cobot_command::link {
@@ -61,7 +62,7 @@ bool readInt(const StatusItem& item, std::optional<int>& target) {
 }
 
 bool readString(const StatusItem& item, std::optional<std::string>& target) {
-  target = item.value;
+  target = foreignText(item.value);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include "characters.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/protocol/message.h"
 #include "cobot_command/protocol/status_items.h"
 
@@ -13,15 +14,23 @@ namespace cobot_command::protocol {
 namespace {
 
 constexpr std::size_t kMaxQuoted = 80;
+constexpr std::size_t kMaxListed = 20;
 
 std::string shortened(std::string_view text) {
-  return printable(text.substr(0, kMaxQuoted)) + (text.size() > kMaxQuoted ? "..." : "");
+  return foreignText(text, kMaxQuoted);
+}
+
+/// " and 5 more", when a list was cut.
+std::string andMore(std::size_t count) {
+  return count > kMaxListed ? fmt::format(" and {} more", count - kMaxListed) : "";
 }
 
 std::string lineList(const std::vector<int>& lines) {
   std::string text = lines.size() == 1 ? "line" : "lines";
-  for (const int line : lines) fmt::format_to(std::back_inserter(text), " {}", line);
-  return text;
+  for (std::size_t i = 0; i < std::min(lines.size(), kMaxListed); ++i) {
+    fmt::format_to(std::back_inserter(text), " {}", lines[i]);
+  }
+  return text + andMore(lines.size());
 }
 
 std::string described(const ScriptRequest& request) {
@@ -30,7 +39,7 @@ std::string described(const ScriptRequest& request) {
   const auto further = std::count(script.begin(), script.end(), '\n');
   std::string_view first = takeUntil('\n', script);
   if (!first.empty() && first.back() == '\r') first.remove_suffix(1);
-  std::string text = fmt::format("run script {}: {}", request.id, shortened(first));
+  std::string text = fmt::format("run script {}: {}", shortened(request.id), shortened(first));
   if (further > 0) {
     fmt::format_to(std::back_inserter(text), " (and {} more {})", further, further == 1 ? "line" : "lines");
   }
@@ -46,7 +55,8 @@ std::string described(const ListenNodeEntered& entered) {
   return "entered the Listen node: " + shortened(entered.message);
 }
 std::string described(const ScriptReply& reply) {
-  std::string text = fmt::format("script {} {}", reply.id, reply.accepted ? "accepted" : "refused");
+  std::string text =
+      fmt::format("script {} {}", shortened(reply.id), reply.accepted ? "accepted" : "refused");
   if (reply.lines.empty()) return text;
   return text + (reply.accepted ? ", warnings in " : ", errors in ") + lineList(reply.lines);
 }
@@ -88,34 +98,37 @@ std::string described(const CommunicationError& error) {
 
 std::string names(const std::vector<StatusItem>& items) {
   std::string text;
-  for (const StatusItem& item : items) text.append(text.empty() ? "" : ", ").append(item.name);
-  return text;
+  for (std::size_t i = 0; i < std::min(items.size(), kMaxListed); ++i) {
+    text.append(text.empty() ? "" : ", ").append(foreignText(items[i].name, kQuoteLimit));
+  }
+  return text + andMore(items.size());
 }
 
 std::string described(const StatusFrame& frame) {
   const auto say = [&](std::string_view what, std::string_view content) {
-    return fmt::format("{} {}: {}", what, frame.id, shortened(content));
+    return fmt::format("{} {}: {}", what, shortened(frame.id), content);
   };
   const auto items = parseBinaryItems(frame.content);
   switch (static_cast<StatusMode>(frame.mode)) {
     case StatusMode::Reply:
-      if (parseStatusReply(frame.content)) return say("answer to item request", frame.content);
+      if (parseStatusReply(frame.content)) return say("answer to item request", shortened(frame.content));
       break;
     case StatusMode::WriteBinary:
       if (items) return say("binary items", names(*items));
       break;
     case StatusMode::ReadBinary:
-      return say("binary items asked", items ? names(*items) : frame.content);
+      return say("binary items asked", items ? names(*items) : shortened(frame.content));
     case StatusMode::WriteString:
-      return say("text items", frame.content);
+      return say("text items", shortened(frame.content));
     case StatusMode::ReadString:
-      return say("text items asked", frame.content);
+      return say("text items asked", shortened(frame.content));
     case StatusMode::WriteJson:
-      return say("JSON items", frame.content);
+      return say("JSON items", shortened(frame.content));
     case StatusMode::ReadJson:
-      return say("JSON items asked", frame.content);
+      return say("JSON items asked", shortened(frame.content));
   }
-  return fmt::format("item frame {} of mode {} with content that means nothing", frame.id, frame.mode);
+  return fmt::format("item frame {} of mode {} with content that means nothing", shortened(frame.id),
+                     frame.mode);
 }
 
 }  // namespace
@@ -139,7 +152,7 @@ std::string describe(const Frame& frame) {
   const auto from_client = parseClientMessage(frame);
   if (from_client) return describe(*from_client);
   if (from_controller.error().kind == MessageFault::Kind::UnknownHeader) {
-    return fmt::format("unknown header {}, known are TMSCT, TMSTA, TMSVR, CPERR", printable(frame.header));
+    return fmt::format("unknown header {}, known are TMSCT, TMSTA, TMSVR, CPERR", shortened(frame.header));
   }
   return from_client.error().kind == MessageFault::Kind::Data ? from_client.error().message
                                                               : from_controller.error().message;

@@ -4,33 +4,11 @@
 #include <array>
 #include <cassert>
 #include <cstring>
-#include <iterator>
 
 #include "characters.h"
-#include "utf8.h"
 #include <fmt/format.h>
 
 namespace cobot_command::protocol {
-
-namespace {
-
-void appendEscaped(std::string& text, char byte) {
-  switch (byte) {
-    case '\r':
-      text += "\\r";
-      break;
-    case '\n':
-      text += "\\n";
-      break;
-    case '\t':
-      text += "\\t";
-      break;
-    default:
-      fmt::format_to(std::back_inserter(text), "\\x{:02X}", static_cast<unsigned char>(byte));
-  }
-}
-
-}  // namespace
 
 std::uint8_t checksum(std::string_view bytes) {
   // Four independent words at a time: the loop then runs as fast as memory, not as fast as one XOR after
@@ -72,21 +50,6 @@ std::string encodeFrame(std::string_view header, std::string_view data) {
   frame += kHexDigits[sum & 0x0Fu];
   frame += "\r\n";
   return frame;
-}
-
-std::string printable(std::string_view bytes) {
-  std::string text;
-  text.reserve(bytes.size());
-  while (!bytes.empty()) {
-    const std::size_t size = utf8Length(bytes);
-    if (size == 0 || isControl(bytes.front())) {
-      appendEscaped(text, bytes.front());
-    } else {
-      text.append(bytes.substr(0, size));
-    }
-    bytes.remove_prefix(std::max<std::size_t>(size, 1));
-  }
-  return text;
 }
 
 }  // namespace cobot_command::protocol

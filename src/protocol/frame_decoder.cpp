@@ -6,6 +6,8 @@
 #include "characters.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::protocol {
 
 namespace {
@@ -14,7 +16,7 @@ constexpr std::string_view kFrameEnd = ",*..\r\n";  // '.': a digit of CS
 constexpr std::size_t kMaxLengthField = 2 + 32;     // 0b and 32 digits
 
 std::string quoted(std::string_view bytes) {
-  return '"' + printable(bytes.substr(0, 32)) + '"';
+  return '"' + foreignText(bytes, 32) + '"';
 }
 
 /// Whether the bytes are, as far as they go, ",*CS\r\n"; CS itself is not looked at. Gives how many are.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "utf8.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::protocol {
 

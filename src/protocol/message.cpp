@@ -9,6 +9,8 @@
 #include "characters.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::protocol {
 
 namespace {
@@ -31,12 +33,13 @@ constexpr std::array<CommunicationErrorCode, 6> kErrorCodes{
 
 auto dataFault(std::string_view expected, std::string_view found) {
   return refuse(MessageFault{MessageFault::Kind::Data, fmt::format("expected {}, found \"{}\"", expected,
-                                                                   printable(found.substr(0, 64)))});
+                                                                   foreignText(found, kQuoteLimit))});
 }
 
 auto unknownHeader(const Frame& frame, std::string_view known) {
-  return refuse(MessageFault{MessageFault::Kind::UnknownHeader,
-                             fmt::format("header is {}, known here: {}", printable(frame.header), known)});
+  return refuse(MessageFault{
+      MessageFault::Kind::UnknownHeader,
+      fmt::format("header is {}, known here: {}", foreignText(frame.header, kQuoteLimit), known)});
 }
 
 Result<ClientMessage, MessageFault> parseScriptRequest(std::string_view data) {

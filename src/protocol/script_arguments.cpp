@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/protocol/frame.h"
 
 namespace cobot_command::protocol {
@@ -19,11 +20,11 @@ std::string shown(const Literal& literal) {
     case Literal::Kind::Boolean:
       return literal.flag ? "true" : "false";
     case Literal::Kind::Text:
-      return '"' + printable(literal.text.substr(0, 64)) + '"';
+      return '"' + foreignText(literal.text, kQuoteLimit) + '"';
     case Literal::Kind::Array:
       return fmt::format("an array of {}", literal.elements.size());
     case Literal::Kind::Name:
-      return "the variable " + literal.text;
+      return "the variable " + foreignText(literal.text, kQuoteLimit);
   }
   return {};
 }

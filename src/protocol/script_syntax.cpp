@@ -7,6 +7,7 @@
 #include <boost/spirit/home/x3.hpp>
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/protocol/frame.h"
 
 namespace cobot_command::protocol {
@@ -118,14 +119,13 @@ Result<std::optional<Call>, std::string> parseLine(std::string_view line) {
                          x3::char_(std::string(kBlanks)))) {
       return parsed;
     }
-    return refuse(
-        fmt::format("expected a command Name(arguments), found \"{}\"", printable(line.substr(0, 32))));
+    return refuse(fmt::format("expected a command Name(arguments), found \"{}\"", foreignText(line, 32)));
   } catch (const x3::expectation_failure<const char*>& failure) {
     const auto failed = static_cast<std::size_t>(failure.where() - line.data());
     const std::size_t at = std::min(line.find_first_not_of(kBlanks, failed), line.size());
-    const std::string_view found = line.substr(at, 32);
+    const std::string_view found = line.substr(at);
     return refuse(fmt::format("column {}: expected {}, found {}", at + 1, failure.which(),
-                              found.empty() ? "the end of the line" : '"' + printable(found) + '"'));
+                              found.empty() ? "the end of the line" : '"' + foreignText(found, 32) + '"'));
   }
 }
 

@@ -5,9 +5,9 @@
 #include <type_traits>
 
 #include "characters.h"
-#include "utf8.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/protocol/script_command.h"
 #include "cobot_command/protocol/script_formats.h"
 

@@ -10,6 +10,8 @@
 #include "little_endian.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::protocol {
 
 namespace {
@@ -100,8 +102,9 @@ std::optional<std::vector<float>> asFloats(const StatusItem& item) {
 
 Result<StatusFrame, MessageFault> parseStatusFrame(const Frame& frame) {
   if (frame.header != header::kItems) {
-    return refuse(MessageFault{MessageFault::Kind::UnknownHeader,
-                               fmt::format("header is {}, known here: TMSVR", printable(frame.header))});
+    return refuse(
+        MessageFault{MessageFault::Kind::UnknownHeader,
+                     fmt::format("header is {}, known here: TMSVR", foreignText(frame.header, kQuoteLimit))});
   }
   std::string_view fields = frame.data;
   const std::size_t commas = static_cast<std::size_t>(std::count(fields.begin(), fields.end(), ','));
@@ -109,7 +112,7 @@ Result<StatusFrame, MessageFault> parseStatusFrame(const Frame& frame) {
   const auto mode = parseDigits(takeUntil(',', fields));
   if (commas < 2 || !isAlphanumeric(id) || !mode) {
     return dataFault(fmt::format("expected an id of letters and digits, a mode and a content, found \"{}\"",
-                                 printable(std::string_view(frame.data).substr(0, 64))));
+                                 foreignText(frame.data, kQuoteLimit)));
   }
   return StatusFrame{std::string(id), *mode, std::string(fields)};
 }
@@ -153,7 +156,7 @@ Result<StatusReply, MessageFault> parseStatusReply(std::string_view content) {
   const std::string_view text = takeUntil(';', fields);
   if (digits.size() != 2 || !code || *code >= static_cast<int>(kReplyTexts.size()) || text.empty()) {
     return dataFault(fmt::format("expected a code 00 to 07, ',' and a text, found \"{}\"",
-                                 printable(content.substr(0, 64))));
+                                 foreignText(content, kQuoteLimit)));
   }
   return StatusReply{static_cast<StatusReply::Code>(*code), std::string(fields)};
 }

@@ -20,6 +20,7 @@
 #include <ros/poll_manager.h>
 #include <ros/xmlrpc_manager.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/runtime/end_signals.h"
 
 namespace cobot_command::ros_adapter {
@@ -109,8 +110,10 @@ class NodeEnd::Impl {
     const auto& xmlrpc = ros::XMLRPCManager::instance();
     xmlrpc->unbind(kShutdown);
     xmlrpc->bind(kShutdown, [this](XmlRpc::XmlRpcValue& parameters, XmlRpc::XmlRpcValue& result) {
-      if (parameters.getType() == XmlRpc::XmlRpcValue::TypeArray && parameters.size() > 1)
-        ROS_WARN_STREAM("asked to shut down: " << parameters[1]);
+      using Value = XmlRpc::XmlRpcValue;
+      if (parameters.getType() == Value::TypeArray && parameters.size() > 1 &&
+          parameters[1].getType() == Value::TypeString)
+        ROS_WARN_STREAM("asked to shut down: " << foreignText(static_cast<std::string&>(parameters[1])));
       boost::asio::post(context_, [this] { ask(); });
       result = ros::xmlrpc::responseInt(1, "", 0);
     });

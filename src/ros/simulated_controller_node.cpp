@@ -16,6 +16,7 @@
 #include "cobot_command/SetFault.h"
 #include "cobot_command/SetInput.h"
 #include "cobot_command/SetProjectSpeed.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/status_messages.h"
 
 namespace cobot_command::ros_adapter {
@@ -42,19 +43,20 @@ link::RobotStatus asStreamed(const simulator::RobotState& state) {
   status.safeguard = state.safeguard;
   status.error = state.error;
   status.error_code = state.error_code;
-  status.error_text = state.error_text;
+  status.error_text = foreignText(state.error_text);
   status.project_running = state.project_running;
   status.project_paused = state.project_paused;
   status.project_speed_percent = state.project_speed_percent;
-  status.base_name = state.base_name;
-  status.tcp_name = state.tcp_name;
+  status.base_name = foreignText(state.base_name);
+  status.tcp_name = foreignText(state.tcp_name);
   return status;
 }
 
 Result<simulator::OperatorAction, std::string> inputOf(const SetInput::Request& request) {
   const bool box = request.module == "ControlBox";
   if (!box && request.module != "EndModule") {
-    return refuse("module \"" + request.module + "\": the modules are ControlBox and EndModule");
+    return refuse("module \"" + foreignText(request.module, kQuoteLimit) +
+                  "\": the modules are ControlBox and EndModule");
   }
   return simulator::SetInput{box ? protocol::IoModule::ControlBox : protocol::IoModule::EndModule,
                              request.input, request.value != 0};

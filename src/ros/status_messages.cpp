@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "cobot_command/protocol/frame.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -45,6 +45,8 @@ std::uint8_t toMessage(blocks::CommandStatus::LinkState state) {
   return Message::DISCONNECTED;
 }
 
+constexpr std::size_t kMaxTraceText = 4096;  // [bytes] as FrameTrace.msg says; longer than any script
+
 // Below this a joint counts as standing still: encoders and float32 items leave some noise.
 constexpr double kStandstillVelocity = 1e-3;  // [rad/s]
 
@@ -85,7 +87,7 @@ cobot_command::FrameTrace toMessage(const blocks::FrameTraced& trace, const Cloc
   message.channel = trace.channel == link::Channel::Script ? Message::SCRIPT : Message::STATUS;
   message.sent = trace.sent;
   message.bytes.assign(trace.bytes.begin(), trace.bytes.end());
-  message.text = protocol::printable(trace.bytes);
+  message.text = foreignText(trace.bytes, kMaxTraceText);
   message.meaning = trace.meaning;
   return message;
 }

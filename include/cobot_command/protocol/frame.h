@@ -34,7 +34,4 @@ struct Frame {
 /// Preconditions: the header is not empty and has only letters; data.size() <= kMaxDataLength.
 [[nodiscard]] std::string encodeFrame(std::string_view header, std::string_view data);
 
-/// For people: control characters and bytes that are not UTF-8 shown as \r, \n, \xNN.
-[[nodiscard]] std::string printable(std::string_view bytes);
-
 }  // namespace cobot_command::protocol

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/protocol/frame.h"
 #include "cobot_command/protocol/frame_decoder.h"
 #include "cobot_command/protocol/message.h"
@@ -53,7 +54,7 @@ void addBytes(Json& line, const std::string& key, const std::string& bytes) {
     static_cast<void>(Json(bytes).dump());
     line[key] = bytes;
   } catch (const Json::type_error&) {
-    line[key] = printable(bytes);
+    line[key] = cobot_command::escaped(bytes);
     line[key + "_hex"] = toHex(bytes);
   }
 }
@@ -106,7 +107,7 @@ int decodeHexLines(FrameDecoder decoder) {
     ++number;
     if (!fromHex(line, bytes)) {
       std::cerr << "tm_frame: line " << number << ": expected pairs of hexadecimal digits, found \""
-                << printable(line.substr(0, 64)) << "\"\n";
+                << cobot_command::foreignText(line) << "\"\n";
       return kBadUsage;
     }
     decoder.reset();
@@ -132,7 +133,7 @@ std::string checkHeader(const std::string& header) {
       !header.empty() && header.size() <= kMaxHeaderLength &&
       header.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz") == std::string::npos;
   return letters ? ""
-                 : "HEADER is \"" + printable(header) + "\", expected at most " +
+                 : "HEADER is \"" + cobot_command::foreignText(header) + "\", expected at most " +
                        std::to_string(kMaxHeaderLength) + " letters";
 }
 

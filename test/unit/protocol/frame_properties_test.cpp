@@ -70,11 +70,6 @@ RC_GTEST_PROP(FrameProperty, ofAStreamThatEndsLeavesNothing, ()) {
   RC_ASSERT(decoder.pending() == 0u);
 }
 
-RC_GTEST_PROP(FrameProperty, isPrintedAsText, ()) {
-  const Bytes bytes = *anyBytes();
-  RC_ASSERT(printable(printable(bytes)) == printable(bytes));
-}
-
 RC_GTEST_PROP(MessageProperty, ofAnyDataIsAMessageThatIsReadAgainOrAFault, ()) {
   const Bytes header = *rc::gen::element<Bytes>("TMSCT", "TMSTA", "CPERR", "TMSVR", "X");
   const Bytes data = *rc::gen::oneOf(

@@ -40,17 +40,5 @@ TEST(EncodeFrame, padsTheChecksumToTwoDigits) {
   EXPECT_EQ(encodeFrame("TMSCT", "4,ERROR;1"), "$TMSCT,9,4,ERROR;1,*02\r\n");
 }
 
-TEST(Printable, leavesTextAlone) {
-  EXPECT_EQ(printable("1,ChangeBase(\"\u9054\u660e\")"), "1,ChangeBase(\"\u9054\u660e\")");
-}
-
-TEST(Printable, showsControlCharacters) {
-  EXPECT_EQ(printable(std::string_view("a\r\n\t\0\x1B\x7F", 7)), "a\\r\\n\\t\\x00\\x1B\\x7F");
-}
-
-TEST(Printable, showsBytesThatAreNotUtf8) {
-  EXPECT_EQ(printable("\xC8 \xE9\x81 \xC0\xAF"), "\\xC8 \\xE9\\x81 \\xC0\\xAF");
-}
-
 }  // namespace
 }  // namespace cobot_command::protocol

@@ -8,6 +8,7 @@
 #include "test_names.h"
 #include <gmock/gmock.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/protocol/message.h"
 #include "cobot_command/protocol/status_items.h"
 
@@ -88,7 +89,7 @@ TEST(GoldenFrames, waitAtEveryPrefix) {
   for (const GoldenFrame& golden : goldenFrames()) {
     for (std::size_t size = 0; size < golden.bytes.size(); ++size) {
       const auto prefix = std::string_view(golden.bytes).substr(0, size);
-      ASSERT_EQ(decode(prefix), reference::decode(prefix)) << printable(prefix);
+      ASSERT_EQ(decode(prefix), reference::decode(prefix)) << escaped(prefix);
     }
   }
 }
@@ -98,14 +99,14 @@ TEST(GoldenFrames, areTheSameInAnyTwoPieces) {
     const std::string& bytes = golden.bytes;
     for (std::size_t first = 1; first < bytes.size(); ++first) {
       ASSERT_EQ(decodeInPieces(bytes, first, bytes.size()), reference::decode(bytes))
-          << printable(bytes) << first;
+          << escaped(bytes) << first;
     }
   }
 }
 
 TEST(GoldenFrames, areTheSameByteByByte) {
   for (const GoldenFrame& golden : goldenFrames()) {
-    ASSERT_EQ(decodeInPieces(golden.bytes, 1, 1), reference::decode(golden.bytes)) << printable(golden.bytes);
+    ASSERT_EQ(decodeInPieces(golden.bytes, 1, 1), reference::decode(golden.bytes)) << escaped(golden.bytes);
   }
 }
 
@@ -116,7 +117,7 @@ TEST(GoldenFrames, areAsTheReferenceSaysAfterEverySingleByteChange) {
     for (std::size_t at = 0; at < golden.bytes.size(); ++at) {
       for (int value = 0; value < 256; ++value) {
         bytes[at] = static_cast<char>(value);
-        ASSERT_EQ(decode(bytes), reference::decode(bytes)) << printable(bytes);
+        ASSERT_EQ(decode(bytes), reference::decode(bytes)) << escaped(bytes);
       }
       bytes[at] = golden.bytes[at];
     }
@@ -128,8 +129,8 @@ TEST(GoldenFrames, areAsTheReferenceSaysInEveryPair) {
   for (const GoldenFrame& first : frames) {
     for (const GoldenFrame& second : frames) {
       const std::string bytes = first.bytes + second.bytes;
-      ASSERT_EQ(decode(bytes), reference::decode(bytes)) << printable(bytes);
-      ASSERT_EQ(decodeInPieces(bytes, 1, 1), reference::decode(bytes)) << printable(bytes);
+      ASSERT_EQ(decode(bytes), reference::decode(bytes)) << escaped(bytes);
+      ASSERT_EQ(decodeInPieces(bytes, 1, 1), reference::decode(bytes)) << escaped(bytes);
     }
   }
 }
