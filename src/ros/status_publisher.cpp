@@ -40,6 +40,7 @@ StatusPublisher::StatusPublisher(ros::NodeHandle node, JointNames joint_names, s
   active_frames_topic_ = node.advertise<cobot_command::ActiveFrames>("active_frames", kQueueSize, true);
   planned_path_ = node.advertise<visualization_msgs::Marker>("planned_path", kQueueSize, true);
   frames_ = node.advertise<cobot_command::FrameTrace>("frames", kQueueSize);
+  status_frames_ = node.advertise<cobot_command::FrameTrace>("status_frames", kQueueSize);
   publish(active_frames_);  // so that it can be read before anything is known
 }
 
@@ -92,7 +93,8 @@ void StatusPublisher::publish(const blocks::CommandStatus& status, const ClockPa
 }
 
 void StatusPublisher::publish(const blocks::FrameTraced& trace, const ClockPair& clocks) {
-  if (frames_.getNumSubscribers() > 0) frames_.publish(toMessage(trace, clocks));
+  const ros::Publisher& topic = trace.channel == link::Channel::Script ? frames_ : status_frames_;
+  if (topic.getNumSubscribers() > 0) topic.publish(toMessage(trace, clocks));
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -52,6 +52,10 @@ class Latest:
                 raise AssertionError(f"{what} did not come within {DEADLINE} s; the last message:\n{self.message}")
             return self.message
 
+    def all(self):
+        with self._changed:
+            return list(self._messages)
+
     def wait_for_return(self, before, away, back, what):
         """Until a message after `before` was `away`, however briefly, and the last one is `back`."""
         def returned(last):

@@ -53,6 +53,14 @@ class Planning(CobotTestCase):
         self.assert_done(self.robot.run(to_joints(260, 0, 90, 0, 90, 0)))
         self.assert_refuses([(circle(arc, end), 0x203, "j1")])
 
+    def test_records_the_frames_of_each_port_on_a_topic_of_its_own(self):
+        status_frames = Latest("status_frames", FrameTrace)
+        status_frames.wait_for(lambda m: True, "a frame of the status port")
+        self.assert_done(self.robot.run(relative(0, 0, 1, 0, 0, 0)))
+        self.frames.wait_for(lambda m: "complete" in m.meaning, "the tag of the motion")
+        self.assertEqual({m.channel for m in status_frames.all()}, {FrameTrace.STATUS})
+        self.assertEqual({m.channel for m in self.frames.all()}, {FrameTrace.SCRIPT})
+
     # --- check_only.
     def test_checks_without_sending_anything(self):
         self.frames.message = None

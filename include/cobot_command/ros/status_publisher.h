@@ -1,5 +1,5 @@
 // What the command layer tells everyone: joint_states, tool_pose, robot_status, command_status,
-// active_frames, planned_path, frames and tf.
+// active_frames, planned_path, frames, status_frames and tf.
 //
 // Called on the core's thread only.
 #pragma once
@@ -30,7 +30,8 @@ class StatusPublisher {
   void publish(const blocks::ActiveFrames& frames);
   /// Latched, for RViz.
   void publish(const blocks::PathPlanned& path);
-  /// Costs nothing while nobody listens.
+  /// The frames of each port on a topic of its own: the stream would drown the commands. Costs nothing while
+  /// nobody listens.
   void publish(const blocks::FrameTraced& trace, const ClockPair& clocks);
 
  private:
@@ -46,6 +47,7 @@ class StatusPublisher {
   ros::Publisher active_frames_topic_;
   ros::Publisher planned_path_;
   ros::Publisher frames_;
+  ros::Publisher status_frames_;
   tf2_ros::TransformBroadcaster tf_;
   blocks::ActiveFrames active_frames_;
   ros::Time frames_sent_;  ///< the stamp of the last ones in tf
