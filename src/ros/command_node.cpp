@@ -54,7 +54,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       diagnostics_(node, self, parameters.link.status_port != 0),
       frames_(parameters.prefix + "base", parameters.tf_from_start),
       intake_([this](const std_msgs::Header& header) { return frames_.find(header); },
-              [this] { return frames_.patience(); }, intakeCore()) {
+              [this] { return frames_.patience(); }, fileSource(), intakeCore()) {
   if (!parameters.arm)
     ROS_WARN("no robot model: moves are sent to the controller without planning them first");
   retry_ = node.createSteadyTimer(
@@ -104,7 +104,21 @@ GoalSink CommandNode::sink() {
 
 GoalIntake::Core CommandNode::intakeCore() {
   return {[this](blocks::GoalId id, blocks::Goal goal) { submit(id, std::move(goal)); },
-          [this](blocks::GoalId id) { runtime_->cancel(id); }};
+          [this](blocks::GoalId id) { runtime_->cancel(id); },
+          [this](blocks::GoalId id) { endCancelled(id); }};
+}
+
+FileSource CommandNode::fileSource() {
+  return {[this](blocks::GoalId id, const std::string& location) { return steps_files_.find(id, location); },
+          [this](blocks::GoalId id) { steps_files_.forget(id); }};
+}
+
+/// In the words of the core for a goal that waits there.
+void CommandNode::endCancelled(blocks::GoalId id) {
+  blocks::Outcome outcome;
+  outcome.ending = blocks::Ending::CommandAborted;
+  outcome.error_description = "cancelled before its turn";
+  for (const auto& bridge : bridges_) bridge->ended(id, outcome, {ros::Time::now(), steadyNow()});
 }
 
 /// The timer runs only while a goal waits for its frame.

@@ -5,44 +5,68 @@
 
 namespace cobot_command::ros_adapter {
 
-GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, Core core)
-    : frames_(std::move(frames)), patience_(std::move(patience)), core_(std::move(core)) {}
+GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core)
+    : frames_(std::move(frames)),
+      patience_(std::move(patience)),
+      files_(std::move(files)),
+      core_(std::move(core)) {}
 
 void GoalIntake::submit(blocks::GoalId id, GoalReader read, Instant now) {
-  Reading reading = readNow(read);
+  Reading reading = readNow(id, read);
   // A stop takes away what came before it: it must not overtake that, and cannot wait for it.
   if (std::holds_alternative<blocks::StopGoal>(reading.goal)) flush();
   const bool never_waits = std::holds_alternative<blocks::ProgramControlGoal>(reading.goal);
-  if (never_waits || (reading.complete && waiting_.empty())) {
-    core_.submit(id, std::move(reading.goal));
+  const bool complete = reading.has_frames && reading.has_file;
+  if (never_waits || (complete && waiting_.empty())) {
+    handOn(id, std::move(reading.goal));
   } else {
-    waiting_.push_back({id, std::move(read), now + patience_()});
+    waiting_.push_back({id, std::move(read), now + patience_(), now + kFilePatience});
   }
 }
 
 void GoalIntake::cancel(blocks::GoalId id) {
-  if (std::any_of(waiting_.begin(), waiting_.end(), [id](const Waiting& w) { return w.id == id; })) flush();
-  core_.cancel(id);
+  const auto waiting =
+      std::find_if(waiting_.begin(), waiting_.end(), [id](const Waiting& w) { return w.id == id; });
+  if (waiting == waiting_.end()) {
+    core_.cancel(id);
+    return;
+  }
+  waiting_.erase(waiting);
+  files_.forget(id);
+  core_.end_cancelled(id);
 }
 
 void GoalIntake::advance(Instant now) {
   while (!waiting_.empty()) {
-    Reading reading = readNow(waiting_.front().read);
-    if (!reading.complete && now < waiting_.front().deadline) return;
-    const blocks::GoalId id = waiting_.front().id;
+    const Waiting& front = waiting_.front();
+    const blocks::GoalId id = front.id;
+    Reading reading = readNow(id, front.read);
+    if (!reading.has_frames && now < front.frames_by) return;
+    if (!reading.has_file && now < front.file_by) return;
     waiting_.pop_front();
-    core_.submit(id, std::move(reading.goal));
+    handOn(id, std::move(reading.goal));
   }
 }
 
-GoalIntake::Reading GoalIntake::readNow(const GoalReader& read) const {
-  bool complete = true;
-  blocks::Goal goal = read([&](const std_msgs::Header& header) {
+GoalIntake::Reading GoalIntake::readNow(blocks::GoalId id, const GoalReader& read) const {
+  Reading reading;
+  const auto find_frame = [&](const std_msgs::Header& header) {
     FramePlace place = frames_(header);
-    complete = complete && place.in_robot_base.has_value();
+    reading.has_frames = reading.has_frames && place.in_robot_base.has_value();
     return place;
-  });
-  return {std::move(goal), complete};
+  };
+  const auto find_file = [&](const std::string& location) {
+    auto answer = files_.find(id, location);
+    reading.has_file = answer.has_value();
+    return answer;
+  };
+  reading.goal = read({find_frame, find_file});
+  return reading;
+}
+
+void GoalIntake::handOn(blocks::GoalId id, blocks::Goal goal) {
+  files_.forget(id);
+  core_.submit(id, std::move(goal));
 }
 
 void GoalIntake::flush() {

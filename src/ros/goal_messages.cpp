@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "pick_and_place_file.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -54,9 +54,9 @@ void takeTarget(Goal& goal, const Message& message) {
   goal.target = toSix(message.target_position);
 }
 
-blocks::PickAndPlaceStep toStep(const cobot_command::PickAndPlaceStep& message, const FrameLookup& frames) {
+blocks::PickAndPlaceStep toStep(const cobot_command::PickAndPlaceStep& message, const Lookups& lookups) {
   blocks::PickAndPlaceStep step;
-  step.move = toGoal(message.move, frames);
+  step.move = toGoal(message.move, lookups);
   if (!message.output.module.empty())
     step.output = {message.output.module, message.output.output, message.output.value != 0};
   step.dwell = message.dwell;
@@ -65,19 +65,19 @@ blocks::PickAndPlaceStep toStep(const cobot_command::PickAndPlaceStep& message, 
 
 /// Absent when the message names a kind that there is not.
 std::optional<blocks::SequenceStep> toStep(const cobot_command::SequenceStep& message,
-                                           const FrameLookup& frames) {
+                                           const Lookups& lookups) {
   using Message = cobot_command::SequenceStep;
   switch (message.kind) {
     case Message::MOVE_ABSOLUTE:
-      return toGoal(message.move_absolute, frames);
+      return toGoal(message.move_absolute, lookups);
     case Message::MOVE_RELATIVE:
-      return toGoal(message.move_relative, frames);
+      return toGoal(message.move_relative, lookups);
     case Message::MOVE_CIRCLE:
-      return toGoal(message.move_circle, frames);
+      return toGoal(message.move_circle, lookups);
     case Message::CHANGE_BASE:
-      return toGoal(message.change_base, frames);
+      return toGoal(message.change_base, lookups);
     case Message::CHANGE_TCP:
-      return toGoal(message.change_tcp, frames);
+      return toGoal(message.change_tcp, lookups);
     default:
       return std::nullopt;
   }
@@ -85,7 +85,7 @@ std::optional<blocks::SequenceStep> toStep(const cobot_command::SequenceStep& me
 
 }  // namespace
 
-blocks::ConnectGoal toGoal(const cobot_command::ConnectGoal& message, const FrameLookup& /*frames*/) {
+blocks::ConnectGoal toGoal(const cobot_command::ConnectGoal& message, const Lookups& /*lookups*/) {
   blocks::ConnectGoal goal;
   goal.host = message.host;
   goal.port = message.port;
@@ -94,45 +94,44 @@ blocks::ConnectGoal toGoal(const cobot_command::ConnectGoal& message, const Fram
   return goal;
 }
 
-blocks::MoveAbsoluteGoal toGoal(const cobot_command::MoveAbsoluteGoal& message, const FrameLookup& frames) {
+blocks::MoveAbsoluteGoal toGoal(const cobot_command::MoveAbsoluteGoal& message, const Lookups& lookups) {
   blocks::MoveAbsoluteGoal goal;
   takeMotion(goal, message);
   takeTarget(goal, message);
-  goal.target_pose = toFramedPose(message.target_pose, frames);
+  goal.target_pose = toFramedPose(message.target_pose, lookups.frames);
   goal.robot_pose_enable = message.robot_pose_enable != 0;
   goal.robot_pose = {message.robot_pose.config1, message.robot_pose.config2, message.robot_pose.config3};
   return goal;
 }
 
-blocks::MoveRelativeGoal toGoal(const cobot_command::MoveRelativeGoal& message,
-                                const FrameLookup& /*frames*/) {
+blocks::MoveRelativeGoal toGoal(const cobot_command::MoveRelativeGoal& message, const Lookups& /*lookups*/) {
   blocks::MoveRelativeGoal goal;
   takeMotion(goal, message);
   takeTarget(goal, message);
   return goal;
 }
 
-blocks::MoveCircleGoal toGoal(const cobot_command::MoveCircleGoal& message, const FrameLookup& frames) {
+blocks::MoveCircleGoal toGoal(const cobot_command::MoveCircleGoal& message, const Lookups& lookups) {
   blocks::MoveCircleGoal goal;
   takeMotion(goal, message);
   goal.arc_point = toSix(message.arc_point);
   goal.end_point = toSix(message.end_point);
-  goal.arc_pose = toFramedPose(message.arc_pose, frames);
-  goal.end_pose = toFramedPose(message.end_pose, frames);
+  goal.arc_pose = toFramedPose(message.arc_pose, lookups.frames);
+  goal.end_pose = toFramedPose(message.end_pose, lookups.frames);
   goal.arc_angle = message.arc_angle;
   return goal;
 }
 
-blocks::ChangeBaseGoal toGoal(const cobot_command::ChangeBaseGoal& message, const FrameLookup& frames) {
+blocks::ChangeBaseGoal toGoal(const cobot_command::ChangeBaseGoal& message, const Lookups& lookups) {
   blocks::ChangeBaseGoal goal;
   takeCommand(goal, message);
   goal.transformation = toSix(message.transformation);
-  goal.base_pose = toFramedPose(message.base_pose, frames);
+  goal.base_pose = toFramedPose(message.base_pose, lookups.frames);
   goal.base_name = message.base_name;
   return goal;
 }
 
-blocks::ChangeTcpGoal toGoal(const cobot_command::ChangeTCPGoal& message, const FrameLookup& /*frames*/) {
+blocks::ChangeTcpGoal toGoal(const cobot_command::ChangeTCPGoal& message, const Lookups& /*lookups*/) {
   blocks::ChangeTcpGoal goal;
   takeCommand(goal, message);
   goal.tcp_offset = toSix(message.tcp_offset);
@@ -145,28 +144,28 @@ blocks::ChangeTcpGoal toGoal(const cobot_command::ChangeTCPGoal& message, const 
 }
 
 blocks::ProgramControlGoal toGoal(const cobot_command::ProgramControlGoal& message,
-                                  const FrameLookup& /*frames*/) {
+                                  const Lookups& /*lookups*/) {
   return {message.command_id, message.command};
 }
 
-blocks::StopGoal toGoal(const cobot_command::StopGoal& /*message*/, const FrameLookup& /*frames*/) {
+blocks::StopGoal toGoal(const cobot_command::StopGoal& /*message*/, const Lookups& /*lookups*/) {
   return {};
 }
 
 blocks::ExitListenNodeGoal toGoal(const cobot_command::ExitListenNodeGoal& message,
-                                  const FrameLookup& /*frames*/) {
+                                  const Lookups& /*lookups*/) {
   return {message.buffer_mode};
 }
 
-blocks::RunScriptGoal toGoal(const cobot_command::RunScriptGoal& message, const FrameLookup& /*frames*/) {
+blocks::RunScriptGoal toGoal(const cobot_command::RunScriptGoal& message, const Lookups& /*lookups*/) {
   return {message.script, message.await_motion != 0, message.reply_timeout, message.buffer_mode};
 }
 
-blocks::CheckSequenceGoal toGoal(const cobot_command::CheckSequenceGoal& message, const FrameLookup& frames) {
+blocks::CheckSequenceGoal toGoal(const cobot_command::CheckSequenceGoal& message, const Lookups& lookups) {
   blocks::CheckSequenceGoal goal;
   goal.start_joints = message.start_joints;
   for (std::size_t i = 0; i < message.steps.size(); ++i) {
-    if (auto step = toStep(message.steps[i], frames)) {
+    if (auto step = toStep(message.steps[i], lookups)) {
       goal.steps.push_back(std::move(*step));
     } else if (goal.steps_fault.empty()) {
       goal.steps_fault = fmt::format("step {}: kind is {}; allowed: 0 to 4, as in SequenceStep.msg", i,
@@ -176,21 +175,24 @@ blocks::CheckSequenceGoal toGoal(const cobot_command::CheckSequenceGoal& message
   return goal;
 }
 
-blocks::PickAndPlaceGoal toGoal(const cobot_command::PickAndPlaceGoal& message, const FrameLookup& frames) {
+blocks::PickAndPlaceGoal toGoal(const cobot_command::PickAndPlaceGoal& message, const Lookups& lookups) {
   blocks::PickAndPlaceGoal goal;
   goal.cycles = message.cycles;
   goal.buffer_mode = message.buffer_mode;
   goal.check_only = message.check_only != 0;
-  for (const auto& step : message.steps) goal.steps.push_back(toStep(step, frames));
+  for (const auto& step : message.steps) goal.steps.push_back(toStep(step, lookups));
   if (message.steps_file.empty()) return goal;
   if (!message.steps.empty()) {
     goal.steps_fault = "both steps_file and steps are given; give one of them";
     return goal;
   }
-  if (auto steps = readPickAndPlaceFile(message.steps_file)) {
-    goal.steps = std::move(*steps);
+  auto steps = lookups.steps(message.steps_file);
+  if (!steps) {
+    goal.steps_fault = foreignText(message.steps_file) + ": it could not be read in the time there was";
+  } else if (*steps) {
+    goal.steps = std::move(**steps);
   } else {
-    goal.steps_fault = steps.error();
+    goal.steps_fault = steps->error();
   }
   return goal;
 }

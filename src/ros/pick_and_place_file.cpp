@@ -3,24 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "regular_file.h"
 #include <fmt/format.h>
 #include <ros/package.h>
 #include <yaml-cpp/yaml.h>
 
 #include "cobot_command/RobotPose.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
 
-constexpr std::uintmax_t kMaxFileSize = 1 << 20;  // a thousand times the steps of the thesis
-constexpr double kDefaultDwell = 2;               // [s] as in the thesis
+constexpr std::size_t kMaxFileSize = 1 << 20;  // a thousand times the steps of the thesis
+constexpr std::size_t kMostSteps = 1000;  // beyond it nothing is read: aliases make long lists of short files
+constexpr double kDefaultDwell = 2;       // [s] as in the thesis
 
 /// Leaves parsePickAndPlace() as its error.
 struct Fault : std::runtime_error {
@@ -48,9 +49,9 @@ std::string listed(const Names& names) {
   return text;
 }
 
-/// What a value is called in errors: what stands in the file.
+/// What a value is called in errors: never what stands in the file, which may be any.
 std::string found(const YAML::Node& node) {
-  if (node.IsScalar()) return fmt::format("'{}'", node.Scalar());
+  if (node.IsScalar()) return "something else";
   return node.IsSequence() ? "a list" : node.IsMap() ? "a map" : "nothing";
 }
 
@@ -89,7 +90,7 @@ int named(const YAML::Node& node, const std::string& key, const Names& names) {
   const auto text = node.IsScalar() ? node.Scalar() : std::string();
   const auto entry = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == text; });
   if (entry == names.end())
-    throw Fault(node.Mark(), fmt::format("{} is {}; allowed: {}", key, found(node), listed(names)));
+    throw Fault(node.Mark(), fmt::format("{} is {}; it must be one of: {}", key, found(node), listed(names)));
   return entry->second;
 }
 
@@ -103,8 +104,8 @@ class Map {
     for (const auto& entry : node_) {
       const auto key = entry.first.IsScalar() ? entry.first.Scalar() : std::string();
       if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        throw Fault(entry.first.Mark(), fmt::format("unknown key {} in {}; known: {}", found(entry.first),
-                                                    what, fmt::join(keys, ", ")));
+        throw Fault(entry.first.Mark(),
+                    fmt::format("unknown key in {}; known: {}", what, fmt::join(keys, ", ")));
       if (std::find(seen.begin(), seen.end(), key) != seen.end())
         throw Fault(entry.first.Mark(), fmt::format("{} stands twice in {}", key, what));
       seen.push_back(key);
@@ -199,6 +200,8 @@ PickAndPlaceSteps toSteps(const YAML::Node& document) {
   const YAML::Node list = file.required("steps");
   if (!list.IsSequence())
     throw Fault(list.Mark(), fmt::format("steps is {}; it must be a list", found(list)));
+  if (list.size() > kMostSteps)
+    throw Fault(list.Mark(), fmt::format("steps is a list of {}, far more than there may be", list.size()));
   PickAndPlaceSteps steps;
   for (const YAML::Node& node : list) steps.push_back(toStep(node, usual_dwell));
   return steps;
@@ -209,20 +212,30 @@ std::string describe(const std::string& name, const YAML::Mark& mark, const std:
                         : fmt::format("{}:{}: {}", name, mark.line + 1, what);
 }
 
+/// What a library says of the text: its words, without what it found in it.
+std::string wordsOf(const YAML::Exception& fault) {
+  return "no YAML: " + fault.msg.substr(0, fault.msg.find(':'));
+}
+
 /// The path on this machine; its error says what is wrong with the location.
 Result<std::filesystem::path, std::string> toPath(const std::string& location) {
   static const std::string kScheme = "package://";
+  if (location.find('\0') != std::string::npos)
+    return refuse(fmt::format("steps_file is '{}'; a path has no NUL", foreignText(location)));
   if (location.compare(0, kScheme.size(), kScheme) != 0) {
     if (std::filesystem::path(location).is_absolute()) return std::filesystem::path(location);
-    return refuse(
-        fmt::format("steps_file is '{}'; it must be an absolute path, or package://NAME/path", location));
+    return refuse(fmt::format("steps_file is '{}'; it must be an absolute path, or package://NAME/path",
+                              foreignText(location)));
   }
-  const std::size_t slash = location.find('/', kScheme.size());
+  const std::size_t slash = std::min(location.find('/', kScheme.size()), location.size());
   const std::string package = location.substr(kScheme.size(), slash - kScheme.size());
+  const std::string path = location.substr(std::min(slash + 1, location.size()));
   const std::string folder = ros::package::getPath(package);
-  if (slash == std::string::npos || folder.empty())
-    return refuse(fmt::format("{}: no package '{}' is found", location, package));
-  return std::filesystem::path(folder) / location.substr(slash + 1);
+  if (folder.empty())
+    return refuse(fmt::format("{}: package '{}' is not found", foreignText(location),
+                              foreignText(package, kQuoteLimit)));
+  if (path.empty()) return refuse(foreignText(location) + ": the path in the package is missing");
+  return std::filesystem::path(folder) / path;
 }
 
 }  // namespace
@@ -233,23 +246,16 @@ Result<PickAndPlaceSteps, std::string> parsePickAndPlace(const std::string& text
   } catch (const Fault& fault) {
     return refuse(describe(name, fault.mark, fault.what()));
   } catch (const YAML::Exception& fault) {
-    return refuse(describe(name, fault.mark, fault.msg));
+    return refuse(describe(name, fault.mark, wordsOf(fault)));
   }
 }
 
 Result<PickAndPlaceSteps, std::string> readPickAndPlaceFile(const std::string& location) {
   const auto path = toPath(location);
   if (!path) return refuse(path.error());
-  std::error_code failure;
-  // Nothing that never ends, and nothing that takes long: goals wait for it.
-  if (!std::filesystem::is_regular_file(*path, failure))
-    return refuse(fmt::format("{}: there is no such file", path->string()));
-  if (const auto size = std::filesystem::file_size(*path, failure); failure || size > kMaxFileSize)
-    return refuse(fmt::format("{}: it is larger than {} bytes", path->string(), kMaxFileSize));
-  std::ifstream file(*path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.good() && !file.eof()) return refuse(fmt::format("{}: it cannot be read", path->string()));
-  return parsePickAndPlace(text, path->string());
+  const auto text = readRegularFile(*path, kMaxFileSize);
+  if (!text) return refuse(fmt::format("{}: {}", foreignText(path->string()), text.error()));
+  return parsePickAndPlace(*text, foreignText(path->string()));
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -142,9 +142,11 @@ class PickAndPlace(MotionTestCase):
     # --- Inputs.
     def test_refuses_steps_that_cannot_be_read(self):
         rows = [(PickAndPlaceGoal(steps_file="/no/such/file.yaml", cycles=1), 0x256, "no/such"),
-                (PickAndPlaceGoal(steps_file="package://no_such_package/a.yaml", cycles=1), 0x256, "no_such_package")]
+                (PickAndPlaceGoal(steps_file="package://no_such_package/a.yaml", cycles=1), 0x256, "no_such_package' is not found"),
+                *((PickAndPlaceGoal(steps_file=path, cycles=1), 0x256, words) for path, words in
+                  (("/proc/self/mem", "cannot be read"), ("/dev/zero", "a device"), ("/tmp", "a folder")))]
         with tempfile.TemporaryDirectory() as folder:
-            for name, text, words in (("broken", "steps: [", "broken"), ("unknown", "dance: 1\nsteps: []", "dance"),
+            for name, text, words in (("broken", "steps: [", "broken"), ("unknown", "dance: 1\nsteps: []", "unknown.yaml:1: unknown key in the file"),
                                       ("missing", "steps: [{movement_command: PTP}]", "missing.yaml")):
                 file = pathlib.Path(folder) / f"{name}.yaml"
                 file.write_text(text, encoding="utf-8")

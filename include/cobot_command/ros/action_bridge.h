@@ -115,8 +115,8 @@ class ActionBridge : public GoalListener {
       const std::lock_guard<std::mutex> lock(mutex_);
       open_.push_back({id, handle});
     }
-    sink_.submit(id, [goal = handle.getGoal()](const FrameLookup& frames) -> blocks::Goal {
-      return toGoal(*goal, frames);
+    sink_.submit(id, [goal = handle.getGoal()](const Lookups& lookups) -> blocks::Goal {
+      return toGoal(*goal, lookups);
     });
   }
 

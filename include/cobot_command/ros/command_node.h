@@ -18,6 +18,7 @@
 #include "cobot_command/ros/goal_intake.h"
 #include "cobot_command/ros/parameters.h"
 #include "cobot_command/ros/status_publisher.h"
+#include "cobot_command/ros/steps_files.h"
 #include "cobot_command/ros/tf_frames.h"
 #include "cobot_command/runtime/command_runtime.h"
 
@@ -33,14 +34,16 @@ class CommandNode {
 
   /// Begins the end, and returns at once: the robot is told to stop. From any thread.
   void retire();
-  /// Ends every open goal, closes the connections and joins the core's thread. When it returns the results are
-  /// on their way. It takes at most 0.4 s, whatever the robot, the master and the clients do.
+  /// Ends every open goal, closes the connections and joins the core's thread. When it returns the results
+  /// are on their way. It takes at most 0.4 s, whatever the robot, the master and the clients do.
   void stop();
 
  private:
   void onAction(const blocks::Action& action, Instant now);  // on the core's thread
   [[nodiscard]] GoalSink sink();
   [[nodiscard]] GoalIntake::Core intakeCore();
+  [[nodiscard]] FileSource fileSource();
+  void endCancelled(blocks::GoalId id);
   void submit(blocks::GoalId id, blocks::Goal goal);
   void adjustRetrying();
   bool finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response);
@@ -51,6 +54,7 @@ class CommandNode {
   StatusPublisher publisher_;
   Diagnostics diagnostics_;
   TfFrames frames_;
+  StepsFiles steps_files_;
   GoalIntake intake_;
   std::vector<std::unique_ptr<GoalListener>> bridges_;
   std::unique_ptr<runtime::CommandRuntime> runtime_;

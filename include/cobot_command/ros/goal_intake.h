@@ -1,12 +1,15 @@
 // Goals on their way from the action servers to the core.
 //
-// A goal with a target in a tf frame that tf does not know yet waits for it, for a short time, and all that
-// came behind it waits too, so that the order stays. A stop, or a cancel of one that waits, ends the waiting
-// at once. Not thread-safe: ROS's spinner owns it. No clock: the time is handed in.
+// A goal with a target in a tf frame that tf does not know yet waits for it, one with a file until that is
+// read, both for a short time; and all that came behind it waits too, so that the order stays. A stop ends
+// the waiting at once; a goal that is cancelled while it waits has come to its end. Not thread-safe: ROS's
+// spinner owns it. No clock: the time is handed in.
 #pragma once
 
 #include <deque>
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/common/time.h"
@@ -14,19 +17,30 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Makes the goal of a message, with the frames as they are known now.
-using GoalReader = std::function<blocks::Goal(const FrameLookup&)>;
+/// Makes the goal of a message, with what it names as that is known now.
+using GoalReader = std::function<blocks::Goal(const Lookups&)>;
 /// How long a goal that comes now waits for its frame.
 using FramePatience = std::function<Duration()>;
+
+/// How long a goal waits for its file.
+inline constexpr Duration kFilePatience = std::chrono::seconds(2);
+
+/// The files of goals; see StepsFiles.
+struct FileSource {
+  std::function<std::optional<StepsAnswer>(blocks::GoalId, const std::string& location)> find;
+  std::function<void(blocks::GoalId)> forget;
+};
 
 class GoalIntake {
  public:
   struct Core {
     std::function<void(blocks::GoalId, blocks::Goal)> submit;
     std::function<void(blocks::GoalId)> cancel;
+    /// Of a goal that was cancelled before the core heard of it.
+    std::function<void(blocks::GoalId)> end_cancelled;
   };
 
-  GoalIntake(FrameLookup frames, FramePatience patience, Core core);
+  GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core);
 
   void submit(blocks::GoalId id, GoalReader read, Instant now);
   void cancel(blocks::GoalId id);
@@ -37,20 +51,24 @@ class GoalIntake {
  private:
   struct Reading {
     blocks::Goal goal;
-    bool complete = true;  ///< every frame was found
+    bool has_frames = true;  ///< every frame was found
+    bool has_file = true;    ///< the file was read, or could not be
   };
   struct Waiting {
     blocks::GoalId id;
     GoalReader read;
-    Instant deadline;
+    Instant frames_by;
+    Instant file_by;
   };
 
-  [[nodiscard]] Reading readNow(const GoalReader& read) const;
-  /// Hands on all that wait, whether their frames are known or not: the core says what is missing.
+  [[nodiscard]] Reading readNow(blocks::GoalId id, const GoalReader& read) const;
+  void handOn(blocks::GoalId id, blocks::Goal goal);
+  /// Hands on all that wait, whether what they name is known or not: the core says what is missing.
   void flush();
 
   FrameLookup frames_;
   FramePatience patience_;
+  FileSource files_;
   Core core_;
   std::deque<Waiting> waiting_;
 };

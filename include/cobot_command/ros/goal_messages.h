@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <std_msgs/Header.h>
 
@@ -21,6 +22,7 @@
 #include "cobot_command/StopGoal.h"
 #include "cobot_command/arm/types.h"
 #include "cobot_command/blocks/goal.h"
+#include "cobot_command/common/result.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -32,29 +34,38 @@ struct FramePlace {
 /// Finds the frame of a header, at its stamp; zero: the latest. Answers at once.
 using FrameLookup = std::function<FramePlace(const std_msgs::Header&)>;
 
-[[nodiscard]] blocks::ConnectGoal toGoal(const cobot_command::ConnectGoal& message,
-                                         const FrameLookup& frames);
+/// The steps of a file; or in plain words, with its name, why there are none.
+using StepsAnswer = Result<std::vector<blocks::PickAndPlaceStep>, std::string>;
+/// Finds the file at a location. Answers at once: nothing means that it is still being read.
+using StepsLookup = std::function<std::optional<StepsAnswer>(const std::string& location)>;
+
+/// What a goal may name that is not in its message.
+struct Lookups {
+  FrameLookup frames;
+  StepsLookup steps;
+};
+
+[[nodiscard]] blocks::ConnectGoal toGoal(const cobot_command::ConnectGoal& message, const Lookups& lookups);
 [[nodiscard]] blocks::MoveAbsoluteGoal toGoal(const cobot_command::MoveAbsoluteGoal& message,
-                                              const FrameLookup& frames);
+                                              const Lookups& lookups);
 [[nodiscard]] blocks::MoveRelativeGoal toGoal(const cobot_command::MoveRelativeGoal& message,
-                                              const FrameLookup& frames);
+                                              const Lookups& lookups);
 [[nodiscard]] blocks::MoveCircleGoal toGoal(const cobot_command::MoveCircleGoal& message,
-                                            const FrameLookup& frames);
+                                            const Lookups& lookups);
 [[nodiscard]] blocks::ChangeBaseGoal toGoal(const cobot_command::ChangeBaseGoal& message,
-                                            const FrameLookup& frames);
+                                            const Lookups& lookups);
 [[nodiscard]] blocks::ChangeTcpGoal toGoal(const cobot_command::ChangeTCPGoal& message,
-                                           const FrameLookup& frames);
+                                           const Lookups& lookups);
 [[nodiscard]] blocks::ProgramControlGoal toGoal(const cobot_command::ProgramControlGoal& message,
-                                                const FrameLookup& frames);
-[[nodiscard]] blocks::StopGoal toGoal(const cobot_command::StopGoal& message, const FrameLookup& frames);
+                                                const Lookups& lookups);
+[[nodiscard]] blocks::StopGoal toGoal(const cobot_command::StopGoal& message, const Lookups& lookups);
 [[nodiscard]] blocks::ExitListenNodeGoal toGoal(const cobot_command::ExitListenNodeGoal& message,
-                                                const FrameLookup& frames);
+                                                const Lookups& lookups);
 [[nodiscard]] blocks::RunScriptGoal toGoal(const cobot_command::RunScriptGoal& message,
-                                           const FrameLookup& frames);
+                                           const Lookups& lookups);
 [[nodiscard]] blocks::CheckSequenceGoal toGoal(const cobot_command::CheckSequenceGoal& message,
-                                               const FrameLookup& frames);
-/// Reads steps_file, when it is given.
+                                               const Lookups& lookups);
 [[nodiscard]] blocks::PickAndPlaceGoal toGoal(const cobot_command::PickAndPlaceGoal& message,
-                                              const FrameLookup& frames);
+                                              const Lookups& lookups);
 
 }  // namespace cobot_command::ros_adapter

@@ -23,26 +23,40 @@ class Intake : public testing::Test {
   void move(blocks::GoalId id, const std::string& frame, milliseconds at = milliseconds(0)) {
     intake.submit(
         id,
-        [frame](const FrameLookup& frames) -> blocks::Goal {
+        [frame](const Lookups& lookups) -> blocks::Goal {
           cobot_command::MoveAbsoluteGoal message;
           message.target_pose.header.frame_id = frame;
-          return toGoal(message, frames);
+          return toGoal(message, lookups);
+        },
+        Instant(at));
+  }
+  void cycle(blocks::GoalId id, const std::string& file, milliseconds at = milliseconds(0)) {
+    intake.submit(
+        id,
+        [file](const Lookups& lookups) -> blocks::Goal {
+          cobot_command::PickAndPlaceGoal message;
+          message.steps_file = file;
+          return toGoal(message, lookups);
         },
         Instant(at));
   }
   template <class Goal>
   void give(blocks::GoalId id, Goal goal, milliseconds at = milliseconds(0)) {
     intake.submit(
-        id, [goal](const FrameLookup&) -> blocks::Goal { return goal; }, Instant(at));
+        id, [goal](const Lookups&) -> blocks::Goal { return goal; }, Instant(at));
   }
 
   void note(blocks::GoalId id, const blocks::Goal& goal) {
     const auto* move = std::get_if<blocks::MoveAbsoluteGoal>(&goal);
     const bool lost = move != nullptr && move->target_pose && !move->target_pose->frame_in_robot_base;
-    told.push_back(fmt::format("submit {}{}", id, lost ? " without its frame" : ""));
+    const auto* cycle = std::get_if<blocks::PickAndPlaceGoal>(&goal);
+    const bool unread = cycle != nullptr && !cycle->steps_fault.empty();
+    told.push_back(fmt::format("submit {}{}{}", id, lost ? " without its frame" : "",
+                               unread ? " without its file" : ""));
   }
 
   std::set<std::string> known;
+  std::set<std::string> read;  ///< files
   std::vector<std::string> told;
   Duration patience = kPatience;
   GoalIntake intake{[this](const std_msgs::Header& header) -> FramePlace {
@@ -50,8 +64,15 @@ class Intake : public testing::Test {
                       return {arm::Pose::Identity(), ""};
                     },
                     [this] { return patience; },
+                    {[this](blocks::GoalId, const std::string& location) -> std::optional<StepsAnswer> {
+                       if (read.count(location) == 0) return std::nullopt;
+                       return StepsAnswer();
+                     },
+                     [this](blocks::GoalId id) { forgotten.insert(id); }},
                     {[this](blocks::GoalId id, const blocks::Goal& goal) { note(id, goal); },
-                     [this](blocks::GoalId id) { told.push_back(fmt::format("cancel {}", id)); }}};
+                     [this](blocks::GoalId id) { told.push_back(fmt::format("cancel {}", id)); },
+                     [this](blocks::GoalId id) { told.push_back(fmt::format("cancelled {}", id)); }}};
+  std::set<blocks::GoalId> forgotten;  ///< their files
 };
 
 TEST_F(Intake, handsOnAGoalWithoutAFrameAtOnce) {
@@ -125,10 +146,46 @@ TEST_F(Intake, letsAPauseOvertakeWhatWaits) {
   EXPECT_TRUE(intake.isWaiting());
 }
 
-TEST_F(Intake, tellsTheCoreOfAGoalBeforeItsCancel) {
+TEST_F(Intake, endsAGoalThatIsCancelledWhileItWaitsAndLeavesTheOthers) {
   move(1, "table");
+  move(2, "shelf");
   intake.cancel(1);
-  EXPECT_THAT(told, ElementsAre("submit 1 without its frame", "cancel 1"));
+  EXPECT_THAT(told, ElementsAre("cancelled 1"));
+  EXPECT_THAT(forgotten, ElementsAre(1));
+  EXPECT_TRUE(intake.isWaiting());
+  known = {"shelf"};
+  intake.advance(Instant(milliseconds(10)));
+  EXPECT_THAT(told, ElementsAre("cancelled 1", "submit 2"));
+}
+
+TEST_F(Intake, waitsUntilTheFileOfAGoalIsRead) {
+  cycle(1, "steps.yaml");
+  move(2, "");
+  intake.advance(Instant(kFilePatience - milliseconds(1)));
+  EXPECT_THAT(told, IsEmpty());
+  read = {"steps.yaml"};
+  intake.advance(Instant(kFilePatience - milliseconds(1)));
+  EXPECT_THAT(told, ElementsAre("submit 1", "submit 2"));
+  EXPECT_THAT(forgotten, ElementsAre(1, 2));
+}
+
+TEST_F(Intake, handsOnAGoalWhoseFileIsNotReadInTime) {
+  cycle(1, "hangs.yaml");
+  intake.advance(Instant(kFilePatience));
+  EXPECT_THAT(told, ElementsAre("submit 1 without its file"));
+}
+
+TEST_F(Intake, endsACycleThatIsCancelledWhileItsFileIsRead) {
+  cycle(1, "hangs.yaml");
+  intake.cancel(1);
+  EXPECT_THAT(told, ElementsAre("cancelled 1"));
+  EXPECT_FALSE(intake.isWaiting());
+}
+
+TEST_F(Intake, letsAStopTakeAwayACycleWhoseFileIsStillRead) {
+  cycle(1, "hangs.yaml");
+  give(2, blocks::StopGoal{});
+  EXPECT_THAT(told, ElementsAre("submit 1 without its file", "submit 2"));
 }
 
 TEST_F(Intake, handsOnACancelOfAnotherGoalWhileOneWaits) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pick_and_place_file.h"
 #include "source_tree.h"
 #include <gmock/gmock.h>
 
@@ -37,17 +38,25 @@ geometry_msgs::PoseStamped poseIn(const std::string& frame) {
 }
 
 /// Knows the frame "table", 1 m in front of the robot.
-FramePlace onlyTheTable(const std_msgs::Header& header) {
+FramePlace theTable(const std_msgs::Header& header) {
   if (header.frame_id != "table") return {std::nullopt, "no frame '" + header.frame_id + "'"};
   arm::Pose table = arm::Pose::Identity();
   table.translation().x() = 1;
   return {table, ""};
 }
 
-FramePlace noTf(const std_msgs::Header& /*header*/) {
+FramePlace noFrame(const std_msgs::Header& /*header*/) {
   ADD_FAILURE() << "no frame is to be looked up";
   return {};
 }
+
+std::optional<StepsAnswer> noFile(const std::string& /*location*/) {
+  ADD_FAILURE() << "no file is to be read";
+  return std::nullopt;
+}
+
+const Lookups onlyTheTable{theTable, noFile};
+const Lookups noTf{noFrame, readPickAndPlaceFile};
 
 template <class Message>
 void fillMotion(Message& message) {
@@ -306,6 +315,13 @@ TEST(GoalMessages, stepsAndAFileAtOnceAreAFault) {
   message.steps_file = test_support::inSourceTree("config/pick_and_place.yaml");
   message.steps.resize(1);
   EXPECT_THAT(toGoal(message, noTf).steps_fault, HasSubstr("give one"));
+}
+
+TEST(GoalMessages, aFileThatIsStillReadIsAFaultOfTheSteps) {
+  cobot_command::PickAndPlaceGoal message;
+  message.steps_file = "/slow.yaml";
+  const Lookups slow{noFrame, [](const std::string&) -> std::optional<StepsAnswer> { return std::nullopt; }};
+  EXPECT_THAT(toGoal(message, slow).steps_fault, HasSubstr("/slow.yaml: it could not be read in the time"));
 }
 
 TEST(GoalMessages, aFileThatCannotBeReadIsAFaultOfTheSteps) {
