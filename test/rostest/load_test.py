@@ -105,7 +105,7 @@ class LoadTest(unittest.TestCase):
         self.assertFalse(open_ones, f"{len(open_ones)} of {len(ids)} goals have no end")
 
     def assert_holds(self, faults):
-        self.assertFalse(faults, "\n".join([f"{len(faults)} faults; seed:={self.load.seed}", *faults[:MOST_SHOWN]]))
+        self.assertTrue(not faults, "\n".join([f"{len(faults)} faults; seed:={self.load.seed}", *faults[:MOST_SHOWN]]))
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ FAILED = (GoalStatus.REJECTED, GoalStatus.ABORTED)
 WITHDRAWN = (GoalStatus.RECALLED, GoalStatus.PREEMPTED)
 QUEUED = 1  # phase
 STANDING = 1e-6  # [rad/s]
-AROUND = rospy.Duration(0.5)
+AROUND = rospy.Duration(0.1)
 AT_TARGET = 1e-4  # [rad]
 
 
@@ -165,7 +165,7 @@ class Round:
             begin, end = _begin(record) or record.sent, record.end[0]
             if end > stamp - AROUND and begin < stamp + AROUND:
                 span = f"{(begin - stamp).to_sec():.4f}..{(end - stamp).to_sec():.4f} s"
-                goal = " ".join(str(record.goal).split())[:700]
+                goal = " ".join(str(record.goal).split())[:300]
                 told.append((begin, f"{record}: {span}, state {record.end[1]}, {goal}, "
                                     f"'{record.end[2].error_description}'"))
         return "about then:\n    " + "\n    ".join(text for _, text in sorted(told))
