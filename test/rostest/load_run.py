@@ -31,16 +31,26 @@ def error_table():
     return {key for key, when in rows(page.read_text(encoding="utf-8")).items() if not when.startswith("cannot occur")}
 
 
+def ports():
+    """Of the simulated controller; None while it has none."""
+    try:
+        listening = rospy.get_param(f"{CONTROLLER}/listening")
+        return listening["script_port"], listening["status_port"]
+    except KeyError:
+        return None
+
+
 class Load:
     """Everything stands and is heard when it has been made."""
 
-    def __init__(self, seed):
+    def __init__(self, seed, where=ports):
+        """`where`: the ports that goals of connect are to use, or None."""
         self.seed = seed
         self._table = error_table()
         self._rules = StatusRules(self._table)
         self.watch = Watch(self._rules)
         self.publishers = Publishers()
-        self.keeper = Keeper(seed, self.publishers, self.watch, ports, resume_project)
+        self.keeper = Keeper(seed, self.publishers, self.watch, where, resume_project)
         self.samples = []  # of the command node, between rounds
         self.compared = 0
         self.succeeded = set()  # blocks
@@ -124,15 +134,6 @@ class Load:
                 f"  {self.compared} ends held against the simulator's own joints\n"
                 f"  {self._rules.lost} command_status lost\n"
                 f"  command_node: {self.samples[0]} at first, {self.samples[-1]} at last")
-
-
-def ports():
-    """Of the simulated controller; None while it has none."""
-    try:
-        listening = rospy.get_param(f"{CONTROLLER}/listening")
-        return listening["script_port"], listening["status_port"]
-    except KeyError:
-        return None
 
 
 def resume_project():

@@ -11,6 +11,7 @@ import rospy
 from std_srvs.srv import SetBool, Trigger
 
 import process_watch
+import soak_wire
 from cobot_command.srv import RaiseError, SetFault, SetProjectSpeed
 
 CONTROLLER = "simulated_controller"
@@ -26,28 +27,29 @@ WORLD = [(f"{kind}_{message}", count, seconds, "")
 WORLD += [("refuse_script", 2, 0.0, "1;2"), ("ignore_script", 1, 0.0, ""), ("cperr_script", 2, 0.0, "04"),
           ("cperr_script", 1, 0.0, "F1"), ("wrong_id", 1, 0.0, ""), ("refuse_stop", 1, 0.0, ""),
           ("ignore_stop", 1, 0.0, ""), ("false_tag", 1, 0.0, ""), ("stale_tag", 3, 0.0, ""), ("silence", 0, 0.0, ""),
-          ("close_on_connect", 0, 0.0, ""), ("refuse_connections", 0, 0.0, ""), ("impostor", 0, 0.0, ""), ("drop_stream", 0, 0.0, ""),
-          ("corrupt_stream", 0, 0.0, ""), ("hide_items", 0, 0.0, "Joint_Angle Joint_Speed")]
+          ("close_on_connect", 0, 0.0, ""), ("refuse_connections", 0, 0.0, ""), ("impostor", 0, 0.0, ""),
+          ("drop_stream", 0, 0.0, ""), ("corrupt_stream", 0, 0.0, ""), ("hide_items", 0, 0.0, "Joint_Angle Joint_Speed")]
 
 
 class Faults(threading.Thread):
     """One every `period` seconds until it is stopped; `counts` of their names. `complain` is told what cannot be healed."""
 
-    def __init__(self, seed, period, node_pid, complain):
+    def __init__(self, seed, period, node_pid, complain, wire):
         super().__init__(name="faults", daemon=True)
         self._random = random.Random(f"{seed} faults")
-        self._period, self._node_pid, self._complain = period, node_pid, complain
+        self._period, self._node_pid, self._complain, self._wire = period, node_pid, complain, wire
         self._stopping = threading.Event()
         self.counts = collections.Counter()
-        self._rows = [("of the world", self._of_the_world), *((f.__name__.strip("_"), f) for f in (
+        self._rows = [(f.__name__.strip("_"), f) for f in (
+            self._of_the_world, self._of_the_wire,
             self._the_project_stops, self._the_project_pauses, self._the_flow_leaves, self._emergency_stop,
             self._safeguard, self._manual_mode, self._robot_error, self._slow_project, self._connections_drop,
-            self._controller_is_killed, self._controller_is_ended, self._controller_hangs, self._node_hangs))]
+            self._controller_is_killed, self._controller_is_ended, self._controller_hangs, self._node_hangs)]
 
     def run(self):
         while not self._stopping.wait(self._period):
-            # Every other one is of the world: there are most of those.
-            name, fault = self._rows[0] if self._random.random() < 0.5 else self._random.choice(self._rows[1:])
+            # Most are of the world and of the wire: of those there are most.
+            name, fault = self._random.choice(self._rows[:2] if self._random.random() < 0.6 else self._rows[2:])
             try:
                 self.counts[fault() or name] += 1
                 self._heal()
@@ -69,6 +71,7 @@ class Faults(threading.Thread):
         return rospy.ServiceProxy(name, SERVICES.get(service, Trigger))(*arguments)
 
     def _heal(self):
+        self._wire.say("heal")
         for service, *arguments in (("clear_faults",), ("set_emergency_stop", False), ("set_safeguard", False),
                                     ("set_manual_mode", False), ("set_project_speed", 100), ("run_project",),
                                     ("clear_error",), ("resume_project",), ("enter_listen_node",)):
@@ -84,6 +87,12 @@ class Faults(threading.Thread):
             self._complain(f"{name}: {answer.message}")
         self._lasts()
         return name
+
+    def _of_the_wire(self):
+        line = self._random.choice(soak_wire.FAULTS)
+        self._wire.say(line)
+        self._lasts()
+        return " ".join(line.split()[:2])
 
     # --- The operator.
     def _the_project_stops(self):

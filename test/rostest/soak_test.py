@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Random goals of all actions for minutes or hours, with a fault every now and then; scripts/soak runs it.
 
-Parameters: ~minutes, ~fault_period [s] and ~seed (0: another one each time)."""
+Parameters: ~minutes, ~fault_period [s], ~seed (0: another one each time) and ~proxy, the program tm_fault_proxy."""
 import random
 import time
 import unittest
@@ -9,8 +9,9 @@ import unittest
 import rospy
 
 import process_watch
-from load_run import Load
+from load_run import Load, ports, wait_until
 from soak_faults import Faults
+from soak_wire import Wire
 
 ROUND = 200  # goals
 MOST_SHOWN = 20  # faults
@@ -22,8 +23,10 @@ SHORTEST_SLOPE = 3600.0  # [s] of measuring
 
 class SoakTest(unittest.TestCase):
     def test_of_hours_of_goals_and_faults_ends_each_goal_and_leaves_the_node_as_it_was(self):
-        load = Load(rospy.get_param("~seed") or random.randrange(1, 10**6))
-        faults = Faults(load.seed, rospy.get_param("~fault_period"), load.pid, load.watch.complain)
+        wait_until(ports, "the ports of the controller")
+        wire = Wire(rospy.get_param("~proxy"), *ports())
+        load = Load(rospy.get_param("~seed") or random.randrange(1, 10**6), lambda: wire.ports)
+        faults = Faults(load.seed, rospy.get_param("~fault_period"), load.pid, load.watch.complain, wire)
         start, samples, broken = time.monotonic(), [], []
         seconds = 60 * rospy.get_param("~minutes")
         faults.start()
@@ -35,6 +38,7 @@ class SoakTest(unittest.TestCase):
         faults.stop()
         load.finish()
         broken += load.judge(closed=True)
+        wire.close()
         samples.append((time.monotonic() - start, process_watch.counts_of(load.pid)))
         self.report(load, faults, samples, broken)
         words = [f"{len(broken)} against the rules; seed:={load.seed}", *broken[:MOST_SHOWN]]
