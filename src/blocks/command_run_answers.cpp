@@ -37,10 +37,14 @@ std::string faultyLines(const std::vector<std::string>& script, std::vector<int>
                      script.size(), *ours);
 }
 
+/// The controller takes no script at all.
+bool saysNotListening(const protocol::CommunicationError& error) {
+  return error.code == protocol::CommunicationErrorCode::NotListening;
+}
+
 Failure failureOf(const protocol::CommunicationError& error) {
-  const bool not_listening = error.code == protocol::CommunicationErrorCode::NotListening;
-  return {not_listening ? own_error::kNotListening : own_error::kCommunication, protocol::describe(error),
-          ""};
+  return {saysNotListening(error) ? own_error::kNotListening : own_error::kCommunication,
+          protocol::describe(error), ""};
 }
 
 }  // namespace
@@ -57,7 +61,9 @@ void CommandRun::answered(const link::ScriptAnswered& answer, Instant now) {
     return;
   }
   if (const auto* error = std::get_if<protocol::CommunicationError>(&answer.answer)) {
-    if (state_ == State::Sent) fail(failureOf(*error), Robot::LeaveIt, now);
+    // Without an id it may be meant for another frame, and the controller may have the script.
+    const bool may_move = order_.moves && !saysNotListening(*error);
+    if (state_ == State::Sent) fail(failureOf(*error), may_move ? Robot::Stop : Robot::LeaveIt, now);
     return;
   }
   const auto& reply = std::get<protocol::ScriptReply>(answer.answer);

@@ -136,7 +136,8 @@ constexpr SharedError kRobotErrors[] = {
      "the motion is overdue and the controller does not know its tag, or cannot tell for too long; the robot "
      "is told to stop"},
     {own_error::kCommunication, "Communication error reported by the controller", kExecuteAgain,
-     "the controller answered the script with CPERR 01..04"},
+     "the controller answered the script with CPERR 01..04; a robot that was to move is told to "
+     "stop"},
     {own_error::kStopNotConfirmed, "Stop not confirmed", "Make sure that the robot stands before you go on",
      "after a cancel, or for a goal with buffer_mode ABORTING, the controller did not accept the stop, or "
      "the "

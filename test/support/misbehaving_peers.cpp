@@ -208,6 +208,10 @@ void addReplies(std::vector<MisbehavingPeer>& peers) {
   }
   peers.push_back(toScripts("an id of 1 MB", "TMSCT " + std::string(kMegabyte, '1') + ",OK", {none}));
   peers.push_back(toScripts("ERROR without a line", "TMSCT {id},ERROR", {refused}, "no line was named"));
+  peers.push_back(
+      toScripts("ERROR of a line beyond the script", "TMSCT {id},ERROR;99", {refused}, "line 99"));
+  peers.push_back(
+      toScripts("ERROR of 100,000 lines", "TMSCT {id},ERROR" + times(100000, ";1"), {refused}, "line 1"));
   peers.push_back(toScripts("ERROR, then OK", "TMSCT {id},ERROR;1\nTMSCT {id},OK", {refused}, "line 1"));
   peers.push_back(toScripts("OK twice", "TMSCT {id},OK\nTMSCT {id},OK\nTMSTA 01,{tag},true", {}));
   peers.push_back(toScripts("OK, then ERROR", "TMSCT {id},OK\nTMSCT {id},ERROR;1\nTMSTA 01,{tag},true", {}));

@@ -26,7 +26,7 @@ double percent(Pace pace) {
   return pace == Pace::Quick ? kQuickPercent : 1;
 }
 double millimetresPerSecond(Pace pace) {
-  return pace == Pace::Quick ? 200 : 8;
+  return pace == Pace::Quick ? 200 : 12;
 }
 
 Lie standsAtJoints(const std::array<double, 6>& joints_deg) {

@@ -52,6 +52,7 @@ class Trial {
     ASSERT_TRUE(outcome.has_value()) << "the goal has no end";
     if (outcome->ending == Ending::Done) expectNoLie(block_);
     expectRightEnd(*outcome);
+    if (variant_.stops_robot && block_.awaits_tag) expectStoppedOnTheWay();
     connectAnew();
     rig_.layer.stop();
     for (const auto& [id, ends] : rig_.layer.told().ends) EXPECT_EQ(ends.size(), 1u) << "goal " << id;
@@ -74,6 +75,13 @@ class Trial {
       lie = done.lie(rig_.robot().state());
     }
     EXPECT_EQ(lie, "") << "a success that did not happen";
+  }
+
+  void expectStoppedOnTheWay() {
+    const auto deadline = std::chrono::steady_clock::now() + test::kDeadline;
+    while (rig_.robot().state().in_motion && std::chrono::steady_clock::now() < deadline) {
+    }
+    EXPECT_NE(block_.lie(rig_.robot().state()), "") << "the robot went on to where the failed goal sent it";
   }
 
   void expectRightEnd(const Outcome& outcome) const {

@@ -15,10 +15,11 @@ namespace cobot_command::hostile {
 /// How goals may end. The ids are those of a motion; allowedFor() says what that means for the other blocks.
 struct Ends {
   enum class Done { Must, May, Never };
+  /// Whose goals meet the fault; all others must be Done.
+  enum class Of { All, Motions, Stops };
   Done done = Done::Must;
   std::set<int> ids;
-  /// The fault is one of motions: goals of blocks that wait for no tag do not meet it, and must be Done.
-  bool of_motions = false;
+  Of of = Of::All;
 };
 
 /// The ids that a goal of this block may end with.
@@ -35,6 +36,8 @@ struct Variant {
   /// While the goal is Active or Held; a goal that ends sooner does not meet it.
   std::function<void(HostileRig&)> meanwhile;
   Pace pace = Pace::Quick;
+  /// The controller executes what the goal failed with: the robot has to be stopped on its way.
+  bool stops_robot = false;
 };
 
 struct FaultRow {

@@ -40,8 +40,9 @@ inline link::LinkSettings quickSettings() {
   settings.open_timeout = 1s;
   settings.retry_min = 20ms;
   settings.retry_max = 100ms;
+  settings.reply_timeout = 1500ms;
   settings.supervision_period = 500ms;
-  settings.supervision_misses = 4;
+  settings.supervision_misses = 6;
   settings.tag_deadline_margin = 1s;
   settings.unplanned_motion_timeout = 20s;
   return settings;

@@ -61,14 +61,28 @@ TEST_F(Fault, notInTheListenNodeAnyMore) {
   EXPECT_EQ(rig.latest().link, CommandStatus::LinkState::NotListening);
 }
 
-TEST_F(Fault, communicationErrorGoesToTheOldestFrame) {
+/// It carries no id: the controller may have the script all the same, and the robot may move.
+TEST_F(Fault, communicationErrorGoesToTheOldestFrameAndStopsTheRobot) {
   for (const auto code : {CommunicationErrorCode::Packet, CommunicationErrorCode::Checksum,
                           CommunicationErrorCode::Header, CommunicationErrorCode::Data}) {
     const GoalId goal = rig.submit(CoreRig::move());
     rig.takeScript();
     rig.say(protocol::CommunicationError{code});
     expectAborted(rig, goal, own_error::kCommunication, "error");
+    const auto stop = rig.takeScript();
+    EXPECT_EQ(stop.script, "StopAndClearBuffer()");
+    rig.reply(stop.id);
+    rig.status(StatusFrames());
   }
+}
+
+TEST_F(Fault, communicationErrorOfWhatDoesNotMoveStopsNothing) {
+  const GoalId goal = rig.submit(ChangeBaseGoal{});
+  rig.takeScript();
+  rig.say(protocol::CommunicationError{CommunicationErrorCode::Data});
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kCommunication);
+  EXPECT_TRUE(rig.nothingSent());
 }
 
 TEST_F(Fault, noReplyInTimeStopsTheRobot) {
