@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <random>
 #include <set>
 #include <string>
@@ -46,6 +47,11 @@ struct FaultRow {
   /// Each block meets all variants, one after the other; else one for each seed.
   bool all_at_once = false;
 };
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest calls
+inline void PrintTo(const FaultRow& row, std::ostream* out) {
+  *out << row.name;
+}
 
 [[nodiscard]] std::vector<FaultRow> faultRows();
 
