@@ -20,6 +20,8 @@ int idOf(motion::Refusal::Reason reason) {
       return own_error::kJointSpeed;
     case Reason::Singular:
       return own_error::kSingular;
+    case Reason::AmbiguousTurn:
+      return own_error::kAmbiguousTurn;
     case Reason::BadParameter:
     case Reason::DegenerateCircle:
       break;

@@ -81,6 +81,10 @@ constexpr SharedError kTargetErrors[] = {
      "an unknown place"},
     {own_error::kNoModel, "No arm model", "Start the command layer with the model of the robot",
      "check_only, and the command layer knows no model of the arm"},
+    {own_error::kAmbiguousTurn, "Turn ambiguous",
+     "Go by a point between, at which the tool has turned part of the way, or use PTP to joints",
+     "planning: the tool, or a joint of a PTP to a pose, would make half a turn (to 1 deg), and nobody knows "
+     "which way round the controller makes it"},
     {own_error::kCoordinateRange, "Coordinate range: -100000~100000", kSetInRange,
      "a coordinate [mm, deg] is beyond what any arm of the family could mean"},
     {own_error::kFrameUnknown, "Frame unknown", "Give a frame that tf connects with the robot base",
@@ -199,8 +203,8 @@ ErrorTable& ErrorTable::turn() {
 ErrorTable& ErrorTable::motion() {
   return shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kUnreachable,
                  own_error::kPoseBits, own_error::kJointLimit, own_error::kJointSpeed, own_error::kSingular,
-                 own_error::kNotPlannable, own_error::kNoFreeTag, own_error::kTagLost,
-                 own_error::kStopNotConfirmed});
+                 own_error::kNotPlannable, own_error::kAmbiguousTurn, own_error::kNoFreeTag,
+                 own_error::kTagLost, own_error::kStopNotConfirmed});
 }
 
 ErrorTable& ErrorTable::move() {

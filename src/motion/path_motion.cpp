@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "circle_path.h"
+#include "half_turn.h"
 #include "path_trajectory.h"
 #include "tcp_path.h"
 
@@ -18,6 +19,9 @@ struct Request {
 
 Result<TrajectoryPtr, Refusal> planPath(const arm::ArmModel& arm, const arm::JointVector& start,
                                         const TcpPath& path, const Request& request, const Setting& setting) {
+  if (auto ambiguous = ambiguousTurn(path.turn(), path.at(1.0), request.name, setting)) {
+    return refuse(std::move(*ambiguous));
+  }
   const double travel =
       timeAtTopSpeed(arm, path.length(), path.turn(), request.speed, setting.speed_override);
   const Trapezoid profile(travel, toSeconds(request.time_to_top_speed));

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "half_turn.h"
 #include "path_trajectory.h"
 #include "twist_path.h"
 #include <fmt/format.h>
@@ -79,6 +80,9 @@ Result<TrajectoryPtr, Refusal> planPLine(const arm::ArmModel& arm, const arm::Jo
   const arm::Pose to = poseOf(line, arm, setting);
   PathRate way;
   way << to.translation() - from.translation(), turnBetween(from.linear(), to.linear());
+  if (auto ambiguous = ambiguousTurn(way.tail<3>().norm(), to, "line", setting)) {
+    return refuse(std::move(*ambiguous));
+  }
   const double time =
       timeAtTopSpeed(arm, way.head<3>().norm(), way.tail<3>().norm(), line.speed, setting.speed_override);
   const double ramp = toSeconds(line.time_to_top_speed);

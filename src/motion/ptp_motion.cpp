@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "half_turn.h"
 #include "input_check.h"
 #include "profiled.h"
 #include <fmt/format.h>
@@ -48,6 +49,9 @@ Result<arm::JointVector, Refusal> postureAt(const PoseTarget& target, const arm:
   if (!posture) {
     arm::IkRefusal& why = posture.error();
     return refuse(Refusal{reasonFor(why.reason), 1.0, why.joint, target.pose, std::move(why.message)});
+  }
+  if (auto ambiguous = ambiguousPosture(arm, start, *posture, target.pose, setting)) {
+    return refuse(std::move(*ambiguous));
   }
   return *posture;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cubic.h"
+#include "half_turn.h"
 #include "input_check.h"
 #include "path_trajectory.h"
 #include <fmt/format.h>
@@ -65,6 +66,10 @@ class PvtCurve final : public TcpCurve {
     velocity_ = velocity;
   }
 
+  /// From its end as it is [rad].
+  [[nodiscard]] double turnTo(const arm::Pose& pose) const {
+    return turnBetween(end_.linear(), pose.linear()).norm();
+  }
   [[nodiscard]] double duration() const { return duration_; }
   [[nodiscard]] double length() const override { return length_; }
   [[nodiscard]] double turn() const override { return turn_; }
@@ -109,10 +114,13 @@ Result<TrajectoryPtr, Refusal> planPosePvt(const arm::ArmModel& arm, const arm::
                                            const std::vector<PvtPosePoint>& points, const Setting& setting) {
   const auto curve = std::make_shared<PvtCurve>(tcpInRobotBase(arm, start, setting));
   for (const PvtPosePoint& point : points) {
+    const arm::Pose to = setting.base * point.pose;
+    if (auto ambiguous = ambiguousTurn(curve->turnTo(to), to, "PVT", setting)) {
+      return refuse(std::move(*ambiguous));
+    }
     PathRate velocity;
     velocity << setting.base.linear() * point.velocity.linear, setting.base.linear() * point.velocity.angular;
-    curve->append(point.duration / setting.speed_override, setting.base * point.pose,
-                  velocity * setting.speed_override);
+    curve->append(point.duration / setting.speed_override, to, velocity * setting.speed_override);
   }
   return follow(arm, start, {curve, Trapezoid::steady(curve->duration()), "PVT", nullptr}, setting);
 }

@@ -20,6 +20,8 @@ const char* toString(Refusal::Reason reason) {
       return "SINGULAR";
     case Refusal::Reason::DegenerateCircle:
       return "DEGENERATE_CIRCLE";
+    case Refusal::Reason::AmbiguousTurn:
+      return "AMBIGUOUS_TURN";
   }
   return "UNKNOWN";
 }

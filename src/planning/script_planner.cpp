@@ -64,7 +64,8 @@ ScriptPlanner::ScriptPlanner(arm::ArmModel arm, const Start& start)
       speed_override_(start.speed_override) {}
 
 motion::Setting ScriptPlanner::setting() const {
-  return {base_.value_or(arm::Pose::Identity()), tcp_.value_or(arm::Pose::Identity()), speed_override_};
+  return {base_.value_or(arm::Pose::Identity()), tcp_.value_or(arm::Pose::Identity()), speed_override_,
+          kStartTolerance};
 }
 
 Result<PlannedStep, motion::Refusal> ScriptPlanner::append(const protocol::ScriptCommand& command,

@@ -25,6 +25,8 @@ int codeFor(motion::Refusal::Reason reason, bool reaches_end) {
       return 0x1405A;  // joint outside its range
     case Reason::Singular:
       return 0x14064;  // singular
+    case Reason::AmbiguousTurn:
+      break;  // the arm itself takes one of both ways
   }
   return 0x14058;
 }

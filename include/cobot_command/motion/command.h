@@ -122,6 +122,9 @@ struct Setting {
   arm::Pose base = arm::Pose::Identity();  ///< the active base in the robot base
   arm::Pose tcp = arm::Pose::Identity();   ///< the active TCP in the flange
   double speed_override = 1.0;             ///< project speed, (0, 1]
+  /// How far the arm may be turned from `start` [rad, 0..pi/2]. A motion to a pose whose way depends on it is
+  /// refused as AmbiguousTurn; 0: this is the arm itself, which takes one of both ways.
+  double start_tolerance = 0.0;
 };
 
 }  // namespace cobot_command::motion

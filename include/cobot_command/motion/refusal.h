@@ -9,14 +9,15 @@ namespace cobot_command::motion {
 
 struct Refusal {
   enum class Reason {
-    NotFinite,        ///< an input is NaN or infinite
-    BadParameter,     ///< speed, time to top speed or angle out of range
-    Unreachable,      ///< no posture reaches the point
-    PoseBits,         ///< reachable, but not with the wanted pose bits
-    JointLimit,       ///< a joint would leave its range
-    JointSpeed,       ///< a joint would have to be faster than rated
-    Singular,         ///< the path runs into or too close to a singularity
-    DegenerateCircle  ///< start, via and end do not define a circle
+    NotFinite,         ///< an input is NaN or infinite
+    BadParameter,      ///< speed, time to top speed or angle out of range
+    Unreachable,       ///< no posture reaches the point
+    PoseBits,          ///< reachable, but not with the wanted pose bits
+    JointLimit,        ///< a joint would leave its range
+    JointSpeed,        ///< a joint would have to be faster than rated
+    Singular,          ///< the path runs into or too close to a singularity
+    DegenerateCircle,  ///< start, via and end do not define a circle
+    AmbiguousTurn      ///< half a turn: either way round leads to the target (Setting::start_tolerance)
   };
 
   Reason reason = Reason::Unreachable;

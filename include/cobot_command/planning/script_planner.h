@@ -8,6 +8,7 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/common/units.h"
 #include "cobot_command/motion/blend.h"
 #include "cobot_command/motion/command.h"
 #include "cobot_command/motion/refusal.h"
@@ -16,6 +17,11 @@
 #include "cobot_command/protocol/script_command.h"
 
 namespace cobot_command::planning {
+
+/// What a plan knows of where the arm will stand [rad]: 1 degree. The stream rounds far finer, but real arms
+/// are calibrated one by one, and tools are turned up to 0.6 degrees from where the nominal geometry has
+/// them.
+inline constexpr double kStartTolerance = degToRad(1.0);
 
 /// A blend radius for which the path on one side of the corner is too short.
 struct BlendMisfit {

@@ -96,6 +96,20 @@ void addAll(Scenarios& all, int id, const Way& way) {
   }
 }
 
+/// The tool turned half round about its own axis.
+void addHalfTurns(Scenarios& all) {
+  const Way way{"tm5-900", kHome, {0, 0, -50}, 50};
+  auto absolute = lineAlong(way);
+  auto relative = relativeAlong(way);
+  auto circle = circleAlong(way);
+  absolute.target[5] += 180;
+  relative.target[5] = 180;
+  circle.end_point[5] += 180;
+  for (const Goal& goal : {Goal(absolute), Goal(relative), Goal(circle), Goal(scriptOf(absolute))}) {
+    add(all, own_error::kAmbiguousTurn, way.model, way.joints_deg, goal);
+  }
+}
+
 void addJointLimits(Scenarios& all) {
   const auto absolute = with<MoveAbsoluteGoal>([](auto& g) {
     g.data_format = static_cast<int>(AbsoluteFormat::Jpp);
@@ -179,6 +193,7 @@ Scenarios planningScenarios() {
   addAll(all, own_error::kJointSpeed, {"tm12", {0, -40, 130, 0, 90, 0}, {0, 300, 0}, 1300});
   addAll(all, own_error::kSingular, {"tm5-900", {0, 0, 0, 0, 0, 0}, {100, 0, -100}, 10});
   addAll(all, own_error::kNotPlannable, {"tm5-900", kHome, {90000, 0, 0}, 1});
+  addHalfTurns(all);
   addJointLimits(all);
   addUnknown<MoveAbsoluteGoal>(all);
   addUnknown<MoveRelativeGoal>(all);

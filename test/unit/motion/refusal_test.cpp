@@ -34,6 +34,7 @@ TEST(Refusal, namesEveryReason) {
   EXPECT_STREQ(toString(Reason::JointSpeed), "JOINT_SPEED");
   EXPECT_STREQ(toString(Reason::Singular), "SINGULAR");
   EXPECT_STREQ(toString(Reason::DegenerateCircle), "DEGENERATE_CIRCLE");
+  EXPECT_STREQ(toString(Reason::AmbiguousTurn), "AMBIGUOUS_TURN");
 }
 
 TEST(PtpRefusal, namesTheJointOutsideItsLimitsAndWhatIsAllowed) {
