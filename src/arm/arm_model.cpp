@@ -65,6 +65,13 @@ Result<ArmModel, ModelError> ArmModel::fromUrdf(const std::string& urdf) {
   return model;
 }
 
+ArmModel ArmModel::turning(double turn_speed) const {
+  assert(turn_speed > 0);
+  ArmModel model(*this);
+  model.ratings_.turn_speed = turn_speed;
+  return model;
+}
+
 const std::vector<std::string>& ArmModel::knownNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> result;

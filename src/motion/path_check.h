@@ -33,6 +33,7 @@ struct TimedPath {
   const char* name;        ///< "line", "circle": for messages
   const PathSpeed* speed;  ///< as it was asked for: for messages; null: the times were
   const arm::Pose& base;   ///< the active base in the robot base: for messages
+  double speed_override;   ///< project speed: for messages
 };
 
 /// What the check saw on the way.

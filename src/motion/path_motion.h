@@ -5,9 +5,6 @@
 
 namespace cobot_command::motion {
 
-/// The angular speed of the TCP at 100 % [rad/s]; see doc/motion.md.
-inline constexpr double kFullTurnSpeed = 3.14159265358979323846;
-
 /// Precondition of both: checkInput() found nothing.
 [[nodiscard]] Result<TrajectoryPtr, Refusal> planLine(const arm::ArmModel& arm, const arm::JointVector& start,
                                                       const Line& line, const Setting& setting);

@@ -32,21 +32,28 @@ const arm::JointLimit& limitOf(const TimedPath& timed, int joint) {
   return timed.postures.arm().limits()[static_cast<std::size_t>(joint)];
 }
 
+/// In mm/s. Where the turn takes longer than the way the TCP is slower than asked for, and what counts is how
+/// fast it is.
+double tcpSpeed(const TimedPath& timed, const TcpSpeed& asked) {
+  const double time = timed.profile.travel() * timed.speed_override;
+  return mToMm(std::min(asked.metres_per_second, timed.postures.path().length() / time));
+}
+
 /// The share of the asked speed, in the unit in which it was asked, rounded down so that it does.
-std::string speedAdvice(const PathSpeed* speed, double share) {
-  if (speed == nullptr) {
+std::string speedAdvice(const TimedPath& timed, double share) {
+  if (timed.speed == nullptr) {
     return fmt::format("{:.2f} times the time would do: give it more time, or choose another path",
                        std::ceil(100.0 / share) / 100.0);
   }
-  const bool percent = std::holds_alternative<SpeedRatio>(*speed);
-  const double asked = percent ? 100.0 * std::get<SpeedRatio>(*speed).value
-                               : mToMm(std::get<TcpSpeed>(*speed).metres_per_second);
+  const auto* ratio = std::get_if<SpeedRatio>(timed.speed);
+  const double asked = ratio ? 100.0 * ratio->value : tcpSpeed(timed, std::get<TcpSpeed>(*timed.speed));
   const double usable = std::floor(10.0 * asked * share) / 10.0;
   if (usable <= 0.0) {
-    return "no useful speed is slow enough: choose another path, or PTP";
+    return ratio ? "no useful speed is slow enough: choose another path, or PTP"
+                 : "no useful speed in mm/s is slow enough: give it in %, or choose another path, or PTP";
   }
   return fmt::format("at most {:.1f} {} would do: choose a lower speed or another path", usable,
-                     percent ? "%" : "mm/s");
+                     ratio ? "%" : "mm/s");
 }
 
 }  // namespace
@@ -96,7 +103,7 @@ Refusal jointSpeedRefusal(const TimedPath& timed, const SpeedOffence& offence) {
   return refusalAt(timed, offence.progress, Reason::JointSpeed, offence.joint,
                    fmt::format("J{} would need {:.1f} deg/s, rated {:.1f} deg/s; {}", offence.joint + 1,
                                radToDeg(offence.needed), radToDeg(limitOf(timed, offence.joint).max_velocity),
-                               speedAdvice(timed.speed, offence.usable_share)));
+                               speedAdvice(timed, offence.usable_share)));
 }
 
 }  // namespace cobot_command::motion

@@ -7,7 +7,6 @@
 
 #include "input_check.h"
 #include "path_check.h"
-#include "path_motion.h"
 #include "path_postures.h"
 #include "profiled.h"
 
@@ -57,7 +56,8 @@ Result<TrajectoryPtr, Refusal> follow(const arm::ArmModel& arm, const arm::Joint
     return TrajectoryPtr(std::make_shared<PathTrajectory>(start, std::move(postures), profile,
                                                           FollowedPath{{start}, kSamplePeriod, start}));
   }
-  auto followed = checkPath({postures, profile, timed.name, timed.speed, setting.base}, start);
+  auto followed =
+      checkPath({postures, profile, timed.name, timed.speed, setting.base, setting.speed_override}, start);
   if (!followed) {
     return refuse(std::move(followed.error()));
   }
@@ -75,10 +75,11 @@ double timeAtTopSpeed(const arm::ArmModel& arm, double length, double turn, cons
   if (length < kNoWay && turn < kNoWay) {
     return 0.0;
   }
-  const double full = arm.ratings().max_tcp_speed;
+  const arm::Ratings& full = arm.ratings();
   const auto* ratio = std::get_if<SpeedRatio>(&speed);
-  const double linear = ratio ? ratio->value * full : std::get<TcpSpeed>(speed).metres_per_second;
-  const double angular = std::min(1.0, linear / full) * kFullTurnSpeed;
+  const double linear =
+      ratio ? ratio->value * full.max_tcp_speed : std::get<TcpSpeed>(speed).metres_per_second;
+  const double angular = ratio ? ratio->value * full.turn_speed : full.turn_speed;
   return std::max(length / linear, turn / angular) / speed_override;
 }
 

@@ -21,6 +21,8 @@ class Trapezoid {
 
   /// [s]
   [[nodiscard]] double duration() const { return duration_; }
+  /// At top speed all the way [s].
+  [[nodiscard]] double travel() const { return travel_; }
   /// From its highest speed to rest [s]; from rest to rest at most half of the duration.
   [[nodiscard]] double rampTime() const { return down_; }
   [[nodiscard]] bool startsAtRest() const { return start_share_ == 0.0; }

@@ -19,7 +19,7 @@ namespace cobot_command::simulator {
 
 class SimulatedController::Impl {
  public:
-  Impl(arm::ArmModel arm, Settings settings, Instant now);
+  Impl(const arm::ArmModel& arm, Settings settings, Instant now);
 
   void advance(Instant now);
   [[nodiscard]] Instant nextEvent() const;

@@ -8,8 +8,8 @@
 
 namespace cobot_command::simulator {
 
-SimulatedController::Impl::Impl(arm::ArmModel arm, Settings settings, Instant now)
-    : arm_(std::move(arm)),
+SimulatedController::Impl::Impl(const arm::ArmModel& arm, Settings settings, Instant now)
+    : arm_(arm.turning(settings.turn_speed)),
       settings_(std::move(settings)),
       now_(now),
       faults_(settings_.faults),
@@ -153,7 +153,7 @@ RobotState SimulatedController::Impl::state() const {
 // --- The public face ---------------------------------------------------------------------------------------
 
 SimulatedController::SimulatedController(arm::ArmModel arm, Settings settings, Instant now)
-    : impl_(std::make_unique<Impl>(std::move(arm), std::move(settings), now)) {}
+    : impl_(std::make_unique<Impl>(arm, std::move(settings), now)) {}
 SimulatedController::~SimulatedController() = default;
 SimulatedController::SimulatedController(SimulatedController&&) noexcept = default;
 SimulatedController& SimulatedController::operator=(SimulatedController&&) noexcept = default;

@@ -12,6 +12,7 @@
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/result.h"
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::arm {
 
@@ -26,11 +27,16 @@ struct JointLimit {
   double max_velocity = 0;  ///< [rad/s]
 };
 
+/// How fast Line and Circle turn the TCP at 100 % [rad/s]. Ours: no source tells it; see doc/motion.md.
+inline constexpr double kUsualTurnSpeed = kPi;
+
 /// What the data sheet promises for a model.
 struct Ratings {
   double payload = 0;        ///< [kg]
   double reach = 0;          ///< [m]
   double max_tcp_speed = 0;  ///< typical maximum speed of the TCP [m/s]; the 100 % of Line and Circle
+  /// The 100 % of their turns [rad/s]; no TCP turns faster on them.
+  double turn_speed = kUsualTurnSpeed;
 };
 
 /// Why there is no model: what was found, what is allowed, what to do.
@@ -49,6 +55,9 @@ class ArmModel {
   /// -> flange_link does not have the six joints and the parallel and crossing axes of the TM family
   /// (tolerance 1e-6 m and rad), as the closed-form kinematics would then be wrong.
   [[nodiscard]] static Result<ArmModel, ModelError> fromUrdf(const std::string& urdf);
+
+  /// The same arm under a controller that turns the TCP so fast at 100 % [rad/s, above 0].
+  [[nodiscard]] ArmModel turning(double turn_speed) const;
 
   [[nodiscard]] static const std::vector<std::string>& knownNames();
   /// The built-in URDF of a known model. Precondition: the name is known.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
@@ -60,6 +61,9 @@ struct Settings {
   Duration data_timeout{};
   /// Does a motion fail when tool and load are more than the model carries?
   bool checks_payload = true;
+  /// How fast the TCP turns at 100 % on lines and circles [rad/s]. Like that of the command layer, whose
+  /// plans are wrong otherwise.
+  double turn_speed = arm::kUsualTurnSpeed;
   bool velocity_licence = false;  ///< are there continuous velocities (ContinueVJog, ContinueVLine, …)?
   std::string project_name = "ListenProject";
   std::string tmflow_version = "1.80";  ///< decides which functions scripts have, and which items there are

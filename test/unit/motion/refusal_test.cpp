@@ -174,6 +174,28 @@ TEST(LineRefusal, namesTheSpeedThatWouldDoWhenAJointIsTooSlow) {
   EXPECT_THAT(absolute.message, HasSubstr("mm/s would do"));
 }
 
+TEST(LineRefusal, namesTheSpeedThatWouldDoWhenItIsTheTurnThatIsTooFast) {
+  // About the axis of J6, which is rated half of what the TCP may turn here.
+  const arm::ArmModel arm = model("tm12").turning(2.0 * kPi);
+  const arm::JointVector start = workingPosture();
+  const arm::Pose from = arm::forwardKinematics(arm, start);
+  const Eigen::Vector3d axis = from.linear().col(2);
+  const auto line = [&](double way, double speed) {
+    return Line{moved(from, way, 0.0, 0.0, degToRad(60.0), axis), TcpSpeed{speed}, milliseconds(100)};
+  };
+  const Refusal refusal = refused(plan(arm, start, line(0.005, 1.0), Setting{}));
+  ASSERT_EQ(refusal.reason, Reason::JointSpeed) << refusal.message;
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(refusal.message, found, std::regex("at most ([0-9.]+) mm/s would do")))
+      << refusal.message;
+  const double speed = std::stod(found[1]);
+  EXPECT_LT(speed, 100.0);
+  planned(plan(arm, start, line(0.005, speed / 1000.0), Setting{}));
+
+  EXPECT_THAT(refused(plan(arm, start, line(0.0, 1.0), Setting{})).message,
+              HasSubstr("no useful speed in mm/s is slow enough: give it in %"));
+}
+
 TEST(CircleRefusal, speaksOfTheCircle) {
   const arm::ArmModel arm = model();
   const arm::Pose from = arm::forwardKinematics(arm, workingPosture());
