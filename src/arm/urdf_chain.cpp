@@ -137,17 +137,32 @@ std::optional<std::string> problemOf(const urdf::Joint& joint, const std::string
   return std::nullopt;
 }
 
-KDL::Segment segmentOf(const urdf::Joint& joint) {
+/// Of a link, in its own frame; none for a link without.
+KDL::RigidBodyInertia inertiaOf(const urdf::Link& link) {
+  if (!link.inertial) return KDL::RigidBodyInertia::Zero();
+  const urdf::Inertial& body = *link.inertial;
+  const urdf::Vector3& centre = body.origin.position;
+  const urdf::Rotation& turn = body.origin.rotation;
+  const KDL::RigidBodyInertia around_centre(
+      body.mass, KDL::Vector::Zero(),
+      KDL::RotationalInertia(body.ixx, body.iyy, body.izz, body.ixy, body.ixz, body.iyz));
+  return KDL::Frame(KDL::Rotation::Quaternion(turn.x, turn.y, turn.z, turn.w),
+                    KDL::Vector(centre.x, centre.y, centre.z)) *
+         around_centre;
+}
+
+KDL::Segment segmentOf(const urdf::Joint& joint, const urdf::Link& link) {
   const urdf::Pose& origin = joint.parent_to_joint_origin_transform;
   const KDL::Frame frame(
       KDL::Rotation::Quaternion(origin.rotation.x, origin.rotation.y, origin.rotation.z, origin.rotation.w),
       KDL::Vector(origin.position.x, origin.position.y, origin.position.z));
   if (joint.type == urdf::Joint::FIXED) {
-    return KDL::Segment(joint.child_link_name, KDL::Joint(joint.name, KDL::Joint::None), frame);
+    return KDL::Segment(joint.child_link_name, KDL::Joint(joint.name, KDL::Joint::None), frame,
+                        inertiaOf(link));
   }
   const KDL::Vector axis = frame.M * KDL::Vector(joint.axis.x, joint.axis.y, joint.axis.z);
   return KDL::Segment(joint.child_link_name, KDL::Joint(joint.name, frame.p, axis, KDL::Joint::RotAxis),
-                      frame);
+                      frame, inertiaOf(link));
 }
 
 }  // namespace
@@ -173,7 +188,7 @@ Result<UrdfChain, ModelError> readUrdfChain(const std::string& urdf) {
       result.limits[count] = {joint->limits->lower, joint->limits->upper, joint->limits->velocity};
       ++count;
     }
-    result.chain.addSegment(segmentOf(*joint));
+    result.chain.addSegment(segmentOf(*joint, *(*model)->getLink(joint->child_link_name)));
   }
   if (count != kJointCount) {
     return refuse(ModelError{

@@ -11,6 +11,7 @@
 #include "outbox.h"
 #include "outgoing.h"
 #include "project_data.h"
+#include "sensors.h"
 #include "status_server.h"
 
 #include "cobot_command/simulator/simulated_controller.h"
@@ -30,6 +31,8 @@ class SimulatedController::Impl {
 
   std::vector<Output> takeOutputs() { return outbox_.take(); }
   [[nodiscard]] RobotState state() const;
+  /// As its sensors tell it.
+  [[nodiscard]] RobotState measured() const { return simulator::measured(state(), arm_, settings_); }
   [[nodiscard]] const arm::ArmModel& arm() const { return arm_; }
 
  private:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "controller_clock.h"
+#include "sensors.h"
 
 #include "cobot_command/protocol/script_command.h"
 
@@ -23,7 +24,7 @@ using Written = std::optional<ItemWrite>;
 constexpr int k180 = 180, k184 = 184;
 constexpr std::size_t kLongestProjectName = 128;  // bytes; ours
 
-// What the simulation has no quantity for: forces, currents, temperatures, limits of the safety functions.
+// What the simulation has no quantity for: limits of the safety functions, touch stops, analog inputs.
 ItemValue falseBool(const V&, N) {
   return false;
 }
@@ -42,6 +43,19 @@ ItemValue zeroFloats(const V&, N) {
 }
 ItemValue zeroBytes(const V&, N) {
   return Bytes(128, 0);
+}
+
+// What does not change: a controller at work in a warm room, and nothing at its outputs. Ours.
+constexpr float kJointTemperature = 35.0F, kControllerTemperature = 40.0F;  // [deg C]
+constexpr double kArmVoltage = 48.0, kIdleCurrent = 1.0;                    // [V], [A]
+constexpr double kMilli = 1e3;
+
+template <arm::JointVector TorqueWindow::*Which>
+ItemValue torques(const V& v, N) {
+  return floats(torqueWindow(v.state, v.source.arm, v.source.settings).*Which, kMilli);
+}
+double armCurrent(const V& v) {
+  return kIdleCurrent + jointCurrents(v.state, v.source.arm, v.source.settings).cwiseAbs().sum();
 }
 
 template <IoModule Module>
@@ -128,17 +142,25 @@ const std::vector<ItemRow>& itemRows() {
       {"Touch_Coord_Robot_Flange", 1, zeroFloats<6>},
       {"Touch_Coord_Robot_Tool", 1, zeroFloats<6>},
       // Dynamics.
-      {"TCP_Force", 1, zeroFloats<3>},
-      {"TCP_Force3D", 1, zeroFloat},
+      {"TCP_Force", 1, [](const V& v, N) -> ItemValue { return floats(v.state.tcp_force); }},
+      {"TCP_Force3D", 1,
+       [](const V& v, N) -> ItemValue { return static_cast<float>(v.state.tcp_force.norm()); }},
       {"TCP_Speed", 1, [](const V& v, N) -> ItemValue { return twistFloats(v.tool_twist); }, k180},
       {"TCP_Speed3D", 1, [](const V& v, N) -> ItemValue { return linearSpeed(v.tool_twist); }},
       {"Joint_Speed", 1, [](const V& v, N) -> ItemValue { return degrees(v.state.velocities); }, k180},
-      {"Joint_Torque", 1, zeroFloats<6>},
-      {"Joint_Torque_Average", 1, zeroFloats<6>, k184},
-      {"Joint_Torque_Min", 1, zeroFloats<6>, k184},
-      {"Joint_Torque_Max", 1, zeroFloats<6>, k184},
-      {"Joint_Current", 1, zeroFloats<6>},
-      {"Joint_Temperature", 1, zeroFloats<6>},
+      {"Joint_Torque", 1,
+       [](const V& v, N) -> ItemValue {
+         return floats(jointTorques(v.state, v.source.arm, v.source.settings), kMilli);
+       }},
+      {"Joint_Torque_Average", 1, torques<&TorqueWindow::average>, k184},
+      {"Joint_Torque_Min", 1, torques<&TorqueWindow::least>, k184},
+      {"Joint_Torque_Max", 1, torques<&TorqueWindow::most>, k184},
+      {"Joint_Current", 1,
+       [](const V& v, N) -> ItemValue {
+         return floats(jointCurrents(v.state, v.source.arm, v.source.settings), kMilli);
+       }},
+      {"Joint_Temperature", 1,
+       [](const V&, N) -> ItemValue { return Floats(arm::kJointCount, kJointTemperature); }},
       // Tool and base.
       {"TCP_Name", 1, [](const V& v, N) -> ItemValue { return v.state.tcp_name; }},
       {"TCP_Value", 1, [](const V& v, N) -> ItemValue { return poseFloats(v.state.tcp); }},
@@ -193,10 +215,12 @@ const std::vector<ItemRow>& itemRows() {
        Access::Automatic, writeAutoRemote},
       // The controller.
       {"ControlBox_SN", 1, [](const V&, N) -> ItemValue { return std::string("SIMULATED"); }},
-      {"Controller_Temperature", 1, zeroFloat},
-      {"Manipulator_Voltage", 1, zeroFloat},
-      {"Manipulator_Consumption", 1, zeroFloat},
-      {"Manipulator_Current", 1, zeroFloat},
+      {"Controller_Temperature", 1, [](const V&, N) -> ItemValue { return kControllerTemperature; }},
+      {"Manipulator_Voltage", 1, [](const V&, N) -> ItemValue { return static_cast<float>(kArmVoltage); }},
+      {"Manipulator_Consumption", 1,
+       [](const V& v, N) -> ItemValue { return static_cast<float>(kArmVoltage * armCurrent(v)); }},
+      {"Manipulator_Current", 1,
+       [](const V& v, N) -> ItemValue { return static_cast<float>(armCurrent(v)); }},
       {"ControlBox_IO_Current", 1, zeroFloat},
       {"End_IO_Current", 1, zeroFloat},
       {"Current_Time", 1, [](const V& v, N) -> ItemValue { return clockText(v.state.time); }},

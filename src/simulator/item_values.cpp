@@ -34,6 +34,12 @@ Eigen::Matrix<double, 6, 1> toolTwist(const arm::ArmModel& arm, const RobotState
   return twist;
 }
 
+Floats floats(const Eigen::Ref<const Eigen::VectorXd>& numbers, double factor) {
+  Floats floats;
+  for (const double number : numbers) floats.push_back(static_cast<float>(factor * number) + 0.0F);  // no -0
+  return floats;
+}
+
 Floats poseFloats(const arm::Pose& pose) {
   const SixFloats numbers = toFloats(pose);
   return {numbers.begin(), numbers.end()};

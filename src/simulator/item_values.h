@@ -39,6 +39,8 @@ struct ItemValues {
 
 using Floats = std::vector<float>;
 
+/// Each times a unit's size.
+[[nodiscard]] Floats floats(const Eigen::Ref<const Eigen::VectorXd>& numbers, double factor = 1.0);
 [[nodiscard]] Floats poseFloats(const arm::Pose& pose);                      ///< [mm, deg]
 [[nodiscard]] Floats inertiaMoments(const protocol::ToolInertia& inertia);   ///< [kg mm^2]
 [[nodiscard]] Floats massCenter(const protocol::ToolInertia& inertia);       ///< [mm, deg]

@@ -1,6 +1,7 @@
 #include "project_data.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include <fmt/format.h>
@@ -39,6 +40,9 @@ class NoRobot final : public language::Environment {
  private:
   const std::string kNone = "a declaration has no items and no functions of a robot";
 };
+
+/// Beside the flange, looking along its axis [mm, deg]. Ours: the camera of each robot is calibrated.
+constexpr std::array<double, 6> kHandCamera{0, 80, 40, 0, 0, 0};
 
 template <class Map>
 void forget(Map& map) {
@@ -93,7 +97,7 @@ ProjectData::ProjectData(const Settings& settings, const arm::ArmModel& model) {
   };
   addTool("NOTOOL", arm::Pose::Identity(), true);
   for (const auto& [name, pose] : settings.tcps) addTool(name, pose, name == "HandCamera");
-  addTool("HandCamera", arm::Pose::Identity(), true);
+  addTool("HandCamera", arm::toPose(kHandCamera), true);
   for (const auto& [name, joints] : settings.points) {
     Point point;
     point.frame = Frame(arm::forwardKinematics(model, joints));

@@ -183,7 +183,7 @@ Value RobotItems::ofRobot(const std::string& attribute) const {
   if (attribute == "BaseName") return Scalar(state.base_name);
   if (attribute == "TCPName") return Scalar(state.tcp_name);
   if (attribute == "TCPSpeed3D") return Scalar(linearSpeed(toolTwist(model_, state)));
-  if (attribute == "TCPForce3D") return Scalar(0.0F);
+  if (attribute == "TCPForce3D") return Scalar(static_cast<float>(state.tcp_force.norm()));
   if (attribute == "CameraLight") return Scalar(std::uint8_t{state.camera_light});
   Array joints{ScalarType::Float, {}};
   for (const double joint : arm::toControllerJoints(state.joints))

@@ -19,7 +19,7 @@ SimulatedController::Impl::Impl(const arm::ArmModel& arm, Settings settings, Ins
              faults_.stale_tag),
       io_(outbox_),
       project_(settings_, arm_),
-      node_(settings_, {arm_, queue_, io_, project_, [this] { return state(); }}, faults_, outgoing_,
+      node_(settings_, {arm_, queue_, io_, project_, [this] { return measured(); }}, faults_, outgoing_,
             outbox_),
       status_(settings_, project_.variables, now, outgoing_, outbox_),
       started_(now) {
@@ -82,7 +82,7 @@ void SimulatedController::Impl::on(const MotionFailed& failed) {
 }
 
 void SimulatedController::Impl::streamStatus() {
-  const RobotState robot = state();
+  const RobotState robot = measured();
   status_.stream(source(robot));
 }
 

@@ -18,7 +18,7 @@ void SimulatedController::Impl::receivedOnStatus(ClientId client, std::string_vi
   status_.feed(client, bytes);
   // Frame by frame: a request in the same piece sees what the one before has written.
   while (true) {
-    const RobotState robot = state();
+    const RobotState robot = measured();
     if (!status_.answerNext(client, source(robot))) return;
     for (const ItemWrite& write : status_.takeWrites()) {
       std::visit([&](const auto& what) { on(what); }, write);

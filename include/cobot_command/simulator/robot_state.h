@@ -45,6 +45,8 @@ struct RobotState {
   double tcp_mass = 0;                                     ///< [kg], of the tool (ChangeTCP)
   protocol::ToolInertia tcp_inertia;
   double load = 0;  ///< [kg], of what it holds (ChangeLoad)
+  /// From outside, on the TCP [N]: nothing touches it.
+  Eigen::Vector3d tcp_force = Eigen::Vector3d::Zero();
   DigitalIo inputs;
   DigitalIo outputs;
   float analog_output = 0;  ///< the first one of the control box [V]

@@ -64,6 +64,12 @@ struct Settings {
   /// How fast the TCP turns at 100 % on lines and circles [rad/s]. Like that of the command layer, whose
   /// plans are wrong otherwise.
   double turn_speed = arm::kUsualTurnSpeed;
+  /// Standard deviations of what the status port and the items of scripts tell; 0: exact.
+  double joint_noise = 0;         ///< [rad]
+  double speed_noise = 0;         ///< [rad/s]
+  double torque_noise = 0;        ///< [Nm]
+  double force_noise = 0;         ///< [N]
+  int noise_seed = 1;             ///< the same seed gives the same noise on every run
   bool velocity_licence = false;  ///< are there continuous velocities (ContinueVJog, ContinueVLine, …)?
   std::string project_name = "ListenProject";
   std::string tmflow_version = "1.80";  ///< decides which functions scripts have, and which items there are
