@@ -4,8 +4,8 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import FrameTrace, MoveAbsoluteGoal, SequenceStep
-from cobot_goals import (BUFFERED, ELSEWHERE, HOME, POSE, SLOWLY, base, circle, line_to, relative, script, sequence,
-                         tcp, to_joints, turn)
+from cobot_goals import (BUFFERED, ELSEWHERE, HOME, POSE, SLOWLY, base, circle, line_to, ptp_to, relative, script,
+                         sequence, tcp, to_joints, turn)
 from cobot_test import CobotTestCase, Latest
 import provoked_errors
 
@@ -40,6 +40,13 @@ class Planning(CobotTestCase):
 
     def test_refuses_ways_that_take_too_long(self):
         self.assert_refuses_ways(0x206, (90000, 0, 0), speed=1)
+
+    def test_refuses_half_turns_which_can_be_made_either_way_round(self):
+        self.assert_refuses_ways(0x20A, (0, 0, -50), turned=180)
+        start = (517.5, -122.3, 461.05, 180, 0)
+        self.assert_refuses([(ptp_to(*start, 270), 0x20A, "half a turn"),
+                             (line_to(*start, 269.5, check_only=True), 0x20A, "half a turn")])
+        self.assert_done(self.robot.run(line_to(*start, 268, check_only=True)))
 
     def test_refuses_targets_beyond_the_limit_of_a_joint(self):
         for limit in (155, -155):
@@ -155,16 +162,16 @@ class Planning(CobotTestCase):
         pose = self.assert_done(self.robot.run(to_joints(*degrees))).final_pose
         return pose.x, pose.y, pose.z, pose.rx, pose.ry, pose.rz
 
-    def assert_refuses_ways(self, error_id, offset, **changes):
+    def assert_refuses_ways(self, error_id, offset, turned=0, **changes):
         """The way from where the tool is: as an absolute and a relative line, nearly as an arc, and as a script."""
         start = self.assert_done(self.robot.run(turn(0, 0, 0, 0, 0, 0))).final_pose
-        rest = (start.rx, start.ry, start.rz)
+        rest = (start.rx, start.ry, start.rz + turned)
         end = (start.x + offset[0], start.y + offset[1], start.z + offset[2], *rest)
         arc = (start.x + offset[0] / 2 + 20, start.y + offset[1] / 2, start.z + offset[2] / 2 + 20, *rest)
         line = line_to(*end, **changes)
         numbers = ",".join(f"{value:.6f}" for value in end)
         lines = script(f'Line("CAP",{numbers},{line.speed},{line.accel_time},0,false)')
-        goals = (line, relative(*offset, 0, 0, 0, **changes), circle(arc, end, **changes), lines)
+        goals = (line, relative(*offset, 0, 0, turned, **changes), circle(arc, end, **changes), lines)
         self.assert_refuses([(goal, error_id, "") for goal in goals])
 
     def assert_step_fails(self, goal, index, error_id):
