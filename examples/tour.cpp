@@ -68,7 +68,6 @@ MoveAbsoluteGoal home() {
   goal.target_position = six(0, 0, 90, 0, 90, 0);
   goal.speed = 50;
   goal.accel_time = 300;
-  goal.precise_positioning = true;
   return goal;
 }
 

@@ -18,16 +18,15 @@ from cobot_command.msg import CommandStatus, MoveAbsoluteGoal, MoveCircleGoal, M
 
 HOME = MoveAbsoluteGoal(movement_command=MoveAbsoluteGoal.PTP, data_format=MoveAbsoluteGoal.JPP,
                         target_position=Transformation(0, 0, 90, 0, 90, 0),  # joints [deg]
-                        speed=50, accel_time=300, precise_positioning=True)
+                        speed=50, accel_time=300)
 UP = MoveRelativeGoal(movement_command=MoveRelativeGoal.LINE, data_format=MoveRelativeGoal.CAP,
                       target_position=Transformation(z=60), speed=150, accel_time=300,  # mm, mm/s, ms
                       blending_enable=True, blending_value=50)
 ASIDE = MoveRelativeGoal(movement_command=MoveRelativeGoal.LINE, data_format=MoveRelativeGoal.CAP,
-                         target_position=Transformation(y=80), speed=150, accel_time=300, precise_positioning=True,
+                         target_position=Transformation(y=80), speed=150, accel_time=300,
                          buffer_mode=MoveRelativeGoal.BUFFERED)
 ARC = MoveCircleGoal(data_format=MoveCircleGoal.CAP, arc_point=Transformation(480, -60, 461, 180, 0, 90),
-                     end_point=Transformation(517.5, 0, 461, 180, 0, 90), speed=150, accel_time=300,
-                     precise_positioning=True)
+                     end_point=Transformation(517.5, 0, 461, 180, 0, 90), speed=150, accel_time=300)
 SLOWLY_DOWN = MoveRelativeGoal(movement_command=MoveRelativeGoal.LINE, data_format=MoveRelativeGoal.TAP,
                                target_position=Transformation(z=150), speed=20, accel_time=300)
 TIMEOUT = 60.0  # [s]
@@ -72,7 +71,7 @@ class Tour:
         self.do("change_tcp", msg.ChangeTCPGoal(tcp_offset=Transformation(z=120), weight=1.2))
         end = self.do("move_relative", MoveRelativeGoal(
             movement_command=MoveRelativeGoal.LINE, data_format=MoveRelativeGoal.CAP,
-            target_position=Transformation(z=20), speed=100, accel_time=300, precise_positioning=True)).final_pose
+            target_position=Transformation(z=20), speed=100, accel_time=300)).final_pose
         print(f"  the tool is at {end.x:.1f}, {end.y:.1f}, {end.z:.1f} mm")
         self.do("change_tcp", msg.ChangeTCPGoal(tcp_name="NOTOOL"))
         self.do("change_base", msg.ChangeBaseGoal(base_name="RobotBase"))

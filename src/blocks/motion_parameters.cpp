@@ -83,7 +83,7 @@ protocol::MotionOptions optionsOf(const MotionParameters& parameters) {
   options.speed = std::max(1, rounded(parameters.speed));
   options.accel_time = rounded(parameters.accel_time);
   options.blending = parameters.blending_enable ? rounded(parameters.blending_value) : 0;
-  options.disable_precise_positioning = !parameters.precise_positioning;
+  options.disable_precise_positioning = parameters.disable_precise_positioning;
   return options;
 }
 

@@ -37,13 +37,13 @@ struct MotionParameters {
   double accel_time = 0;
   bool blending_enable = false;
   double blending_value = 0;
-  bool precise_positioning = true;
+  bool disable_precise_positioning = false;
   int buffer_mode = 0;
 };
 template <class Move>
 [[nodiscard]] MotionParameters parametersOf(const Move& goal) {
   return {goal.command_id,      goal.speed,          goal.accel_time,
-          goal.blending_enable, goal.blending_value, goal.precise_positioning,
+          goal.blending_enable, goal.blending_value, goal.disable_precise_positioning,
           goal.buffer_mode};
 }
 

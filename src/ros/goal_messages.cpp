@@ -44,7 +44,7 @@ void takeMotion(Goal& goal, const Message& message) {
   goal.accel_time = message.accel_time;
   goal.blending_enable = message.blending_enable != 0;
   goal.blending_value = message.blending_value;
-  goal.precise_positioning = message.precise_positioning != 0;
+  goal.disable_precise_positioning = message.disable_precise_positioning != 0;
   goal.check_only = message.check_only != 0;
 }
 

@@ -160,7 +160,9 @@ blocks::MoveAbsoluteGoal toMove(const Map& step) {
   if (step.has("blending_enable")) move.blending_enable = step.truth("blending_enable");
   if (step.has("blending_value")) move.blending_value = step.whole("blending_value");
   if (step.has("exit_node")) move.exit_node = step.truth("exit_node");
-  if (step.has("precise_positioning")) move.precise_positioning = step.truth("precise_positioning");
+  if (step.has("disable_precise_positioning")) {
+    move.disable_precise_positioning = step.truth("disable_precise_positioning");
+  }
   if (!step.has("robot_pose")) return move;
   move.robot_pose_enable = true;
   const YAML::Node posture = step.list("robot_pose", kPostures.size());
@@ -178,11 +180,25 @@ double toDwell(const Map& step, double usual) {
   return convert<double>(node, "dwell", "true, false, or a number of seconds");
 }
 
+/// A file from before says the contrary with it.
+void refuseRetiredKey(const YAML::Node& step) {
+  if (!step.IsMap()) return;
+  for (const auto& entry : step) {
+    if (entry.first.IsScalar() && entry.first.Scalar() == "precise_positioning") {
+      throw Fault(entry.first.Mark(),
+                  "precise_positioning has become disable_precise_positioning, which says the contrary: "
+                  "leave it out where it was true, write disable_precise_positioning: true where it was "
+                  "false");
+    }
+  }
+}
+
 blocks::PickAndPlaceStep toStep(const YAML::Node& node, double usual_dwell) {
+  refuseRetiredKey(node);
   const Map map(node, "a step",
                 {"name", "command_id", "movement_command", "data_format", "target_position", "speed",
-                 "accel_time", "blending_enable", "blending_value", "precise_positioning", "robot_pose",
-                 "exit_node", "output", "dwell"});
+                 "accel_time", "blending_enable", "blending_value", "disable_precise_positioning",
+                 "robot_pose", "exit_node", "output", "dwell"});
   if (map.has("name")) static_cast<void>(map.text("name"));
   blocks::PickAndPlaceStep step;
   step.move = toMove(map);

@@ -175,8 +175,8 @@ class AnyGoal {
   /// The inputs that all motions have.
   template <class Motion>
   void varyMotion(Motion& goal) {
-    vary(goal.speed, goal.accel_time, goal.blending_enable, goal.blending_value, goal.precise_positioning,
-         goal.exit_node, goal.buffer_mode);
+    vary(goal.speed, goal.accel_time, goal.blending_enable, goal.blending_value,
+         goal.disable_precise_positioning, goal.exit_node, goal.buffer_mode);
   }
 
   template <class Motion>

@@ -29,8 +29,8 @@ def with_changes(goal, changes):
 def to_joints(*degrees, **changes):
     return with_changes(
         MoveAbsoluteGoal(movement_command=MoveAbsoluteGoal.PTP, data_format=MoveAbsoluteGoal.JPP,
-                         target_position=six(degrees), speed=80, accel_time=200,
-                         precise_positioning=True), changes)
+                         target_position=six(degrees), speed=80, accel_time=200),
+        changes)
 
 
 def ptp_to(*pose, **changes):
@@ -47,8 +47,8 @@ def relative(*offset, **changes):
     """A straight line along the base."""
     return with_changes(
         MoveRelativeGoal(movement_command=MoveRelativeGoal.LINE, data_format=MoveRelativeGoal.CAP,
-                         target_position=six(offset), speed=250, accel_time=200,
-                         precise_positioning=True), changes)
+                         target_position=six(offset), speed=250, accel_time=200),
+        changes)
 
 
 def turn(*degrees, **changes):
@@ -60,7 +60,7 @@ def turn(*degrees, **changes):
 def circle(arc, end, **changes):
     return with_changes(
         MoveCircleGoal(data_format=MoveCircleGoal.CAP, arc_point=six(arc), end_point=six(end),
-                       speed=250, accel_time=200, precise_positioning=True), changes)
+                       speed=250, accel_time=200), changes)
 
 
 def base(*pose, **changes):

@@ -46,7 +46,7 @@ class RandomGoals:
         r = self._random
         changes = {"buffer_mode": r.choices((0, 1, 2), (30, 60, 10))[0], "accel_time": r.choice((150, 200, 400)),
                    "command_id": r.choices((0, r.randint(2, 9)), (3, 1))[0],
-                   "precise_positioning": r.random() < 0.5}
+                   "disable_precise_positioning": r.random() < 0.5}
         kind = r.random()
         if kind < 0.12:
             changes.update(blending_enable=True, blending_value=r.choice((0, 1, 50, 100, 2000 if radius else 100)))

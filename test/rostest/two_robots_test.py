@@ -74,7 +74,7 @@ class TwoRobots(OutcomeTestCase):
         pose = Pose(Point(0.45, 0.1, 0.5), Quaternion(1, 0, 0, 0))
         for name, other in (("left", "right"), ("right", "left")):
             goal = MoveAbsoluteGoal(movement_command=MoveAbsoluteGoal.PTP, data_format=MoveAbsoluteGoal.CPP, speed=50,
-                                    accel_time=300, precise_positioning=True)
+                                    accel_time=300)
             for frame in (f"{name}_base", f"{other}_base"):
                 goal.target_pose = PoseStamped(Header(frame_id=frame), pose)
                 outcome = self.robots[name].run(goal)

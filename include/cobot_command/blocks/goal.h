@@ -74,8 +74,8 @@ struct MoveAbsoluteGoal {
   double speed = 0;                       ///< % (0, 100] or mm/s (0, 4500], as the format says
   double accel_time = 0;                  ///< time to top speed [ms], 150..9999
   bool blending_enable = false;
-  double blending_value = 0;  ///< % 0..100, or mm 0..2000 with a radius format
-  bool precise_positioning = true;
+  double blending_value = 0;                 ///< % 0..100, or mm 0..2000 with a radius format
+  bool disable_precise_positioning = false;  ///< the controller's own sense: false is precise
   bool robot_pose_enable = false;
   std::array<int, 3> robot_pose{0, 2, 4};  ///< Config1..3
   bool exit_node = false;                  ///< leave the Listen node after the motion
@@ -93,7 +93,7 @@ struct MoveRelativeGoal {
   double accel_time = 0;
   bool blending_enable = false;
   double blending_value = 0;
-  bool precise_positioning = true;
+  bool disable_precise_positioning = false;  ///< the controller's own sense: false is precise
   bool exit_node = false;
   int buffer_mode = 0;
   bool check_only = false;
@@ -114,7 +114,7 @@ struct MoveCircleGoal {
   /// Length of the arc [deg], 0..360. 0: to the end point, turning to its orientation; else this far along
   /// the circle, the orientation held.
   double arc_angle = 0;
-  bool precise_positioning = true;
+  bool disable_precise_positioning = false;  ///< the controller's own sense: false is precise
   bool exit_node = false;
   int buffer_mode = 0;
   bool check_only = false;

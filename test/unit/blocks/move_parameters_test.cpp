@@ -111,10 +111,11 @@ TYPED_TEST(MoveParameters, sendNoBlendingUnlessItIsEnabled) {
   EXPECT_NE(scriptOf(goal).find(",10,200,0,"), std::string::npos) << scriptOf(goal);
 }
 
-/// The controller's argument switches it off (thesis 4.3.1); the thesis sends it the wrong way round.
-TYPED_TEST(MoveParameters, sendPrecisePositioningTrueAsFalse) {
-  const std::string precise = scriptOf(with<TypeParam>([](auto& g) { g.precise_positioning = true; }));
-  const std::string coarse = scriptOf(with<TypeParam>([](auto& g) { g.precise_positioning = false; }));
+/// As in the thesis, whose PrecisePositioning is FALSE unless said otherwise and goes out as it is: the
+/// controller's argument switches it off (4.3.1).
+TYPED_TEST(MoveParameters, settlePreciselyUnlessThatIsDisabled) {
+  const std::string precise = scriptOf(good<TypeParam>());
+  const std::string coarse = scriptOf(with<TypeParam>([](auto& g) { g.disable_precise_positioning = true; }));
   EXPECT_EQ(precise.substr(precise.size() - 7), ",false)");
   EXPECT_EQ(coarse.substr(coarse.size() - 6), ",true)");
 }

@@ -66,7 +66,7 @@ void fillMotion(Message& message) {
   message.accel_time = 400;
   message.blending_enable = true;
   message.blending_value = 30;
-  message.precise_positioning = true;
+  message.disable_precise_positioning = true;
   message.exit_node = true;
   message.buffer_mode = 1;
   message.check_only = true;
@@ -80,7 +80,7 @@ void expectMotion(const Goal& goal) {
   EXPECT_EQ(goal.accel_time, 400);
   EXPECT_TRUE(goal.blending_enable);
   EXPECT_EQ(goal.blending_value, 30);
-  EXPECT_TRUE(goal.precise_positioning);
+  EXPECT_TRUE(goal.disable_precise_positioning);
   EXPECT_TRUE(goal.exit_node);
   EXPECT_EQ(goal.buffer_mode, 1);
   EXPECT_TRUE(goal.check_only);
@@ -211,6 +211,12 @@ TEST(GoalMessages, aPoseInATfFrameArrivesAsItCameWithTheFrameInTheRobotBase) {
   ASSERT_TRUE(pose->frame_in_robot_base);
   EXPECT_EQ(pose->frame_in_robot_base->translation().x(), 1);
   EXPECT_EQ(pose->fault, "");
+}
+
+TEST(GoalMessages, aMoveThatSaysNothingOfItIsPrecise) {
+  EXPECT_FALSE(toGoal(cobot_command::MoveAbsoluteGoal(), noTf).disable_precise_positioning);
+  EXPECT_FALSE(toGoal(cobot_command::MoveRelativeGoal(), noTf).disable_precise_positioning);
+  EXPECT_FALSE(toGoal(cobot_command::MoveCircleGoal(), noTf).disable_precise_positioning);
 }
 
 TEST(GoalMessages, aFrameThatIsNotKnownIsToldWithItsReason) {

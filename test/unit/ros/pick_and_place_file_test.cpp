@@ -57,7 +57,7 @@ TEST(PickAndPlaceFile, theCycleOfTheThesisIsReadAsItStands) {
   EXPECT_THAT(above.move.target, ElementsAre(430, -220, 380, 180, 0, 90));
   EXPECT_EQ(above.move.speed, 60);
   EXPECT_EQ(above.move.accel_time, 400);
-  EXPECT_TRUE(above.move.precise_positioning);
+  EXPECT_FALSE(above.move.disable_precise_positioning);
   EXPECT_TRUE(above.move.robot_pose_enable);
   EXPECT_THAT(above.move.robot_pose, ElementsAre(0, 2, 4));
   EXPECT_FALSE(steps->at(1).move.robot_pose_enable);
@@ -102,8 +102,16 @@ TEST(PickAndPlaceFile, whatAStepMayHaveIsRead) {
   EXPECT_EQ(stepWith("command_id: 4").move.command_id, 4);
   EXPECT_TRUE(stepWith("blending_enable: true").move.blending_enable);
   EXPECT_EQ(stepWith("blending_value: 40").move.blending_value, 40);
-  EXPECT_FALSE(stepWith("precise_positioning: false").move.precise_positioning);
+  EXPECT_TRUE(stepWith("disable_precise_positioning: true").move.disable_precise_positioning);
+  EXPECT_FALSE(stepWith("disable_precise_positioning: false").move.disable_precise_positioning);
   EXPECT_THAT(stepWith("robot_pose: [LEFTY, BELOW, FLIP]").move.robot_pose, ElementsAre(1, 3, 5));
+}
+
+TEST(PickAndPlaceFile, theKeyThatHasChangedItsSenseIsRefusedWithWhatToWriteInstead) {
+  for (const char* old : {"precise_positioning: true", "precise_positioning: false"}) {
+    EXPECT_THAT(errorOf(fileWith(old)),
+                AllOf(StartsWith("cell.yaml:9:"), HasSubstr("write disable_precise_positioning: true")));
+  }
 }
 
 TEST(PickAndPlaceFile, anErrorNamesTheFileAndTheLine) {
