@@ -4,8 +4,8 @@
 
 namespace cobot_command::blocks {
 
-CommandCore::CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings)
-    : impl_(std::make_unique<Impl>(std::move(arm), settings)) {}
+CommandCore::CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, FrameFinder frames)
+    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(frames))) {}
 CommandCore::~CommandCore() = default;
 CommandCore::CommandCore(CommandCore&&) noexcept = default;
 CommandCore& CommandCore::operator=(CommandCore&&) noexcept = default;

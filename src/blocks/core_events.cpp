@@ -5,8 +5,10 @@
 
 namespace cobot_command::blocks {
 
-CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings)
+CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
+                        FrameFinder frame_finder)
     : settings_(settings),
+      frame_finder_(std::move(frame_finder)),
       script_(settings_, *this),
       status_(settings_, *this),
       tags_(settings_.first_tag),

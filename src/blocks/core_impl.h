@@ -33,7 +33,7 @@ namespace cobot_command::blocks {
 
 class CommandCore::Impl : private link::Wire {
  public:
-  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings);
+  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, FrameFinder frame_finder);
 
   void submit(GoalId id, const Goal& goal, Instant now);
   void cancel(GoalId id, Instant now);
@@ -103,6 +103,7 @@ class CommandCore::Impl : private link::Wire {
   void endAborted(Block block, GoalId id, const std::string& why);
   void dispatch(Instant now);
   void begin(const Waiting& next, Instant now);
+  void refuseTurn(const Waiting& next, Outcome refusal);
   void beginCycle(GoalId id, const PickAndPlaceGoal& goal, Instant now);
   void continueCycle(Instant now);
   [[nodiscard]] Result<CommandOrder, Failure> prepare(const Goal& goal, Instant now);
@@ -142,6 +143,7 @@ class CommandCore::Impl : private link::Wire {
   void log(Severity severity, std::string text);
 
   link::LinkSettings settings_;
+  FrameFinder frame_finder_;
   std::vector<Action> actions_;
   link::ConnectionId last_connection_ = 0;
   link::ScriptLink script_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core_impl.h"
+#include "moved_frames.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
@@ -141,6 +142,13 @@ void CommandCore::Impl::dispatch(Instant now) {
 void CommandCore::Impl::begin(const Waiting& next, Instant now) {
   const Block block = blockOf(next.goal);
   Failures failures = checkReadiness(BufferMode::Aborting);
+  const bool has_waited = next.told_place > 0;
+  if (failures.empty() && has_waited) {
+    if (auto refusal = refusalOfMovedFrame(next.goal, frame_finder_)) {
+      refuseTurn(next, std::move(*refusal));
+      return;
+    }
+  }
   if (failures.empty()) {
     if (const auto* cycle = std::get_if<PickAndPlaceGoal>(&next.goal)) {
       beginCycle(next.id, *cycle, now);
@@ -155,8 +163,14 @@ void CommandCore::Impl::begin(const Waiting& next, Instant now) {
     }
     failures.push_back(order.error());
   }
+  refuseTurn(next, toRejection(block, failures));
+}
+
+/// What waits behind it stands on where it would have left the robot.
+void CommandCore::Impl::refuseTurn(const Waiting& next, Outcome refusal) {
+  const Block block = blockOf(next.goal);
   dropWaiting(fmt::format("the command in front of it, {}, was refused", toString(block)));
-  board_.end(block, next.id, toRejection(block, failures));
+  board_.end(block, next.id, std::move(refusal));
 }
 
 Result<CommandOrder, Failure> CommandCore::Impl::prepare(const Goal& goal, Instant now) {
@@ -217,7 +231,8 @@ void CommandCore::Impl::continueCycle(Instant now) {
   const PickAndPlaceRun::Command command = *cycle_->next();
   Result<CommandOrder, Failure> order = CommandOrder();
   if (const auto* move = std::get_if<MoveAbsoluteGoal>(&command)) {
-    order = prepare(*move, now);
+    const auto moved = findMovedFrame(*move, frame_finder_);
+    order = moved ? Result<CommandOrder, Failure>(refuse(*moved)) : prepare(*move, now);
   } else {
     order = orderOf(std::get<OutputAction>(command));
   }

@@ -26,19 +26,24 @@ Eigen::Quaterniond quaternionOf(const FramedPose& pose) {
   return {w, x, y, z};
 }
 
+}  // namespace
+
+std::string printableFrame(const FramedPose& pose) {
+  return foreignText(pose.frame, kQuoteLimit);
+}
+
 arm::Pose inRobotBase(const FramedPose& pose) {
+  assert(pose.frame_in_robot_base);
   arm::Pose in_frame = arm::Pose::Identity();
   in_frame.translation() << pose.position[0], pose.position[1], pose.position[2];
   in_frame.linear() = quaternionOf(pose).normalized().toRotationMatrix();
   return *pose.frame_in_robot_base * in_frame;
 }
 
-}  // namespace
-
 void checkPose(ParameterChecks& checks, const char* field, const FramedPose& pose) {
   const bool frame_known = pose.frame_in_robot_base && pose.frame_in_robot_base->matrix().allFinite();
   checks.require(frame_known, own_error::kFrameUnknown,
-                 fmt::format("{} is in \"{}\"{}{}", field, foreignText(pose.frame, kQuoteLimit),
+                 fmt::format("{} is in \"{}\"{}{}", field, printableFrame(pose),
                              pose.fault.empty() ? "" : ": ", foreignText(pose.fault)));
   if (!isFinite(pose.position) || !isFinite(pose.quaternion)) {
     checks.require(false, own_error::kNotFinite, fmt::format("a number of {} is not finite", field));
@@ -54,7 +59,6 @@ void checkPose(ParameterChecks& checks, const char* field, const FramedPose& pos
 }
 
 SixValues seenFrom(const arm::Pose& base, const FramedPose& pose) {
-  assert(pose.frame_in_robot_base);
   return arm::toControllerPose(base.inverse() * inRobotBase(pose));
 }
 

@@ -12,6 +12,12 @@ namespace cobot_command::blocks {
 /// further from the robot base than any arm could reach.
 void checkPose(ParameterChecks& checks, const char* field, const FramedPose& pose);
 
+/// The frame's name, for people: cut and escaped.
+[[nodiscard]] std::string printableFrame(const FramedPose& pose);
+
+/// The target itself. Precondition: checkPose() found nothing.
+[[nodiscard]] arm::Pose inRobotBase(const FramedPose& pose);
+
 /// In mm and degrees, seen from `base`, which is given in the robot base. Precondition: checkPose() found
 /// nothing.
 [[nodiscard]] SixValues seenFrom(const arm::Pose& base, const FramedPose& pose);

@@ -85,6 +85,11 @@ constexpr SharedError kTargetErrors[] = {
      "Go by a point between, at which the tool has turned part of the way, or use PTP to joints",
      "planning: the tool, or a joint of a PTP to a pose, would make half a turn (to 1 deg), and nobody knows "
      "which way round the controller makes it"},
+    {own_error::kFrameMoved, "Frame moved",
+     "Send the goal again; or give its header a stamp, which asks for where the frame was then",
+     "a target in a tf frame, at its latest place (stamp zero), is more than 1 mm or 0.1 degrees from where "
+     "it was when the goal came: looked for when a goal that waited gets its turn, and before each move of a "
+     "pick_and_place"},
     {own_error::kCoordinateRange, "Coordinate range: -100000~100000", kSetInRange,
      "a coordinate [mm, deg] is beyond what any arm of the family could mean"},
     {own_error::kFrameUnknown, "Frame unknown", "Give a frame that tf connects with the robot base",
@@ -215,7 +220,7 @@ ErrorTable& ErrorTable::move() {
 }
 
 ErrorTable& ErrorTable::framedPose() {
-  return shared({own_error::kFrameUnknown, own_error::kQuaternion});
+  return shared({own_error::kFrameUnknown, own_error::kFrameMoved, own_error::kQuaternion});
 }
 
 std::vector<ErrorEntry> ErrorTable::rows() {

@@ -68,7 +68,8 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
-      [this](const blocks::Action& action, Instant now) { onAction(action, now); });
+      [this](const blocks::Action& action, Instant now) { onAction(action, now); },
+      [this](const std::string& frame) { return frames_.whereNow(frame); });
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;

@@ -24,6 +24,7 @@ std::optional<blocks::FramedPose> toFramedPose(const geometry_msgs::PoseStamped&
   pose.quaternion = {quaternion.x, quaternion.y, quaternion.z, quaternion.w};
   pose.frame_in_robot_base = std::move(place.in_robot_base);
   pose.fault = std::move(place.fault);
+  pose.latest = message.header.stamp.isZero();
   return pose;
 }
 

@@ -42,4 +42,12 @@ FramePlace TfFrames::find(const std_msgs::Header& header) {
   }
 }
 
+std::optional<arm::Pose> TfFrames::whereNow(const std::string& frame) const {
+  try {
+    return toPose(buffer_.lookupTransform(robot_base_, frame, ros::Time(0)).transform);
+  } catch (const tf2::TransformException&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace cobot_command::ros_adapter

@@ -43,9 +43,10 @@ link::OpenFailure toOpenFailure(const transport::NetworkError& error) {
 
 class CommandRuntime::Impl {
  public:
-  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer)
+  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
+       blocks::FrameFinder frames)
       : observer_(std::move(observer)),
-        core_(std::move(arm), settings),
+        core_(std::move(arm), settings, std::move(frames)),
         start_(Clock::now()),
         timer_(thread_.context()) {
     thread_.post([this] { advance(); });
@@ -164,8 +165,8 @@ class CommandRuntime::Impl {
 };
 
 CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
-                               Observer observer)
-    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(observer))) {}
+                               Observer observer, blocks::FrameFinder frames)
+    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(frames))) {}
 
 CommandRuntime::~CommandRuntime() = default;
 

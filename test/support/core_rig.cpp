@@ -7,7 +7,10 @@ namespace cobot_command::testing {
 using namespace blocks;
 
 CoreRig::CoreRig(std::optional<arm::ArmModel> arm, link::LinkSettings settings)
-    : core(std::move(arm), settings) {}
+    : core(std::move(arm), settings, [this](const std::string& frame) -> std::optional<arm::Pose> {
+        const auto found = frames.find(frame);
+        return found == frames.end() ? std::nullopt : std::make_optional(found->second);
+      }) {}
 
 CoreRig::~CoreRig() {
   EXPECT_TRUE(sent_.empty()) << sent_.size() << " frames were sent that the test did not expect; the first: "

@@ -82,6 +82,7 @@ class CoreRig {
   std::vector<link::RobotStatus> robot_statuses;
   std::vector<blocks::ActiveFrames> active_frames;  ///< every change
   std::vector<std::string> warnings;                ///< of the log
+  std::map<std::string, arm::Pose> frames;          ///< where tf would say that they are now
 
   void pump();
 

@@ -17,6 +17,7 @@
 #include "cobot_command/blocks/active_frames.h"
 #include "cobot_command/blocks/command_status.h"
 #include "cobot_command/blocks/finish.h"
+#include "cobot_command/blocks/frame_finder.h"
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/outcome.h"
 #include "cobot_command/common/time.h"
@@ -95,8 +96,9 @@ using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAcce
 class CommandCore {
  public:
   /// `arm`: the model for planning and checks; without one, moves are sent unplanned. See CoreSettings for
-  /// the rest.
-  CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings);
+  /// the rest. `frames`: asked when a goal with a target in a frame has waited; without one, targets stay
+  /// where they were.
+  CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, FrameFinder frames = {});
   ~CommandCore();
   CommandCore(CommandCore&&) noexcept;
   CommandCore& operator=(CommandCore&&) noexcept;

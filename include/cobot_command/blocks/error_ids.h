@@ -72,6 +72,7 @@ inline constexpr int kBlendingTooLarge = 0x207;
 inline constexpr int kStartUnknown = 0x208;
 inline constexpr int kNoModel = 0x209;
 inline constexpr int kAmbiguousTurn = 0x20A;
+inline constexpr int kFrameMoved = 0x20B;
 // The parameters.
 inline constexpr int kBlendingRange = 0x210;
 inline constexpr int kMovementUnknown = 0x211;

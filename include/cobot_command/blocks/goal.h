@@ -37,6 +37,9 @@ struct FramedPose {
   /// The frame in the robot base; absent when it could not be found, and then `fault` says why.
   std::optional<arm::Pose> frame_in_robot_base;
   std::string fault;
+  /// Meant is where the frame is, and not where it was at some time: a goal that has waited is refused when
+  /// it has moved.
+  bool latest = false;
 };
 
 /// CBT_Connect (thesis 5.3.1): open the link and supervise it. Busy while connected.

@@ -9,12 +9,13 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/ros/goal_messages.h"
 
 namespace cobot_command::ros_adapter {
 
-/// Listens to tf on a thread of its own, as tf2 does. Its functions are for one thread.
+/// Listens to tf on a thread of its own, as tf2 does. Its functions are for one thread, but for whereNow().
 ///
 /// /tf is one topic for everybody: where N robots listen to it, each gets the frames of all, N times N
 /// messages. Those that use no frames but their own need not listen.
@@ -25,6 +26,8 @@ class TfFrames {
 
   /// As a FrameLookup does.
   [[nodiscard]] FramePlace find(const std_msgs::Header& header);
+  /// As a FrameFinder does, from any thread: tf2's buffer has a lock of its own. Knows nothing before find().
+  [[nodiscard]] std::optional<arm::Pose> whereNow(const std::string& frame) const;
   /// How long a frame that is not known is worth waiting for.
   [[nodiscard]] Duration patience() const;
 

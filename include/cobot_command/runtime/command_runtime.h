@@ -29,7 +29,9 @@ class CommandRuntime {
   /// and cancel(), which take effect after it has returned.
   using Observer = std::function<void(const blocks::Action&, Instant now)>;
 
-  CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer);
+  /// `frames`: see CommandCore; called on the core's thread.
+  CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
+                 blocks::FrameFinder frames = {});
   ~CommandRuntime();  ///< stop()
   CommandRuntime(const CommandRuntime&) = delete;
   CommandRuntime& operator=(const CommandRuntime&) = delete;

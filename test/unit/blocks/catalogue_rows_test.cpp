@@ -32,6 +32,7 @@ Scenarios allScenarios() {
     all.merge(turnScenarios(goal));
     all.merge(replyScenarios(goal));
   }
+  all.merge(movedFrameScenarios());
   all.merge(triedScenarios(good<ProgramControlGoal>()));
   all.merge(replyScenarios(good<ProgramControlGoal>()));
   all.merge(linkScenarios(good<PickAndPlaceGoal>()));

@@ -35,6 +35,8 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios motionScenarios(const blocks::Goal& goal);
 /// A stop, or the stop after a cancel, that nobody answers.
 [[nodiscard]] Scenarios stopScenarios(const blocks::Goal& goal);
+/// A target in a tf frame that has moved when the goal's turn comes.
+[[nodiscard]] Scenarios movedFrameScenarios();
 /// Sequences and cycles of them.
 [[nodiscard]] Scenarios sequenceScenarios();
 

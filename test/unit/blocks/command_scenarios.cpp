@@ -158,6 +158,31 @@ Scenarios motionScenarios(const Goal& goal) {
   };
 }
 
+Scenarios movedFrameScenarios() {
+  FramedPose table = framedPose();
+  table.latest = true;
+  const Goal goals[] = {with<MoveAbsoluteGoal>([&](auto& g) { g.target_pose = table; }),
+                        with<MoveCircleGoal>([&](auto& g) { g.arc_pose = table; }),
+                        with<ChangeBaseGoal>([&](auto& g) { g.base_pose = table; })};
+  Scenarios scenarios;
+  for (const Goal& goal : goals) {
+    scenarios[{static_cast<Block>(goal.index()), own_error::kFrameMoved}] = [=] {
+      const auto standing = StatusFrames().with(protocol::item::ofFloats("Base_Value", {0, 0, 0, 0, 0, 0}));
+      CoreRig rig(std::nullopt, link::LinkSettings{});
+      rig.connect();
+      rig.status(standing);
+      rig.frames["table"] = arm::Pose::Identity();
+      rig.submit(CoreRig::move());
+      const GoalId id = rig.submit(buffered(goal));
+      rig.reply(rig.takeScript().id);
+      rig.tag(rig.latest().open_tags.at(0));
+      rig.status(standing);
+      return *rig.outcome(id);
+    };
+  }
+  return scenarios;
+}
+
 Scenarios stopScenarios(const Goal& goal) {
   const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
   return {

@@ -213,6 +213,14 @@ TEST(GoalMessages, aPoseInATfFrameArrivesAsItCameWithTheFrameInTheRobotBase) {
   EXPECT_EQ(pose->fault, "");
 }
 
+TEST(GoalMessages, aStampAsksForWhereTheFrameWasAndNoneForWhereItIs) {
+  cobot_command::MoveAbsoluteGoal message;
+  message.target_pose = poseIn("table");
+  EXPECT_TRUE(toGoal(message, onlyTheTable).target_pose->latest);
+  message.target_pose.header.stamp = ros::Time(1, 0);
+  EXPECT_FALSE(toGoal(message, onlyTheTable).target_pose->latest);
+}
+
 TEST(GoalMessages, aMoveThatSaysNothingOfItIsPrecise) {
   EXPECT_FALSE(toGoal(cobot_command::MoveAbsoluteGoal(), noTf).disable_precise_positioning);
   EXPECT_FALSE(toGoal(cobot_command::MoveRelativeGoal(), noTf).disable_precise_positioning);
