@@ -11,7 +11,7 @@ CommandTraits traitsOf(const ChangeBaseGoal& goal) {
 
 std::vector<Failure> check(const ChangeBaseGoal& goal) {
   ParameterChecks checks;
-  checks.commandId(goal.command_id);
+  checks.commandId(goal.command_id, kNoCommandId);
   checks.bufferMode(goal.buffer_mode);
   if (!goal.base_name.empty()) {
     checks.name("base_name", goal.base_name);

@@ -7,6 +7,7 @@ namespace cobot_command::blocks {
 std::vector<ErrorEntry> changeBaseErrors() {
   return ErrorTable(Block::ChangeBase)
       .thesisCommand()
+      .echoedCommandId()
       .anyCommand()
       .turn()
       .framedPose()

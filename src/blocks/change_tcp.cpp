@@ -20,7 +20,7 @@ CommandTraits traitsOf(const ChangeTcpGoal& goal) {
 
 std::vector<Failure> check(const ChangeTcpGoal& goal) {
   ParameterChecks checks;
-  checks.commandId(goal.command_id);
+  checks.commandId(goal.command_id, kNoCommandId);
   checks.bufferMode(goal.buffer_mode);
   if (!goal.tcp_name.empty()) {
     checks.name("tcp_name", goal.tcp_name);

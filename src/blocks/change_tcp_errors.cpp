@@ -7,6 +7,7 @@ namespace cobot_command::blocks {
 std::vector<ErrorEntry> changeTcpErrors() {
   return ErrorTable(Block::ChangeTcp)
       .thesisCommand()
+      .echoedCommandId()
       .anyCommand()
       .turn()
       .row(tcp_error::kWeightRange, "Weight range: 0~14 kg", kSetInRange,

@@ -8,11 +8,13 @@ std::vector<ErrorEntry> connectErrors() {
   return ErrorTable(Block::Connect)
       .row(connect_error::kTimeoutRange, "Timeout range: 10~300 seconds", kSetInRange,
            "timeout is below 10 s, above 300 s, or not a number")
-      .row(connect_error::kConnection, "Connection Error", kUseConnect,
+      .row(connect_error::kConnection, "Connection Error",
+           "Run the project in TMflow; check the address and the wiring",
            "until the timeout no TCP connection could be made or kept: refused (no project is running), "
            "unknown "
            "host, unreachable, no answer, or closed again at once")
-      .row(connect_error::kTimeOut, "TimeOut Error", "Cobot is not in Listen Node",
+      .row(connect_error::kTimeOut, "TimeOut Error",
+           "Let the flow of the TMflow project enter its Listen node",
            "until the timeout the controller answered, but its flow was in no Listen node")
       .row(connect_error::kClearBuffer, "Clear Buffer Error", kCheckWiring, kNoSuchStep)
       .row(connect_error::kGetStatus, "Get TCP Status Error", kCheckWiring,
@@ -21,7 +23,8 @@ std::vector<ErrorEntry> connectErrors() {
            "cannot occur any more: a failed send closes the connection, see 16#20 and 16#90")
       .row(connect_error::kReceive, "TCP Receive Error", kCheckWiring,
            "cannot occur any more: bytes are read as they come; a device that sends none is 16#70")
-      .row(connect_error::kNotACobot, "Target device is not a Cobot", "Cobot is not in Listen Node",
+      .row(connect_error::kNotACobot, "Target device is not a Cobot",
+           "Check address and port: the script port of a controller is 5890",
            "until the timeout the device accepted connections and answered nothing, or something that is not "
            "the "
            "protocol of a script port; or it is the status port")

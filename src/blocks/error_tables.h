@@ -9,11 +9,11 @@
 
 namespace cobot_command::blocks {
 
-/// Remedies of the thesis that many rows share.
+/// Remedies of the thesis that many rows share. Where a text of the thesis does not fit, doc/thesis.md says
+/// so.
 inline constexpr const char* kCheckWiring = "Check Ethernet connection wiring";
 inline constexpr const char* kSetInRange = "Set parameter in acceptable range";
 inline constexpr const char* kExecuteAgain = "Re-execution is required";
-inline constexpr const char* kUseConnect = "Use CBT_Connect FB for connection";
 /// Why a row of the thesis is only kept for its number.
 inline constexpr const char* kNoSuchStep =
     "cannot occur any more: there is no such step, bytes are read as they come";
@@ -29,8 +29,11 @@ class ErrorTable {
   /// The same, raised under another condition here.
   ErrorTable& shared(int id, const char* raised_when);
 
-  /// The steps of the thesis that every one of its command blocks has: connect, build, send, receive.
+  /// The steps of the thesis that every one of its command blocks has: build, send, receive.
   ErrorTable& thesisCommand();
+  /// A command_id that is only echoed. The thesis has no such row in the blocks without a queue tag: it sends
+  /// any number there, as the id of the script.
+  ErrorTable& echoedCommandId();
   /// What comes between a goal and its script, with any command of this layer.
   ErrorTable& anyCommand();
   /// To wait for one's turn, with a robot that may move.

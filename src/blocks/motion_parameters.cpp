@@ -53,7 +53,7 @@ void checkMotion(ParameterChecks& checks, const MotionParameters& parameters,
   checkSpeed(checks, parameters.speed, units.speed == DataFormat::Speed::Absolute);
   checks.require(isWithin(parameters.accel_time, kMinAccelTime, kMaxAccelTime), motion_error::kAccelTimeRange,
                  fmt::format("accel_time is {}", parameters.accel_time));
-  checks.commandId(parameters.command_id);
+  checks.commandId(parameters.command_id, "lets the layer choose");
   checks.bufferMode(parameters.buffer_mode);
   if (!parameters.blending_enable) return;
   const bool radius = units.blending == DataFormat::Blending::Radius;

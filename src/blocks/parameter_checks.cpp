@@ -27,10 +27,9 @@ void ParameterChecks::require(bool satisfied, int error_id, std::string found) {
   if (!satisfied) failures_.push_back({error_id, std::move(found), ""});
 }
 
-void ParameterChecks::commandId(int command_id) {
+void ParameterChecks::commandId(int command_id, const char* zero) {
   require(command_id == 0 || (command_id >= kMinCommandId && command_id <= kMaxCommandId),
-          motion_error::kCommandIdRange,
-          fmt::format("command_id is {}; 0 lets the layer choose", command_id));
+          motion_error::kCommandIdRange, fmt::format("command_id is {}; 0 {}", command_id, zero));
 }
 
 void ParameterChecks::bufferMode(int buffer_mode) {

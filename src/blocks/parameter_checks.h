@@ -17,12 +17,15 @@ namespace cobot_command::blocks {
   return value >= lowest && value <= highest;
 }
 
+/// What command_id 0 does where there is no queue tag.
+inline constexpr const char* kNoCommandId = "gives none";
+
 class ParameterChecks {
  public:
   void require(bool satisfied, int error_id, std::string found);
 
-  /// 0 (the layer chooses) or 2..9.
-  void commandId(int command_id);
+  /// 0 or 2..9. `zero`: what 0 does.
+  void commandId(int command_id, const char* zero);
   void bufferMode(int buffer_mode);
   /// Finite, and no larger than any arm of the family could mean. `field` as the caller knows it.
   void sixValues(const char* field, const SixValues& values);

@@ -8,7 +8,7 @@ std::vector<ErrorEntry> pickAndPlaceErrors() {
   return ErrorTable(Block::PickAndPlace)
       .turn()
       .shared({motion_error::kNotConnected, motion_error::kLinkDropped, own_error::kStartUnknown,
-               own_error::kNoModel, own_error::kNotListening, own_error::kShutDown})
+               own_error::kNoModel, own_error::kShutDown})
       .shared(own_error::kStepCount, "there are no steps, or more than 50")
       .shared({own_error::kStepRefused})
       .row(own_error::kStepFailed, "Step failed", kExecuteAgain,

@@ -16,7 +16,7 @@ bool is(const ProgramControlGoal& goal, ProgramCommand command) {
 
 std::vector<Failure> check(const ProgramControlGoal& goal) {
   ParameterChecks checks;
-  checks.commandId(goal.command_id);
+  checks.commandId(goal.command_id, kNoCommandId);
   checks.require(is(goal, ProgramCommand::Pause) || is(goal, ProgramCommand::Resume),
                  own_error::kProgramCommandUnknown, fmt::format("command is {}", goal.command));
   return std::move(checks).violations();

@@ -18,21 +18,23 @@ struct SharedError {
 
 /// Numbers and texts of the thesis; the conditions are this layer's.
 constexpr SharedError kThesisErrors[] = {
-    {motion_error::kNotConnected, "Robot not connected", kUseConnect,
+    {motion_error::kNotConnected, "Robot not connected",
+     "Send a goal to connect, and wait until it is connected",
      "no connect goal is Busy, or its link is not established (yet)"},
-    {motion_error::kOtherBlockBusy, "Other FB is under execution", "Wait until other FB is done",
+    {motion_error::kOtherBlockBusy, "Other function block is under execution",
+     "Wait until it is done, or use buffer_mode BUFFERED or ABORTING",
      "buffer_mode REFUSE and another command is Busy; a blended motion is not any more once the controller "
      "has "
      "accepted it"},
     {motion_error::kClearBuffer, "Clear buffer error", kCheckWiring, kNoSuchStep},
-    {motion_error::kSpeedRangeAbsolute, "Speed range in Line: 0~4500 mm/s", kSetInRange,
+    {motion_error::kSpeedRangeAbsolute, "Speed range: above 0, at most 4500 mm/s", kSetInRange,
      "a format with speed in mm/s (second letter A): speed is not above 0, above 4500, or not a number"},
-    {motion_error::kSpeedRangePercent, "Speed range in PTP: 0~100 %", kSetInRange,
+    {motion_error::kSpeedRangePercent, "Speed range: above 0, at most 100 %", kSetInRange,
      "a format with speed in % (second letter P), whatever the movement: speed is not above 0, above 100, or "
      "not a number"},
     {motion_error::kAccelTimeRange, "Acceleration Time range is: 150~9999 ms", kSetInRange,
      "accel_time is below 150, above 9999, or not a number"},
-    {motion_error::kCommandIdRange, "Command ID range is: 2~9", kSetInRange,
+    {motion_error::kCommandIdRange, "Command ID range: 0, or 2~9", kSetInRange,
      "command_id is neither 0 (the layer chooses) nor 2..9"},
     {motion_error::kChecksumLength, "Checksum length not valid", kExecuteAgain,
      "cannot occur any more: the encoder cannot fail"},
@@ -45,7 +47,8 @@ constexpr SharedError kThesisErrors[] = {
     {motion_error::kRejected, "Command rejected", kExecuteAgain,
      "the controller answered ERROR with the numbers of the faulty lines"},
     {motion_error::kClearBufferAgain, "Clear buffer error", kCheckWiring, kNoSuchStep},
-    {motion_error::kLinkDropped, "Robot not connected", kUseConnect,
+    {motion_error::kLinkDropped, "Robot not connected",
+     "Send a goal to connect again; nothing resumes by itself",
      "the link dropped, or an emergency stop came, while the command was Busy"},
     {motion_error::kReceiveTag, "TCP receive error", kCheckWiring,
      "the motion is overdue, and the question for its tag got no answer; the robot is told to stop"},
@@ -190,19 +193,24 @@ ErrorTable& ErrorTable::shared(int id, const char* raised_when) {
 }
 
 ErrorTable& ErrorTable::thesisCommand() {
-  return shared({motion_error::kClearBuffer, motion_error::kCommandIdRange, motion_error::kChecksumLength,
-                 motion_error::kFrameBuilding, motion_error::kSend});
+  return shared({motion_error::kClearBuffer, motion_error::kChecksumLength, motion_error::kFrameBuilding,
+                 motion_error::kSend});
+}
+
+ErrorTable& ErrorTable::echoedCommandId() {
+  return shared(motion_error::kCommandIdRange,
+                "command_id is neither 0 (none) nor 2..9, which the thesis does not look at in this block");
 }
 
 ErrorTable& ErrorTable::anyCommand() {
   return shared({motion_error::kNotConnected, motion_error::kReceiveReply, motion_error::kRejected,
-                 motion_error::kLinkDropped, own_error::kNotListening, own_error::kCommunication,
-                 own_error::kShutDown});
+                 motion_error::kLinkDropped, own_error::kCommunication, own_error::kShutDown});
 }
 
 ErrorTable& ErrorTable::turn() {
   return shared({motion_error::kOtherBlockBusy, own_error::kBufferModeUnknown, own_error::kQueueFull,
-                 own_error::kEmergencyStop, own_error::kRobotError, own_error::kOrphanMoves});
+                 own_error::kNotListening, own_error::kEmergencyStop, own_error::kRobotError,
+                 own_error::kOrphanMoves});
 }
 
 ErrorTable& ErrorTable::motion() {
@@ -214,9 +222,10 @@ ErrorTable& ErrorTable::motion() {
 
 ErrorTable& ErrorTable::move() {
   return motion().shared({motion_error::kSpeedRangeAbsolute, motion_error::kSpeedRangePercent,
-                          motion_error::kAccelTimeRange, motion_error::kClearBufferAgain,
-                          own_error::kNotFinite, own_error::kStartUnknown, own_error::kNoModel,
-                          own_error::kBlendingRange, own_error::kCoordinateRange, own_error::kBaseUnknown});
+                          motion_error::kAccelTimeRange, motion_error::kCommandIdRange,
+                          motion_error::kClearBufferAgain, own_error::kNotFinite, own_error::kStartUnknown,
+                          own_error::kNoModel, own_error::kBlendingRange, own_error::kCoordinateRange,
+                          own_error::kBaseUnknown});
 }
 
 ErrorTable& ErrorTable::framedPose() {

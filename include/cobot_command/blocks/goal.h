@@ -139,7 +139,7 @@ struct ChangeTcpGoal {
   SixValues tcp_offset{};                     ///< of the TCP in the flange
   double weight = 0;                          ///< [kg], 0..14
   std::array<double, 3> moment_of_inertia{};  ///< Ixx, Iyy, Izz [kg mm^2], not negative
-  SixValues mass_center{};                    ///< frame of the mass centre in the flange
+  SixValues mass_center{};                    ///< frame of the mass centre in the tool (the TCP's frame)
   std::string tcp_name;                       ///< in place of all that: a TCP of the project; empty: none
   bool exit_node = false;
   int buffer_mode = 0;

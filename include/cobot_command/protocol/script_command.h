@@ -115,7 +115,7 @@ struct ChangeBase {
 };
 struct ToolInertia {
   std::array<double, 3> moment{};  ///< Ixx, Iyy, Izz [kg mm^2]
-  SixNumbers mass_center{};        ///< frame of the mass centre in the tool
+  SixNumbers mass_center{};        ///< frame of the mass centre in the tool (the TCP's frame)
 };
 struct ChangeTcp {
   std::variant<SixNumbers, std::string> tcp;  ///< value, or the name of a TCP in the project ("NOTOOL")

@@ -1,13 +1,11 @@
 // The form of the error catalogue: as in the thesis, ordered, with one meaning for one id.
 
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 
-#include "source_tree.h"
+#include "thesis_rows.h"
 #include <gtest/gtest.h>
 
 #include "cobot_command/blocks/error_catalogue.h"
@@ -20,41 +18,12 @@ using namespace blocks;
 
 constexpr int kFirstOwn = 0x200;
 
-Block blockNamed(const std::string& name) {
-  for (std::size_t i = 0; i < kBlockCount; ++i) {
-    if (name == toString(static_cast<Block>(i))) return static_cast<Block>(i);
-  }
-  ADD_FAILURE() << name;
-  return Block::Connect;
-}
-
-/// Block, id in hexadecimal, description, action: the rows of the thesis's error tables.
-std::map<std::pair<Block, int>, std::pair<std::string, std::string>> thesisRows() {
-  std::ifstream file(test_support::inSourceTree("test/data/thesis-errors.tsv"));
-  std::map<std::pair<Block, int>, std::pair<std::string, std::string>> rows;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream fields(line);
-    std::string block;
-    std::string id;
-    std::string description;
-    std::string action;
-    std::getline(fields, block, '\t');
-    std::getline(fields, id, '\t');
-    std::getline(fields, description, '\t');
-    std::getline(fields, action, '\t');
-    rows[{blockNamed(block), std::stoi(id, nullptr, 16)}] = {description, action};
-  }
-  return rows;
-}
-
-TEST(Catalogue, hasEveryRowOfTheThesisToTheLetter) {
+/// What their texts have become: thesis_page_test.cpp.
+TEST(Catalogue, hasEveryRowOfTheThesis) {
   const auto rows = thesisRows();
   EXPECT_EQ(rows.size(), 88u);
   for (const auto& [row, texts] : rows) {
-    const ErrorEntry* entry = findError(row.first, row.second);
-    ASSERT_NE(entry, nullptr) << toString(row.first) << " " << row.second;
-    EXPECT_EQ(entry->description, texts.first);
-    EXPECT_EQ(entry->remedy, texts.second);
+    EXPECT_NE(findError(row.first, row.second), nullptr) << toString(row.first) << " " << texts.description;
   }
 }
 

@@ -52,7 +52,8 @@ TEST_F(Refusal, namesTheFirstViolationOfTheTableAndListsTheOthers) {
   const Outcome& outcome = *rig.outcome(id);
   EXPECT_EQ(outcome.error_id, motion_error::kAccelTimeRange);
   EXPECT_THAT(outcome.error_description, HasSubstr("accel_time is 3"));
-  EXPECT_THAT(outcome.error_description, HasSubstr("also 16#28 Command ID range is: 2~9: command_id is 1"));
+  EXPECT_THAT(outcome.error_description,
+              HasSubstr("also 16#28 Command ID range: 0, or 2~9: command_id is 1"));
   EXPECT_THAT(outcome.error_description,
               HasSubstr("also 16#200 Target not finite: coordinate 3 of target_position"));
 }
