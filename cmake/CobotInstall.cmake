@@ -17,6 +17,8 @@ endif()
 
 get_property(installed_libraries GLOBAL PROPERTY COBOT_INSTALLED_LIBRARIES)
 get_property(installed_programs GLOBAL PROPERTY COBOT_INSTALLED_PROGRAMS)
+# All that is installed, and no test.
+add_custom_target(rooms_and_programs DEPENDS ${installed_libraries} ${installed_programs})
 install(
   TARGETS ${installed_libraries} ${installed_programs}
   ARCHIVE DESTINATION ${libraries}

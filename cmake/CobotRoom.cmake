@@ -18,6 +18,12 @@ if(COBOT_FUZZ)
   target_compile_options(cobot_sanitizers INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+include(CobotPrecompiled)
+if(COBOT_PRECOMPILE)
+  cobot_precompiled_headers(cobot_room_headers HEADERS ${cobot_room_headers} USES Eigen3::Eigen fmt::fmt tl::expected)
+  set_target_properties(cobot_room_headers PROPERTIES POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
+endif()
+
 # cobot_add_room(<name> SOURCES <file>... [USES <target>...] [PRIVATELY_USES <target>...])
 # Makes the library cobot_<name>, known to the others as cobot_command::<name>.
 function(cobot_add_room name)
@@ -31,6 +37,9 @@ function(cobot_add_room name)
     cobot_${name}
     PUBLIC ${ROOM_USES} cobot_sanitizers
     PRIVATE ${ROOM_PRIVATELY_USES} $<BUILD_INTERFACE:cobot_warnings>)
+  if(fmt::fmt IN_LIST ROOM_PRIVATELY_USES)
+    cobot_use_precompiled(cobot_${name} cobot_room_headers)
+  endif()
   set_property(GLOBAL APPEND PROPERTY COBOT_INSTALLED_LIBRARIES cobot_${name})
 endfunction()
 
@@ -55,6 +64,7 @@ function(cobot_add_test name)
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test/support)
   target_link_libraries(test_${name} PRIVATE ${TEST_USES} cobot_source_tree GTest::gmock GTest::gtest_main cobot_warnings)
+  cobot_use_precompiled(test_${name} cobot_test_headers)
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
                        PROPERTIES TIMEOUT ${TEST_TIMEOUT})
 endfunction()

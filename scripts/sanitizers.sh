@@ -13,6 +13,18 @@ build_sanitized() {
   [ "$kind" = address ] && flags=address,undefined
   configure "$build/$kind" -DCOBOT_SANITIZE="$flags"
   ninja -C "$build/$kind" "$@"
+  watch
+}
+
+# What ROS and precompiled headers could hide shows here: the core is built without both.
+build_core() {
+  configure "$build/core" -DCOBOT_CORE_ONLY=ON -DCOBOT_PRECOMPILE=OFF -DCOBOT_SANITIZE=address,undefined
+  ninja -C "$build/core" rooms_and_programs "${core_tests[@]}"
+  watch
+}
+
+# What the sanitizers are to do, for the programs that are run from now on.
+watch() {
   export ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1
   export UBSAN_OPTIONS=print_stacktrace=1
   export TSAN_OPTIONS="halt_on_error=1:second_deadlock_stack=1:suppressions=$root/test/tsan-suppressions.txt"

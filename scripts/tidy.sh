@@ -3,12 +3,20 @@
 # More are for scripts/tidy: ten seconds each are a long time for a change that touches everything.
 readonly most_changed=12
 
+# Into a folder of its own: the commands of the build, without the precompiled headers of another compiler.
+commands_for_tidy() {
+  mkdir -p "$build/tidy"
+  sed -E 's/ -fpch-preprocess//; s/ -Winvalid-pch -include [^ ]*cmake_pch.hxx//' "$build/compile_commands.json" \
+    >"$build/tidy/compile_commands.json"
+}
+
 # tidy <source>...
 tidy() {
   [ $# -gt 0 ] || { echo "nothing to look at"; return; }
+  commands_for_tidy
   # Messages are headers that the build makes; without them nothing that speaks ROS can be read.
   ninja -C "$build" cobot_command_generate_messages_cpp >/dev/null
-  printf '%s\0' "$@" | nice xargs -0 -n 1 -P "$(nproc)" clang-tidy -p "$build" --quiet 2> >(grep -v 'warnings generated' >&2)
+  printf '%s\0' "$@" | nice xargs -0 -n 1 -P "$(nproc)" clang-tidy -p "$build/tidy" --quiet 2> >(grep -v 'warnings generated' >&2)
 }
 
 tidy_all() {
