@@ -1,5 +1,7 @@
 #include "command_order.h"
 
+#include <algorithm>
+
 #include "block_rules.h"
 #include <fmt/format.h>
 
@@ -13,6 +15,13 @@ CommandOrder orderOf(Block block, protocol::ScriptCommand command, bool moves) {
   order.lines.push_back(protocol::toText(command));
   order.commands.emplace().push_back(std::move(command));
   return order;
+}
+
+/// ContinueVJog(), SetContinueVLine() and the like move the arm for as long as nothing else comes, also
+/// behind a queue tag. Looked for in the text, as not every script can be read.
+bool setsVelocities(const std::vector<std::string>& lines) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [](const std::string& line) { return line.find("ContinueV") != std::string::npos; });
 }
 
 }  // namespace
@@ -49,6 +58,7 @@ CommandOrder orderOf(const RunScriptGoal& goal, const arm::Pose& /*base*/) {
   order.block = Block::RunScript;
   order.moves = true;
   order.lines = linesOf(goal);
+  order.stands_at_end = !setsVelocities(order.lines);
   if (const auto parsed = protocol::parseScript(fmt::format("{}", fmt::join(order.lines, "\r\n")))) {
     order.commands.emplace();
     for (const auto& line : parsed->lines) order.commands->push_back(line.command);
@@ -57,7 +67,9 @@ CommandOrder orderOf(const RunScriptGoal& goal, const arm::Pose& /*base*/) {
 }
 
 CommandOrder orderOf(const ProgramControlGoal& goal) {
-  return orderOf(Block::ProgramControl, commandOf(goal), false);
+  CommandOrder order = orderOf(Block::ProgramControl, commandOf(goal), false);
+  order.beside = true;
+  return order;
 }
 
 std::optional<protocol::IoModule> moduleOf(const OutputAction& output) {

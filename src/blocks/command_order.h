@@ -23,11 +23,14 @@ struct CommandOrder {
   /// What the lines mean, tag and exit aside; absent when they are a raw script that says more than this
   /// layer knows.
   std::optional<std::vector<protocol::ScriptCommand>> commands;
-  bool moves = false;                     ///< a cancel has to stop the robot
-  bool exits_node = false;                ///< its last line is ScriptExit()
-  bool exits_afterwards = false;          ///< the node is to be left with a script of its own once it is done
+  bool moves = false;             ///< a cancel has to stop the robot
+  bool exits_node = false;        ///< its last line is ScriptExit()
+  bool exits_afterwards = false;  ///< the node is to be left with a script of its own once it is done
+  bool beside = false;            ///< goes out beside what is on the wire, whatever state the robot is in
+  bool stands_at_end = true;  ///< the robot stands when its tag comes; false: a script that sets velocities
   std::optional<Duration> reply_timeout;  ///< other than that of the link
   std::optional<Plan> plan;
+  std::optional<Target> target;  ///< where it leaves the robot, if that is certain
 };
 
 /// The block's own lines, without tag and exit. `base`: the active base in the robot base, for targets in a

@@ -45,10 +45,19 @@ void CommandRun::cancel(const std::string& why, Instant now) {
   fire(Event::Cancel, now);
 }
 
+bool CommandRun::mayBeCancelled() const {
+  return link::findTransition<CommandRunTable>(state_, Event::Cancel).has_value();
+}
+
 void CommandRun::abandon(const std::string& why, Instant now) {
   if (ended()) return;
-  if (order_.moves && state_ != State::Stopping) askForStop(now);
+  const bool told_to_stop = state_ == State::Stopping || state_ == State::Explaining;
+  if (order_.moves && !told_to_stop) askForStop(now);
   state_ = State::Ended;
+  endAborted(why, now);
+}
+
+void CommandRun::endAborted(const std::string& why, Instant now) {
   Outcome outcome;
   outcome.ending = Ending::CommandAborted;
   outcome.error_description = why;
@@ -64,6 +73,7 @@ void CommandRun::stopEnded(const StopRun::Result& result, Instant now) {
   if (result.failure) {
     fail(*result.failure, Robot::LeaveIt, now);
   } else {
+    stopped_how_ = result.confirmed ? "the robot was stopped" : StopRun::kNotSeen;
     fire(Event::Stopped, now);
   }
 }
@@ -82,26 +92,27 @@ std::optional<Instant> CommandRun::nextDeadline() const {
 void CommandRun::robotChanged(Instant now) {
   if (ended()) return;
   if (context_.robot.emergencyStop()) {
-    fail({motion_error::kLinkDropped, "emergency stop",
-          "Release the emergency stop and start the project again"},
-         Robot::Stop, now);
+    fail(emergencyStop(), order_.beside ? Robot::LeaveIt : Robot::Stop, now);
     return;
   }
-  if (context_.robot.inError()) {
+  if (context_.robot.inError() && !order_.beside) {
     fail({own_error::kRobotError, context_.robot.errorText(), ""}, Robot::Stop, now);
     return;
   }
   followHold(now);
+  if (state_ == State::Verifying) verify(now);
+  if (state_ == State::Explaining) lookForReason(now);
   if (phase_ == Phase::Active && now - reported_at_ >= kReportPeriod) becomeActive(now);
 }
 
 void CommandRun::linkLost(const std::string& reason, Instant now) {
-  fail({motion_error::kLinkDropped, reason, ""}, Robot::LeaveIt, now);
+  fail({motion_error::kLinkDropped, reason, ""}, Robot::LeaveIt, now, Event::Unexplained);
 }
 
 /// A paused robot gets the time back that the pause took.
 void CommandRun::followHold(Instant now) {
-  const bool held = context_.robot.held() && state_ != State::Stopping;
+  const bool under_way = state_ == State::Sent || state_ == State::Executing || state_ == State::Confirming;
+  const bool held = under_way && context_.robot.held();
   if (held && !held_since_) {
     held_since_ = now;
     if (phase_ == Phase::Active) report(Phase::Held, "the robot is held: paused, or by a safeguard", now);
@@ -123,10 +134,11 @@ void CommandRun::fire(Event event, Instant now) {
   act(row->action, now);
 }
 
-void CommandRun::fail(Failure failure, Robot robot, Instant now) {
+void CommandRun::fail(Failure failure, Robot robot, Instant now, Event event) {
+  if (!link::findTransition<CommandRunTable>(state_, event)) return;
   failure_ = std::move(failure);
-  robot_on_failure_ = robot;
-  fire(Event::Failed, now);
+  if (state_ != State::Explaining) robot_on_failure_ = robot;  // there it was done when it failed
+  fire(event, now);
 }
 
 void CommandRun::act(CommandRunAction action, Instant now) {
@@ -147,6 +159,15 @@ void CommandRun::act(CommandRunAction action, Instant now) {
     case Do::Extend:
       deadline_ = now + context_.settings.tag_deadline_margin;
       return;
+    case Do::Verify:
+      beginVerifying(now);
+      return;
+    case Do::Judge:
+      judge(now);
+      return;
+    case Do::AwaitReason:
+      awaitReason(now);
+      return;
     case Do::AskForStop:
       report(Phase::Stopping, cancelled_why_ + ", stopping the robot", now);
       askForStop(now);
@@ -158,13 +179,9 @@ void CommandRun::act(CommandRunAction action, Instant now) {
       if (robot_on_failure_ == Robot::Stop) askForStop(now);
       end(toOutcome(order_.block, Ending::Aborted, failure_), now);
       return;
-    case Do::EndAborted: {
-      Outcome outcome;
-      outcome.ending = Ending::CommandAborted;
-      outcome.error_description = cancelled_why_ + "; the robot was stopped";
-      end(std::move(outcome), now);
+    case Do::EndAborted:
+      endAborted(fmt::format("{}; {}", cancelled_why_, stopped_how_), now);
       return;
-    }
   }
 }
 
@@ -224,7 +241,8 @@ void CommandRun::end(Outcome outcome, Instant now) {
   outcome.command_id_ack = order_.command_id_ack;
   if (order_.plan) outcome.planned = order_.plan->duration;
   if (tag_seen_at_) {
-    outcome.actual = *tag_seen_at_ - sent_at_;
+    outcome.actual =
+        *tag_seen_at_ - (accepted_at_ && *accepted_at_ < *tag_seen_at_ ? *accepted_at_ : sent_at_);
   } else if (accepted_at_ && order_.tag) {
     outcome.actual = now - *accepted_at_;
   }

@@ -10,6 +10,7 @@
 
 #include "command_order.h"
 #include "failure.h"
+#include "reason_wait.h"
 #include "robot_watch.h"
 #include "stop_run.h"
 
@@ -26,6 +27,7 @@ struct RunContext {
   link::TagLedger& tags;
   const RobotWatch& robot;
   StopRun& stop;
+  const std::optional<arm::ArmModel>& arm;
 };
 
 class CommandRun {
@@ -40,7 +42,7 @@ class CommandRun {
   void abandon(const std::string& why, Instant now);
 
   void answered(const link::ScriptAnswered& answer, Instant now);
-  /// The tag, open until now, was reported complete.
+  /// The tag, open until now, was reported complete: Done, when the status stream shows it too.
   void tagCompleted(Instant now);
   void tagFailed(Instant now);
   /// The answer to the question that it asked, other than "complete".
@@ -56,6 +58,7 @@ class CommandRun {
   [[nodiscard]] const CommandOrder& order() const { return order_; }
   [[nodiscard]] bool accepted() const { return accepted_at_.has_value(); }
   [[nodiscard]] bool stopping() const { return state_ == CommandRunState::Stopping; }
+  [[nodiscard]] bool mayBeCancelled() const;
   [[nodiscard]] bool ended() const { return state_ == CommandRunState::Ended; }
   /// Precondition: ended().
   [[nodiscard]] const Outcome& outcome() const { return outcome_; }
@@ -67,13 +70,23 @@ class CommandRun {
 
   void fire(CommandRunEvent event, Instant now);
   void act(CommandRunAction action, Instant now);
-  void fail(Failure failure, Robot robot, Instant now);
+  void fail(Failure failure, Robot robot, Instant now, CommandRunEvent event = CommandRunEvent::Failed);
   void awaitTag(Instant now);
   void askForStop(Instant now);
   void followHold(Instant now);
+
+  // --- Evidence (command_run_evidence.cpp).
+  void beginVerifying(Instant now);
+  void verify(Instant now);
+  void judge(Instant now);
+  [[nodiscard]] std::optional<Gap> gap() const;
+  void awaitReason(Instant now);
+  void lookForReason(Instant now);
+
   void becomeActiveWhenDue(Instant now);
   void becomeActive(Instant now);
   void report(Phase phase, std::string text, Instant now);
+  void endAborted(const std::string& why, Instant now);
   void end(Outcome outcome, Instant now);
 
   CommandOrder order_;
@@ -85,12 +98,15 @@ class CommandRun {
   std::optional<Instant> tag_seen_at_;
   std::optional<Instant> active_at_;    ///< when the commands in front of it should be done
   std::optional<Instant> moving_from_;  ///< when it began to be executed, later by every pause since
-  std::optional<Instant> deadline_;     ///< of Executing
+  std::optional<Instant> deadline_;     ///< of Executing, Verifying, Explaining
   std::optional<Instant> held_since_;   ///< the robot is paused: its deadlines stand still
   Instant give_up_at_;                  ///< when nobody can tell whether it moves
+  bool reached_ = false;                ///< it was seen at its target since its tag, if not standing there
+  ReasonWait reason_;
   Failure failure_;
   Robot robot_on_failure_ = Robot::LeaveIt;
   std::string cancelled_why_;
+  std::string stopped_how_;
   Phase phase_ = Phase::Sent;
   Instant reported_at_;
   std::vector<Progress> progress_;

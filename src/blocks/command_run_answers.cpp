@@ -57,7 +57,7 @@ void CommandRun::answered(const link::ScriptAnswered& answer, Instant now) {
           fmt::format("no reply to script {} within {} s", answer.id,
                       toSeconds(order_.reply_timeout.value_or(context_.settings.reply_timeout))),
           ""},
-         Robot::Stop, now);
+         order_.beside ? Robot::LeaveIt : Robot::Stop, now);
     return;
   }
   if (const auto* error = std::get_if<protocol::CommunicationError>(&answer.answer)) {
@@ -70,7 +70,7 @@ void CommandRun::answered(const link::ScriptAnswered& answer, Instant now) {
   if (reply.accepted) {
     accepted_at_ = now;
     if (order_.exits_node) context_.link.exitAccepted(now);
-    fire(order_.tag && !tag_seen_at_ ? Event::Accepted : Event::AcceptedLast, now);
+    fire(!order_.tag ? Event::AcceptedLast : tag_seen_at_ ? Event::AcceptedBehindTag : Event::Accepted, now);
   } else if (state_ == State::Sent) {
     fail({motion_error::kRejected, faultyLines(order_.lines, reply.lines), ""}, Robot::LeaveIt, now);
   }
@@ -78,7 +78,7 @@ void CommandRun::answered(const link::ScriptAnswered& answer, Instant now) {
 
 void CommandRun::tagFailed(Instant now) {
   fail({motion_error::kMotionFailed, fmt::format("tag {} was reported false", *order_.tag), ""}, Robot::Stop,
-       now);
+       now, Event::Unexplained);
 }
 
 void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {

@@ -126,13 +126,30 @@ void ConnectRun::abandon(const std::string& why, Instant now) {
 }
 
 void ConnectRun::linkChanged(Instant now) {
-  if (!busy()) return;
+  if (!busy() || state_ == State::Explaining) return;
   becomeReadyWhenDue(now);
   if (!disconnecting()) report();
 }
 
-void ConnectRun::statusReceived(Instant now) {
-  if (busy() && !disconnecting()) linkChanged(now);
+void ConnectRun::statusChanged(Instant now) {
+  if (state_ == State::Explaining) {
+    lookForReason(now);
+  } else if (busy() && !disconnecting()) {
+    linkChanged(now);
+  }
+}
+
+void ConnectRun::lookForReason(Instant now) {
+  if (robot_.emergencyStop()) {
+    loss_.found = "emergency stop: " + loss_.found;
+    loss_.remedy = emergencyStop().remedy;
+    fire(Event::Lost, now);
+  } else if (robot_.inError()) {
+    loss_.found = fmt::format("{}: {}", robot_.errorText(), loss_.found);
+    fire(Event::Lost, now);
+  } else if (!robot_.status() || reason_.endsWithFrame(now)) {
+    fire(Event::Lost, now);
+  }
 }
 
 /// Without the first status frame nobody knows where the robot stands, and a command that comes at once could
@@ -150,10 +167,15 @@ void ConnectRun::becomeReadyWhenDue(Instant now) {
 }
 
 void ConnectRun::linkLost(const std::string& reason, Instant now) {
-  loss_ = reason;
+  loss_ = {connect_error::kDisconnected, reason, ""};
   if (connected_) times_.last_lost = now;
   connected_ = false;
-  fire(settings_.auto_reconnect || !id_ ? Event::LostToRetry : Event::Lost, now);
+  if (settings_.auto_reconnect || !id_) {
+    fire(Event::LostToRetry, now);
+  } else {
+    const bool may_be_explained = state_ == State::Supervising && robot_.status();
+    fire(may_be_explained ? Event::LostUnexplained : Event::Lost, now);
+  }
 }
 
 std::optional<Instant> ConnectRun::nextDeadline() const {
@@ -192,12 +214,16 @@ void ConnectRun::act(ConnectAction action, Instant now) {
     case Do::StopMotions:
       deadline_.reset();
       return;
+    case Do::AwaitReason:
+      reason_.begin(now);
+      deadline_ = now + settings_.evidence_timeout;
+      return;
     case Do::EndTimedOut:
       end(toOutcome(Block::Connect, Ending::Aborted, timedOut(script_.trouble(), diagnose(script_, robot_))),
           now);
       return;
     case Do::EndLost:
-      end(toOutcome(Block::Connect, Ending::Aborted, {connect_error::kDisconnected, loss_, ""}), now);
+      end(toOutcome(Block::Connect, Ending::Aborted, loss_), now);
       return;
     case Do::EndDone: {
       Outcome outcome;

@@ -10,6 +10,7 @@
 
 #include "failure.h"
 #include "output_board.h"
+#include "reason_wait.h"
 #include "robot_watch.h"
 
 #include "cobot_command/blocks/connect_run_states.h"
@@ -39,8 +40,8 @@ class ConnectRun {
 
   /// The state or the diagnosis of the script link is another one.
   void linkChanged(Instant now);
-  /// A status frame came.
-  void statusReceived(Instant now);
+  /// A status frame came, or the status stream stopped.
+  void statusChanged(Instant now);
   void linkLost(const std::string& reason, Instant now);
   void advance(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
@@ -67,6 +68,7 @@ class ConnectRun {
   void report();
   void becomeReadyWhenDue(Instant now);
   void start(Instant now);
+  void lookForReason(Instant now);
   [[nodiscard]] bool isSameController(const ConnectGoal& goal) const;
   [[nodiscard]] int statusPort() const { return goal_.status_port.value_or(settings_.status_port); }
 
@@ -78,10 +80,11 @@ class ConnectRun {
   ConnectState state_ = ConnectState::Idle;
   std::optional<GoalId> id_;  ///< nothing: kept by itself
   ConnectGoal goal_;
-  std::optional<Instant> deadline_;        ///< of a goal that tries
+  std::optional<Instant> deadline_;        ///< of a goal that tries, or of the wait for the reason of a loss
   std::optional<Instant> first_frame_by_;  ///< until then the first status frame is waited for
   bool connected_ = false;                 ///< was Ready since the last loss
-  std::string loss_;
+  Failure loss_;
+  ReasonWait reason_;
   std::optional<std::pair<Phase, std::string>> reported_;  ///< the last progress
   LinkTimes times_;                                        ///< since Execute
 };

@@ -106,6 +106,8 @@ void CommandCore::Impl::settle(Instant now) {
     if (robot_.status() && !status_.streaming()) {
       robot_.forget();
       robotChanged(now);
+      finish(now);
+      connect_.statusChanged(now);
     }
     tellOfClosedConnection(now);
     watchOrphan(now);
@@ -170,7 +172,8 @@ void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   dropWaiting("the link was lost: " + event.reason);
   if (run_) run_->linkLost(event.reason, now);
   for (CommandRun& run : direct_) run.linkLost(event.reason, now);
-  if (cycle_) cycle_->linkLost(event.reason, now);
+  const auto patience = robot_.status() ? std::optional(settings_.evidence_timeout) : std::nullopt;
+  if (cycle_) cycle_->linkLost(event.reason, patience, now);
   stop_.linkLost(event.reason, now);
   tags_.renewEpoch();
   finish(now);
@@ -223,6 +226,7 @@ void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
     if (!open) return;
     preflight_.arrive(run_->order().plan, now);
     loose_since_.reset();  // tags complete in the order of the queue
+    if (!run_->order().stands_at_end) loose_since_ = now;
     run_->tagCompleted(now);
   } else if (event.asked) {
     run_->tagIncomplete(event.state, now);
@@ -239,7 +243,8 @@ void CommandCore::Impl::handle(const link::RobotStatus& status, Instant now) {
   robot_.update(status);
   actions_.emplace_back(RobotStatusReceived{status});
   robotChanged(now);
-  connect_.statusReceived(now);
+  finish(now);  // a lost link ends its motion first
+  connect_.statusChanged(now);
 }
 
 void CommandCore::Impl::robotChanged(Instant now) {
@@ -250,6 +255,7 @@ void CommandCore::Impl::robotChanged(Instant now) {
     loose_since_.reset();
   }
   if (run_) run_->robotChanged(now);
+  for (CommandRun& run : direct_) run.robotChanged(now);
   if (cycle_) cycle_->robotChanged(robot_, now);
   stop_.robotChanged(now);
 }

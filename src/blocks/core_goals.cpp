@@ -109,7 +109,7 @@ void CommandCore::Impl::execute(GoalId id, const ProgramControlGoal& goal, Insta
   order.goal = id;
   order.command_id_ack = goal.command_id;
   board_.accept(order.block, id, order.command_id_ack);
-  direct_.emplace_back(std::move(order), RunContext{settings_, script_, tags_, robot_, stop_}, now);
+  direct_.emplace_back(std::move(order), contextOfRuns(), now);
 }
 
 void CommandCore::Impl::execute(GoalId id, const StopGoal& /*goal*/, Instant now) {
@@ -124,9 +124,7 @@ void CommandCore::Impl::execute(GoalId id, const StopGoal& /*goal*/, Instant now
   progress.text = "stopping the robot";
   board_.progress(Block::Stop, id, std::move(progress));
   stop_goals_.push_back(id);
-  const bool stops_by_itself = run_ && run_->order().moves && !run_->stopping();
-  if (!stops_by_itself) stop_.ask(now);
-  abortAll("stopped by the stop block", now);
+  stopAll("stopped by the stop block", now);
 }
 
 void CommandCore::Impl::execute(GoalId id, const CheckSequenceGoal& goal, Instant now) {

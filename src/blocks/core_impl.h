@@ -99,6 +99,8 @@ class CommandCore::Impl : private link::Wire {
   void dropWaiting(const std::string& why);
   /// Everything that is Busy is to end as CommandAborted, with a stop when it moves.
   void abortAll(const std::string& why, Instant now);
+  /// The same, with a stop whatever there is.
+  void stopAll(const std::string& why, Instant now);
   void abortRunning(const std::string& why, Instant now);
   void endAborted(Block block, GoalId id, const std::string& why);
   void dispatch(Instant now);
@@ -109,7 +111,10 @@ class CommandCore::Impl : private link::Wire {
   [[nodiscard]] Result<CommandOrder, Failure> prepare(const Goal& goal, Instant now);
   void start(CommandOrder order, Instant now);
   void finishRuns(Instant now);
-  void finishDirectRuns();
+  void finishDirectRuns(Instant now);
+  [[nodiscard]] RunContext contextOfRuns() {
+    return {settings_, script_, tags_, robot_, stop_, preflight_.arm()};
+  }
   void tellProgress();
   /// The node is left once its motion is done: until then the controller takes a stop, and a pause.
   void leaveNode(const CommandRun& done, Instant now);

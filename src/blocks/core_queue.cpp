@@ -107,6 +107,12 @@ void CommandCore::Impl::abortAll(const std::string& why, Instant now) {
   abortRunning(why, now);
 }
 
+void CommandCore::Impl::stopAll(const std::string& why, Instant now) {
+  const bool stops_by_itself = run_ && run_->order().moves && run_->mayBeCancelled();
+  if (!stops_by_itself) stop_.ask(now);
+  abortAll(why, now);
+}
+
 void CommandCore::Impl::abortRunning(const std::string& why, Instant now) {
   preflight_.forget();
   if (cycle_) cycle_->cancel(why, now);
@@ -184,6 +190,7 @@ Result<CommandOrder, Failure> CommandCore::Impl::prepare(const Goal& goal, Insta
       auto plan = preflight_.plan(*order.commands, preflight_.origin(robot_, frames_, now));
       if (!plan) return refuse(plan.error());
       order.plan = std::move(*plan);
+      order.target = order.plan ? order.plan->target : jointTargetOf(*order.commands);
     }
     if (traits.awaits_motion) {
       order.tag = tags_.open(traits.command_id);
@@ -208,7 +215,7 @@ void CommandCore::Impl::start(CommandOrder order, Instant now) {
   }
   if (order.plan) tellPath(order.goal, *order.plan);
   orphan_.fire(OrphanEvent::Commanded);
-  run_.emplace(std::move(order), RunContext{settings_, script_, tags_, robot_, stop_}, now);
+  run_.emplace(std::move(order), contextOfRuns(), now);
 }
 
 // --- Pick and place.
@@ -250,11 +257,15 @@ void CommandCore::Impl::continueCycle(Instant now) {
 
 // --- Ends.
 
-void CommandCore::Impl::finishDirectRuns() {
+void CommandCore::Impl::finishDirectRuns(Instant now) {
+  const char* unanswered = nullptr;
   for (const CommandRun& run : direct_) {
-    if (run.ended()) board_.end(run.order().block, run.order().goal, run.outcome());
+    if (!run.ended()) continue;
+    if (run.outcome().error_id == motion_error::kReceiveReply) unanswered = toString(run.order().block);
+    board_.end(run.order().block, run.order().goal, run.outcome());
   }
   direct_.remove_if([](const CommandRun& run) { return run.ended(); });
+  if (unanswered != nullptr) stopAll(fmt::format("stopped, as {} got no reply", unanswered), now);
 }
 
 void CommandCore::Impl::tellProgress() {
@@ -280,7 +291,7 @@ void CommandCore::Impl::leaveNode(const CommandRun& done, Instant now) {
 }
 
 void CommandCore::Impl::finishRuns(Instant now) {
-  finishDirectRuns();
+  finishDirectRuns(now);
   if (!run_) return;
   tellProgress();
   if (!run_->ended()) return;

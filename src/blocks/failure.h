@@ -15,6 +15,9 @@ struct Failure {
   std::string remedy;
 };
 
+/// What ends everything that is under way (16#99).
+[[nodiscard]] Failure emergencyStop();
+
 /// Rejected or Aborted, with the catalogue's texts.
 /// Precondition: the block's catalogue has the id.
 [[nodiscard]] Outcome toOutcome(Block block, Ending ending, const Failure& failure);

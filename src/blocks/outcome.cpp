@@ -5,6 +5,8 @@
 #include "failure.h"
 #include <fmt/format.h>
 
+#include "cobot_command/blocks/error_ids.h"
+
 namespace cobot_command::blocks {
 namespace {
 
@@ -45,6 +47,11 @@ const char* toString(Phase phase) {
       return "stopping";
   }
   return "unknown";
+}
+
+Failure emergencyStop() {
+  return {motion_error::kLinkDropped, "emergency stop",
+          "Release the emergency stop and start the project again"};
 }
 
 Outcome toOutcome(Block block, Ending ending, const Failure& failure) {

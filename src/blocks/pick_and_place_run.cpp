@@ -103,39 +103,48 @@ void PickAndPlaceRun::finish(FinishAfter after, Instant now) {
   }
 }
 
-void PickAndPlaceRun::linkLost(const std::string& reason, Instant now) {
-  if (!under_way_) fail({motion_error::kLinkDropped, reason, ""}, now);
+void PickAndPlaceRun::linkLost(const std::string& reason, std::optional<Duration> patience, Instant now) {
+  if (under_way_) return;
+  failure_ = {motion_error::kLinkDropped, reason, ""};
+  if (patience) waits_until_ = now + *patience;
+  fire(patience ? Event::Unexplained : Event::Failed, now);
 }
 
 void PickAndPlaceRun::robotChanged(const RobotWatch& robot, Instant now) {
   if (under_way_ || ended()) return;
   if (robot.emergencyStop()) {
-    fail({motion_error::kLinkDropped, "emergency stop",
-          "Release the emergency stop and start the project again"},
-         now);
+    fail(emergencyStop(), now);
     return;
   }
   if (robot.inError()) {
     fail({own_error::kRobotError, robot.errorText(), ""}, now);
     return;
   }
-  if (!dwell_until_) return;
+  if (state_ == State::Explaining) {
+    if (!robot.status() || reason_.endsWithFrame(now)) fire(Event::Failed, now);
+    return;
+  }
+  if (!waits_until_) return;
   if (robot.held() && !held_since_) {
     held_since_ = now;
   } else if (!robot.held() && held_since_) {
-    *dwell_until_ += now - *held_since_;
+    *waits_until_ += now - *held_since_;
     held_since_.reset();
   }
 }
 
 void PickAndPlaceRun::advance(Instant now) {
-  if (!dwell_until_ || held_since_ || now < *dwell_until_) return;
-  dwell_until_.reset();
-  fire(isLast() ? Event::LastDone : Event::DwellOver, now);
+  if (!waits_until_ || held_since_ || now < *waits_until_) return;
+  waits_until_.reset();
+  if (state_ == State::Explaining) {
+    fire(Event::Failed, now);
+  } else {
+    fire(isLast() ? Event::LastDone : Event::DwellOver, now);
+  }
 }
 
 std::optional<Instant> PickAndPlaceRun::nextDeadline() const {
-  return held_since_ ? std::nullopt : dwell_until_;
+  return held_since_ ? std::nullopt : waits_until_;
 }
 
 void PickAndPlaceRun::fail(Failure failure, Instant now) {
@@ -156,6 +165,10 @@ void PickAndPlaceRun::fire(Event event, Instant now) {
     case PickAndPlaceAction::NextStep:
       nextStep(now);
       return;
+    case PickAndPlaceAction::AwaitReason:
+      held_since_.reset();
+      reason_.begin(now);
+      return;
     case PickAndPlaceAction::EndDone:
       ++outcome_.cycles_done;
       end(Ending::Done, now);
@@ -170,7 +183,7 @@ void PickAndPlaceRun::fire(Event event, Instant now) {
 }
 
 void PickAndPlaceRun::startDwell(Instant now) {
-  dwell_until_ = now + fromSeconds(step().dwell);
+  waits_until_ = now + fromSeconds(step().dwell);
   Progress progress;
   progress.phase = Phase::Dwelling;
   progress.fraction = static_cast<double>(step_ + 1) / static_cast<double>(goal_.steps.size());
@@ -196,7 +209,7 @@ std::vector<Progress> PickAndPlaceRun::takeProgress() {
 }
 
 void PickAndPlaceRun::end(Ending ending, Instant now) {
-  dwell_until_.reset();
+  waits_until_.reset();
   Outcome outcome;
   if (ending == Ending::Aborted) {
     outcome = toOutcome(Block::PickAndPlace, ending, failure_);

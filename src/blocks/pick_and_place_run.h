@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "failure.h"
+#include "reason_wait.h"
 #include "robot_watch.h"
 
 #include "cobot_command/blocks/finish.h"
@@ -52,7 +53,8 @@ class PickAndPlaceRun {
   /// Ends in its own time: nothing more is begun behind the command that is under way (a dwell ends at once),
   /// or behind this cycle.
   void finish(FinishAfter after, Instant now);
-  void linkLost(const std::string& reason, Instant now);
+  /// `patience`: how long the status stream may take to tell why; nothing: there is none.
+  void linkLost(const std::string& reason, std::optional<Duration> patience, Instant now);
   /// A pause holds the dwell; an emergency stop or an error ends it.
   void robotChanged(const RobotWatch& robot, Instant now);
   void advance(Instant now);
@@ -84,8 +86,9 @@ class PickAndPlaceRun {
   int cycle_ = 1;
   bool under_way_ = false;
   std::optional<std::string> cancelled_why_;
-  std::string finished_why_;  ///< it is to end behind this cycle
-  std::optional<Instant> dwell_until_;
+  std::string finished_why_;            ///< it is to end behind this cycle
+  std::optional<Instant> waits_until_;  ///< in a dwell, or for a reason
+  ReasonWait reason_;
   std::optional<Instant> held_since_;
   Instant started_at_;
   Failure failure_;

@@ -4,9 +4,16 @@
 
 #include "refusal_failure.h"
 
+#include "cobot_command/common/units.h"
 #include "cobot_command/planning/script_planner.h"
 
 namespace cobot_command::blocks {
+namespace {
+
+/// A motion that is no longer than this in any joint ends next to where it began.
+constexpr double kNextTo = degToRad(0.5);  // [rad]
+
+}  // namespace
 
 bool Preflight::isQueued(const RobotWatch& robot, Instant now) const {
   if (!queue_) return false;
@@ -30,6 +37,7 @@ Origin Preflight::origin(const RobotWatch& robot, const FrameWatch& frames, Inst
   if (!active.base && active.base_name.empty()) origin.start.base = arm::Pose::Identity();
   origin.start.tcp = active.tcp;
   if (!active.tcp && active.tcp_name.empty()) origin.start.tcp = arm::Pose::Identity();
+  origin.frames_told = active.base && active.tcp;
   origin.start.speed_override = robot.speedOverride();
   if (queued) {
     origin.behind = queue_->planner;
@@ -59,8 +67,20 @@ Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<protocol:
     plan.start_delay = std::max(Duration::zero(), *begin - origin.arrival);
     plan.duration = planner.duration() - *begin;
   }
-  plan.end = {planner.end(), planner, Duration::zero()};
+  plan.end = {planner.end(), planner, Duration::zero(), origin.frames_told};
+  plan.target = targetOf(commands, plan);
   return std::optional<Plan>(std::move(plan));
+}
+
+std::optional<Target> Preflight::targetOf(const std::vector<protocol::ScriptCommand>& commands,
+                                          const Plan& plan) {
+  const auto kind = targetKindOf(commands);
+  const auto& end = plan.end.start;
+  if (!kind || plan.motions.empty() || !end.joints) return std::nullopt;
+  if (*kind != TargetKind::Joints && !(plan.end.frames_told && end.tcp)) return std::nullopt;
+  const arm::JointVector begin = plan.motions.front()->at(Duration::zero()).position;
+  const double way = (*end.joints - begin).cwiseAbs().maxCoeff();
+  return Target{*kind, *end.joints, end.tcp.value_or(arm::Pose::Identity()), way <= kNextTo};
 }
 
 void Preflight::queue(const std::optional<Plan>& plan, Instant now) {

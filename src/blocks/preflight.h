@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "arrival.h"
 #include "failure.h"
 #include "frame_watch.h"
 #include "robot_watch.h"
@@ -22,6 +23,8 @@ struct Origin {
   planning::ScriptPlanner::Start start;
   std::optional<planning::ScriptPlanner> behind;  ///< of what is in front; it may blend into the command
   Duration arrival{};  ///< when the robot gets the command, by the time of `behind`
+  /// Base and TCP were streamed or commanded, not only taken for those that a project starts with.
+  bool frames_told = false;
 };
 
 struct Plan {
@@ -29,6 +32,7 @@ struct Plan {
   Duration start_delay{};                      ///< until its first motion begins, after it was sent
   Duration arrival{};                          ///< of the origin
   Origin end;                                  ///< where the next command starts
+  std::optional<Target> target;                ///< where its last motion leaves the robot, if that is certain
   arm::Pose tcp = arm::Pose::Identity();       ///< of the motions, in the flange [m]
   std::vector<motion::TrajectoryPtr> motions;  ///< of a command that moves: one, of a raw script: several
 };
@@ -62,6 +66,8 @@ class Preflight {
     [[nodiscard]] Instant end() const { return began + planner.duration(); }
   };
   [[nodiscard]] bool isQueued(const RobotWatch& robot, Instant now) const;
+  [[nodiscard]] static std::optional<Target> targetOf(const std::vector<protocol::ScriptCommand>& commands,
+                                                      const Plan& plan);
 
   std::optional<arm::ArmModel> arm_;
   std::optional<Queue> queue_;

@@ -139,6 +139,11 @@ constexpr SharedError kRobotErrors[] = {
      "the status stream shows an error that no stop has acknowledged, when the command comes, or while it is "
      "Busy; "
      "code and text are given"},
+    {own_error::kNotAtTarget, "Target not reached",
+     "Make sure that no other client commands this controller, then execute again",
+     "the tag came back as complete, but until ~evidence_timeout later the status stream showed the robot "
+     "away "
+     "from the target, or still in motion; the robot is told to stop"},
     {own_error::kOrphanMoves, "Robot moves without a goal of this layer",
      "Wait until it stands, execute stop, or use buffer_mode ABORTING",
      "buffer_mode REFUSE, and since the link was made the robot moves on from before, as "
@@ -152,8 +157,7 @@ constexpr SharedError kRobotErrors[] = {
      "stop"},
     {own_error::kStopNotConfirmed, "Stop not confirmed", "Make sure that the robot stands before you go on",
      "after a cancel, or for a goal with buffer_mode ABORTING, the controller did not accept the stop, or "
-     "the "
-     "robot did not come to rest in time"},
+     "the status stream did not show the robot come to rest in time"},
     {own_error::kShutDown, "Command layer is shutting down", "Start the command layer again",
      "cannot occur through ROS, whose node takes no goals by then: the goal came after the command layer was "
      "told to shut down"},
@@ -217,7 +221,7 @@ ErrorTable& ErrorTable::motion() {
   return shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kUnreachable,
                  own_error::kPoseBits, own_error::kJointLimit, own_error::kJointSpeed, own_error::kSingular,
                  own_error::kNotPlannable, own_error::kAmbiguousTurn, own_error::kNoFreeTag,
-                 own_error::kTagLost, own_error::kStopNotConfirmed});
+                 own_error::kTagLost, own_error::kStopNotConfirmed, own_error::kNotAtTarget});
 }
 
 ErrorTable& ErrorTable::move() {

@@ -11,7 +11,8 @@ std::vector<ErrorEntry> stopErrors() {
       .shared(
           own_error::kStopNotConfirmed,
           "the controller did not accept the stop, as it does outside the Listen node (CPERR F1), or did not "
-          "answer, or the robot did not come to rest in time: the robot may still move")
+          "answer, or the status stream did not show the robot come to rest in time: the robot may still "
+          "move")
       .shared({own_error::kShutDown})
       .rows();
 }

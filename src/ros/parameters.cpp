@@ -94,6 +94,9 @@ link::LinkSettings readLink(Reader& reader) {
   link.unplanned_motion_timeout =
       reader.readSeconds("unplanned_motion_timeout", link.unplanned_motion_timeout, 1.0, 86400.0);
   link.stop_timeout = reader.readSeconds("stop_timeout", link.stop_timeout, 0.1, 60.0);
+  link.evidence_timeout = reader.readSeconds("evidence_timeout", link.evidence_timeout, 0.05, 10.0);
+  link.position_tolerance = reader.readInRange("position_tolerance", link.position_tolerance, 1e-5, 1.0);
+  link.angle_tolerance = reader.readInRange("angle_tolerance", link.angle_tolerance, 1e-5, 1.0);
   link.auto_reconnect = reader.read("auto_reconnect", link.auto_reconnect);
   link.stop_orphaned_motion = reader.read("stop_orphaned_motion", link.stop_orphaned_motion);
   return link;

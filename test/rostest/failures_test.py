@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """How commands fail that are good by themselves: the controller refuses them, or the wire fails."""
 import rospy
+from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import ExitListenNodeGoal, ProgramControlGoal, StopGoal
 from cobot_goals import HOME, base, cycle, motions, move_script, relative, script, step, tcp, to_joints
@@ -111,9 +112,44 @@ class Failures(CobotTestCase):
         self.robot.operate("raise_error", 0x14058, "joint 3")
         self.assert_aborted(sent.finish(), 0x222, "0x14058: no posture")
 
+    def test_of_motions_tells_the_error_though_their_tag_comes_before_it(self):
+        for goal in motions(**SLOWLY):
+            with self.subTest(type(goal).__name__):
+                sent = self.robot.start_slowly(goal)
+                self.robot.operate("raise_error", 0x14058, "joint 3")
+                self.assert_aborted(sent.finish(), 0x222, "0x14058: no posture")
+                self.assert_done(self.robot.run(StopGoal()))  # acknowledges it
+                self.assert_aborted(self.robot.run(to_joints(*HOME)), 0x222, "0x14058: no posture")  # it stands
+                self.assert_done(self.robot.run(StopGoal()))
+                self.robot.operate("clear_error")
+                self.return_home()
+
+    def test_of_motions_whose_tag_comes_before_the_robot_is_there(self):
+        for goal in motions(**SLOWLY):
+            with self.subTest(type(goal).__name__):
+                self.robot.fault("early_tag", count=1)
+                self.assert_aborted(self.robot.run(goal), 0x226, "from its target")
+                self.robot.wait_for_standstill()
+                self.return_home()
+
+    def test_of_all_that_is_busy_when_the_emergency_stop_is_pressed(self):
+        sent = self.robot.start_slowly()
+        self.robot.operate("set_emergency_stop", True)
+        self.assert_aborted(sent.finish(), 0x99, "emergency stop")
+        self.assert_aborted(self.robot.connect.finish(), 0x90, "emergency stop")
+
+    def test_of_a_motion_that_an_unanswered_pause_has_stopped(self):
+        sent = self.robot.start_slowly()
+        self.robot.fault("ignore_script", count=1)
+        self.assert_aborted(self.robot.run(ProgramControlGoal(command=ProgramControlGoal.PAUSE)), 0x70, "no reply")
+        state, result = sent.finish()
+        self.assertEqual(state, GoalStatus.PREEMPTED, result.error_description)
+        self.assertIn("program_control got no reply", result.error_description)
+        self.robot.wait_for_standstill()
+
     # --- None of it is a failure.
     def test_never_of_messages_that_are_late_doubled_or_lost_without_need(self):
-        for fault in ("duplicate_reply", "duplicate_tag", "corrupt_stream", "drop_stream", "early_tag"):
+        for fault in ("duplicate_reply", "duplicate_tag", "corrupt_stream", "drop_stream"):
             with self.subTest(fault):
                 self.robot.fault(fault, count=1)
                 self.assert_done(self.robot.run(relative(0, 0, 1, 0, 0, 0)))

@@ -97,6 +97,7 @@ inline constexpr int kRobotError = 0x222;
 inline constexpr int kTagLost = 0x223;
 inline constexpr int kCommunication = 0x224;
 inline constexpr int kStopNotConfirmed = 0x225;
+inline constexpr int kNotAtTarget = 0x226;
 inline constexpr int kOrphanMoves = 0x227;
 // The layer.
 inline constexpr int kShutDown = 0x230;

@@ -54,8 +54,8 @@ struct Outcome {
   int command_id_ack = 0;
   std::optional<Duration> planned;  ///< planned duration of the motion, when it could be planned
   std::optional<Duration> actual;   ///< from the acceptance by the controller to the end
-  /// Of the last status frame before the end: up to one period of the stream old, as an end waits for
-  /// nothing.
+  /// Of a status frame from behind the queue tag, when that made it Done; else of the last one before the
+  /// end.
   std::optional<std::array<double, 6>> final_joints_deg;
   std::optional<std::array<double, 6>> final_pose_mm_deg;  ///< active TCP in the active base
   std::vector<JointPathPoint> joint_path;  ///< of a motion that was only checked; see check_only

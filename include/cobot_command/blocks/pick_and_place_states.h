@@ -11,6 +11,7 @@ enum class PickAndPlaceState {
   Moving,   ///< the move of a step is to be sent, or under way
   Setting,  ///< so is the output of the step
   Dwelling,
+  Explaining,  ///< the link was lost between two commands; the status stream may tell why
   Ended
 };
 
@@ -23,10 +24,11 @@ enum class PickAndPlaceEvent {
   DwellOver,       ///< another step follows
   LastDone,        ///< the last step of the last cycle is over
   Failed,          ///< the cause comes with it
+  Unexplained,     ///< the same, and the status stream may soon tell more
   Cancelled        ///< and nothing is under way any more
 };
 
-enum class PickAndPlaceAction { None, StartDwell, NextStep, EndDone, EndError, EndAborted };
+enum class PickAndPlaceAction { None, StartDwell, NextStep, AwaitReason, EndDone, EndError, EndAborted };
 
 struct PickAndPlaceTable {
   using S = PickAndPlaceState;
@@ -36,24 +38,30 @@ struct PickAndPlaceTable {
 
   // clang-format off
   static constexpr Row kRows[] = {
-    // from        event              to            action
-    {S::Moving,   E::MoveDone,       S::Setting,   A::None},
-    {S::Moving,   E::MoveDoneDwell,  S::Dwelling,  A::StartDwell},
-    {S::Moving,   E::MoveDoneNext,   S::Moving,    A::NextStep},
-    {S::Moving,   E::LastDone,       S::Ended,     A::EndDone},
-    {S::Moving,   E::Failed,         S::Ended,     A::EndError},
-    {S::Moving,   E::Cancelled,      S::Ended,     A::EndAborted},
+    // from          event              to             action
+    {S::Moving,      E::MoveDone,       S::Setting,     A::None},
+    {S::Moving,      E::MoveDoneDwell,  S::Dwelling,    A::StartDwell},
+    {S::Moving,      E::MoveDoneNext,   S::Moving,      A::NextStep},
+    {S::Moving,      E::LastDone,       S::Ended,       A::EndDone},
+    {S::Moving,      E::Failed,         S::Ended,       A::EndError},
+    {S::Moving,      E::Unexplained,    S::Explaining,  A::AwaitReason},
+    {S::Moving,      E::Cancelled,      S::Ended,       A::EndAborted},
 
-    {S::Setting,  E::OutputSetDwell, S::Dwelling,  A::StartDwell},
-    {S::Setting,  E::OutputSetNext,  S::Moving,    A::NextStep},
-    {S::Setting,  E::LastDone,       S::Ended,     A::EndDone},
-    {S::Setting,  E::Failed,         S::Ended,     A::EndError},
-    {S::Setting,  E::Cancelled,      S::Ended,     A::EndAborted},
+    {S::Setting,     E::OutputSetDwell, S::Dwelling,    A::StartDwell},
+    {S::Setting,     E::OutputSetNext,  S::Moving,      A::NextStep},
+    {S::Setting,     E::LastDone,       S::Ended,       A::EndDone},
+    {S::Setting,     E::Failed,         S::Ended,       A::EndError},
+    {S::Setting,     E::Unexplained,    S::Explaining,  A::AwaitReason},
+    {S::Setting,     E::Cancelled,      S::Ended,       A::EndAborted},
 
-    {S::Dwelling, E::DwellOver,      S::Moving,    A::NextStep},
-    {S::Dwelling, E::LastDone,       S::Ended,     A::EndDone},
-    {S::Dwelling, E::Failed,         S::Ended,     A::EndError},
-    {S::Dwelling, E::Cancelled,      S::Ended,     A::EndAborted},
+    {S::Dwelling,    E::DwellOver,      S::Moving,      A::NextStep},
+    {S::Dwelling,    E::LastDone,       S::Ended,       A::EndDone},
+    {S::Dwelling,    E::Failed,         S::Ended,       A::EndError},
+    {S::Dwelling,    E::Unexplained,    S::Explaining,  A::AwaitReason},
+    {S::Dwelling,    E::Cancelled,      S::Ended,       A::EndAborted},
+
+    {S::Explaining,  E::Failed,         S::Ended,       A::EndError},
+    {S::Explaining,  E::Cancelled,      S::Ended,       A::EndAborted},
   };
   // clang-format on
 };

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cobot_command/common/time.h"
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::link {
 
@@ -43,10 +44,15 @@ struct LinkSettings {
   Duration tag_deadline_margin = std::chrono::seconds(2);  ///< ... plus this
   Duration unplanned_motion_timeout = std::chrono::seconds(300);  ///< when the motion could not be planned
   Duration stop_timeout = std::chrono::seconds(2);  ///< from an accepted stop until the robot stands
-  /// A connect goal whose link is lost: false: it ends (16#90), as in the thesis. True: it stays Busy and
+  /// How long the status stream may take, from its first frame behind a queue tag on, to show the robot
+  /// standing at the target; and to tell the reason of what the script port told first.
+  Duration evidence_timeout = std::chrono::milliseconds(500);
+  double position_tolerance = 0.001;       ///< of the TCP at the end of a motion [m]
+  double angle_tolerance = degToRad(0.1);  ///< of each joint, or of the TCP, there [rad]
   /// The queue tag of the first motion, 1..15. Two command layers that begin alike take each other's tags for
   /// their own more often, so a program draws it.
   int first_tag = 1;
+  /// A connect goal whose link is lost: false: it ends (16#90), as in the thesis. True: it stays Busy and
   /// tries again for its timeout before it ends. Open motions end at the loss either way; nothing resumes by
   /// itself.
   bool auto_reconnect = false;

@@ -38,6 +38,12 @@ Outcome until(const Goal& goal, const std::function<void(CoreRig&, const std::st
   return rig.outcome(id) == nullptr ? Outcome{} : *rig.outcome(id);
 }
 
+/// The link drops, and the status stream, which might tell why, hangs.
+void lose(CoreRig& rig, const std::string& /*script_id*/) {
+  rig.close("gone");
+  rig.pass(500ms);
+}
+
 /// The end of a goal that comes after `before`.
 Outcome after(const Goal& goal, const std::function<void(CoreRig&)>& before) {
   CoreRig rig(std::nullopt, link::LinkSettings{});
@@ -128,8 +134,7 @@ Scenarios replyScenarios(const Goal& goal) {
        [=] { return until(goal, [](auto& rig, const auto&) { rig.pass(1s); }); }},
       {row(motion_error::kRejected),
        [=] { return until(goal, [](auto& rig, const auto& id) { rig.reply(id, false, {1}); }); }},
-      {row(motion_error::kLinkDropped),
-       [=] { return until(goal, [](auto& rig, const auto&) { rig.close("gone"); }); }},
+      {row(motion_error::kLinkDropped), [=] { return until(goal, lose); }},
       {row(own_error::kNotListening),
        [=] { return communicationError(CommunicationErrorCode::NotListening); }},
       {row(own_error::kCommunication), [=] { return communicationError(CommunicationErrorCode::Checksum); }},
@@ -153,6 +158,17 @@ Scenarios motionScenarios(const Goal& goal) {
       {row(motion_error::kReceiveTag), [=] { return overdue([](CoreRig& rig) { rig.pass(1s); }); }},
       {row(motion_error::kMotionFailed),
        [=] { return overdue([](CoreRig& rig) { rig.tag(1, TagState::Incomplete); }); }},
+      {row(own_error::kNotAtTarget),
+       [=] {
+         return until(goal, [](CoreRig& rig, const std::string& id) {
+           rig.reply(id);
+           rig.tag(1);
+           for (int i = 0; i < 2; ++i) {
+             rig.status(StatusFrames().moving());
+             rig.pass(500ms);
+           }
+         });
+       }},
       {row(own_error::kTagLost),
        [=] { return overdue([](CoreRig& rig) { rig.tag(1, TagState::Unknown); }); }},
   };
@@ -199,8 +215,7 @@ Scenarios stopScenarios(const Goal& goal) {
          rig.pass(1s);
          return *rig.outcome(id);
        }},
-      {row(motion_error::kLinkDropped),
-       [=] { return until(goal, [](auto& rig, const auto&) { rig.close("gone"); }); }},
+      {row(motion_error::kLinkDropped), [=] { return until(goal, lose); }},
   };
 }
 

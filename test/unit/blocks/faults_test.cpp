@@ -102,8 +102,12 @@ TEST_F(Fault, noReplyInTimeStopsTheRobot) {
 TEST_F(Fault, tagReportedFalse) {
   const GoalId goal = moving();
   rig.tag(1, TagState::Incomplete);
-  expectAborted(rig, goal, motion_error::kMotionFailed, "tag 1");
   expectStopSent();
+  for (int i = 0; i < 3; ++i) {
+    rig.pass(15ms);
+    rig.status(StatusFrames());
+  }
+  expectAborted(rig, goal, motion_error::kMotionFailed, "tag 1");
 }
 
 TEST(FaultWithoutStatus, linkLostAtEachStep) {
@@ -150,6 +154,7 @@ TEST_F(Fault, overdueMotionIsDoneWhenTheControllerSaysSo) {
   EXPECT_EQ(rig.takeTagQuery().tag, 1);
   EXPECT_EQ(rig.outcome(goal), nullptr);
   rig.tag(1);
+  rig.status(StatusFrames());
   ASSERT_NE(rig.outcome(goal), nullptr);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
 }
@@ -165,6 +170,7 @@ TEST_F(Fault, overdueMotionGetsMoreTimeWhileTheRobotMoves) {
   }
   rig.takeTagQuery();
   rig.tag(1);
+  rig.status(StatusFrames());
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
 }
 
@@ -226,6 +232,7 @@ TEST_F(Fault, aPauseDoesNotCountAsTime) {
   stream(1s, StatusFrames().moving());
   EXPECT_EQ(rig.takeTagQuery().tag, 1);
   rig.tag(1);
+  rig.status(StatusFrames());
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
 }
 
@@ -242,6 +249,7 @@ TEST_F(Fault, duplicatesAndStrangersAreCountedAndChangeNothing) {
   EXPECT_EQ(rig.outcome(goal), nullptr);
   rig.tag(1);
   rig.tag(1);
+  rig.status(StatusFrames());
   EXPECT_EQ(rig.latest().late_replies, late + 5);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
 }
@@ -254,6 +262,7 @@ TEST_F(Fault, garbageBetweenFramesIsCountedAndPassedOver) {
   rig.reply(script.id);
   rig.receive("$TMSTA,99999999999999999999,01,01,true,*6D\r\n");
   rig.tag(1);
+  rig.status(StatusFrames());
   EXPECT_GE(rig.latest().decode_faults, 3u);
   ASSERT_NE(rig.outcome(goal), nullptr);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);

@@ -52,15 +52,17 @@ class Planning : public ::testing::Test {
 };
 
 TEST_F(Planning, tellsThePlannedDurationAndTheActualOneAndWhereTheRobotStands) {
-  rig.status(StatusFrames()
-                 .with(item::ofFloats("Coord_Robot_Flange", {400, -100, 300, 180, 0, 90}))
-                 .with(item::ofFloats("Coord_Robot_Tool", {400, -100, 200, 180, 0, 90}))
-                 .with(item::ofFloats("Base_Value", {100, 0, 50, 0, 0, 0})));
+  rig.status(StatusFrames());
   const GoalId goal = rig.submit(toJoints(kAside));
   EXPECT_EQ(rig.progress(goal).back().planned, ptpTime(kHome, kAside));
   rig.reply(rig.takeScript().id);
   rig.pass(900ms);
   rig.tag(1);
+  rig.status(StatusFrames()
+                 .at({60, 0, 90, 0, 90, 0})
+                 .with(item::ofFloats("Coord_Robot_Flange", {400, -100, 300, 180, 0, 90}))
+                 .with(item::ofFloats("Coord_Robot_Tool", {400, -100, 200, 180, 0, 90}))
+                 .with(item::ofFloats("Base_Value", {100, 0, 50, 0, 0, 0})));
   const Outcome& outcome = *rig.outcome(goal);
   EXPECT_EQ(outcome.planned, ptpTime(kHome, kAside));
   EXPECT_EQ(outcome.actual, Duration(900ms));
@@ -109,6 +111,7 @@ TEST_F(Planning, startsAtTheEndOfWhatIsQueuedInFrontOfIt) {
   EXPECT_EQ(rig.progress(second).back().phase, Phase::Active);
   EXPECT_TRUE(rig.outputs(Block::MoveAbsolute).active);
   rig.tag(1);
+  rig.status(StatusFrames().at({-30, 10, 80, 0, 90, 0}));
   EXPECT_EQ(rig.outcome(second)->ending, Ending::Done);
 }
 
@@ -135,13 +138,14 @@ TEST_F(Planning, countsTheBlendWithWhatIsQueuedInFrontOfIt) {
   EXPECT_EQ(rig.progress(second).back().phase, Phase::Active);
 }
 
-TEST_F(Planning, startsAtTheTargetJustReachedWhileTheStreamStillShowsTheMotion) {
+TEST_F(Planning, startsAtTheTargetJustReachedNotWhereTheStreamShowsIt) {
   rig.status(StatusFrames());
   rig.submit(toJoints(kAside));
   rig.reply(rig.takeScript().id);
   rig.status(StatusFrames().moving());
   rig.pass(10ms);
   rig.tag(1);
+  rig.status(StatusFrames().at({59.95F, 0, 90, 0, 90, 0}));
   const GoalId second = rig.submit(toJoints(kBack));
   EXPECT_EQ(rig.progress(second).back().planned, ptpTime(kAside, kBack));
   EXPECT_EQ(rig.progress(second).back().phase, Phase::Sent);

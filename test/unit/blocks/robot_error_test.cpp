@@ -80,6 +80,20 @@ TEST(RobotError, hasToBeAcknowledgedAnewAfterAMotionThatFailedInIt) {
   expectRefused(rig);
 }
 
+TEST(RobotError, isTheReasonOfAMotionThatItFailsThoughItWasAcknowledged) {
+  Rig rig;
+  rig.status(StatusFrames().error(0x13, "PTP"));
+  rig.acknowledge();
+  const GoalId id = rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id);
+  rig.tag(rig.latest().open_tags.at(0), protocol::TagState::Incomplete);
+  rig.status(StatusFrames().error(0x13, "PTP"));
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->error_id, own_error::kRobotError);
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("0x13"));
+  rig.discardSent();
+}
+
 /// A stop that the layer sends by itself is nobody's answer for an error.
 TEST(RobotError, isNotAcknowledgedByACancelOrByTheStopBehindAFailure) {
   Rig rig;

@@ -53,7 +53,7 @@ TEST(PickAndPlaceTable, isSound) {
 }
 
 TEST(PickAndPlaceTable, canFailAndBeCancelledInEveryState) {
-  for (const auto state : allUpTo(PickAndPlaceState::Dwelling)) {
+  for (const auto state : allUpTo(PickAndPlaceState::Explaining)) {
     for (const auto event : {PickAndPlaceEvent::Failed, PickAndPlaceEvent::Cancelled}) {
       const auto row = link::findTransition<PickAndPlaceTable>(state, event);
       ASSERT_TRUE(row) << static_cast<int>(state);
@@ -75,19 +75,34 @@ TEST(CommandRunTable, endsOnAFailureInEveryState) {
   }
 }
 
-TEST(CommandRunTable, isDoneOnlyByATagOrByTheReplyThatIsAllThereIs) {
+TEST(CommandRunTable, isDoneOnlyBehindATagThatWasVerifiedOrByTheReplyThatIsAllThereIs) {
   for (const auto& row : CommandRunTable::kRows) {
-    if (row.action != CommandRunAction::EndDone) continue;
-    EXPECT_TRUE(row.event == CommandRunEvent::TagComplete || row.event == CommandRunEvent::AcceptedLast);
+    if (row.action == CommandRunAction::EndDone) {
+      EXPECT_TRUE(row.event == CommandRunEvent::Verified || row.event == CommandRunEvent::AcceptedLast);
+    }
+    if (row.event == CommandRunEvent::TagComplete && row.from != CommandRunState::Sent) {
+      EXPECT_EQ(row.to, CommandRunState::Verifying);
+    }
+  }
+}
+
+TEST(CommandRunTable, waitsForTheReasonOfAFailureWheneverThatMayCome) {
+  for (const auto state : allUpTo(CommandRunState::Stopping)) {
+    const auto row = link::findTransition<CommandRunTable>(state, CommandRunEvent::Unexplained);
+    EXPECT_EQ(row.has_value(), state != CommandRunState::Explaining);
+    if (row) {
+      EXPECT_EQ(row->to, CommandRunState::Explaining);
+    }
   }
 }
 
 TEST(CommandRunTable, stopsOnACancelUntilItIsStoppingAlready) {
-  for (const auto state : {CommandRunState::Sent, CommandRunState::Executing, CommandRunState::Confirming}) {
+  for (const auto state : {CommandRunState::Sent, CommandRunState::Executing, CommandRunState::Confirming,
+                           CommandRunState::Verifying}) {
     EXPECT_EQ(link::findTransition<CommandRunTable>(state, CommandRunEvent::Cancel)->action,
               CommandRunAction::AskForStop);
   }
-  for (const auto state : {CommandRunState::Stopping, CommandRunState::Ended}) {
+  for (const auto state : {CommandRunState::Explaining, CommandRunState::Stopping, CommandRunState::Ended}) {
     EXPECT_FALSE(link::findTransition<CommandRunTable>(state, CommandRunEvent::Cancel));
   }
 }

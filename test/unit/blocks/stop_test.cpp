@@ -66,6 +66,74 @@ TEST(Cancel, isAnErrorWhenTheRobotDoesNotComeToRest) {
   EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kStopNotConfirmed);
 }
 
+TEST(Cancel, saysSoWhenNothingTellsWhetherTheRobotStands) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId goal = rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id);
+  rig.cancel(goal);
+  rig.reply(rig.takeScript().id);
+  EXPECT_THAT(rig.outcome(goal)->error_description,
+              HasSubstr("no status stream tells whether the robot stands"));
+}
+
+TEST(Cancel, isAnErrorWhenTheStreamIsLostBeforeTheRobotWasSeenToStand) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.connect();
+  const GoalId goal = rig.submit(CoreRig::move());
+  rig.status(StatusFrames().moving());
+  rig.reply(rig.takeScript().id);
+  rig.cancel(goal);
+  const auto stop = rig.takeScript();
+  rig.close("gone", link::Channel::Status);
+  rig.reply(stop.id);
+  rig.pass(1999ms);
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+  rig.pass(1ms);
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kStopNotConfirmed);
+  EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("the stop was accepted, but"));
+}
+
+TEST(Cancel, waitsForAStreamThatComesBack) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.connect();
+  const GoalId goal = rig.submit(CoreRig::move());
+  rig.status(StatusFrames().moving());
+  rig.reply(rig.takeScript().id);
+  rig.cancel(goal);
+  const auto stop = rig.takeScript();
+  rig.close("gone", link::Channel::Status);
+  rig.reply(stop.id);
+  rig.pass(200ms);
+  rig.open(link::Channel::Status);
+  rig.status(StatusFrames().moving());
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+  rig.status(StatusFrames());
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::CommandAborted);
+  EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("the robot was stopped"));
+}
+
+TEST(Cancel, waitsUntilTheJointAnglesStandWhereThereAreNoSpeeds) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.connect();
+  const auto frame = [&](float j1) {
+    rig.pass(15ms);
+    rig.status(StatusFrames().at({j1, 0, 90, 0, 90, 0}).without("Joint_Speed"));
+  };
+  const GoalId goal = rig.submit(CoreRig::move());
+  frame(0);
+  rig.reply(rig.takeScript().id);
+  frame(1);
+  rig.cancel(goal);
+  rig.reply(rig.takeScript().id);
+  for (float j1 = 2; j1 < 3; j1 += 0.1F) frame(j1);
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+  for (int i = 0; i < 8; ++i) frame(3);
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::CommandAborted);
+}
+
 TEST(Cancel, isAnErrorWhenTheStopIsNotAccepted) {
   const struct {
     std::function<void(CoreRig&, const std::string& id)> answer;

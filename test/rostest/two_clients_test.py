@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Two command nodes on one controller: no goal is done by the tag of another client, and each notices the other."""
+import math
+
+import rospy
+from actionlib_msgs.msg import GoalStatus
+
+from cobot_command.msg import CommandStatus, StopGoal
+from cobot_goals import HOME, SLOWLY, to_joints, turn
+from cobot_test import CobotTestCase, Latest
+
+OTHER = "other/"
+TAG = 2  # both ask for it by their command_id
+
+
+class TwoClients(CobotTestCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.other_status = Latest(f"{OTHER}command_status", CommandStatus)
+
+    def setUp(self):
+        super().setUp()
+        self.establish_at_home()
+        self.robot.wait_for_standstill()
+        self.other_connect = self.robot.send(self.robot.connect_goal(), OTHER)
+        self.other_status.wait_for(lambda s: s.link_state == CommandStatus.READY and s.status_stream,
+                                   "the ready link of the other")
+
+    def tearDown(self):
+        self.other_connect.cancel()
+        self.other_connect.finish()
+
+    def test_are_not_done_by_each_others_tags(self):
+        first = self.robot.start_slowly(turn(10, 0, 0, 0, 0, 0, command_id=TAG, **SLOWLY))
+        second = self.robot.send(to_joints(-40, 0, 90, 0, 90, 0, command_id=TAG, **SLOWLY), OTHER)
+        self.assert_aborted(second.finish(), 0x226, "J1 is ")
+        self.assert_done(first.finish())
+        self.robot.wait_for_standstill()
+        self.assertGreater(math.degrees(self.robot.true_joints.message.position[0]), -39,
+                           "the robot was told to stop")
+
+    def test_are_not_done_by_the_tag_of_who_has_stopped_them(self):
+        first = self.robot.start_slowly(turn(60, 0, 0, 0, 0, 0, command_id=TAG, **SLOWLY))
+        self.assert_done(self.robot.run(StopGoal(), OTHER))
+        self.assert_done(self.robot.run(turn(1, 0, 0, 0, 0, 0, command_id=TAG), OTHER))
+        self.assert_aborted(first.finish(), 0x226, "J1 is ")
+
+    def test_notice_each_other(self):
+        own = self.robot.send(turn(60, 0, 0, 0, 0, 0, command_id=5, **SLOWLY), OTHER)
+        self.robot.status.wait_for(lambda s: "nothing of this layer is under way" in s.diagnosis,
+                                   "the motion of another")
+        own.cancel()
+        self.assert_ended(GoalStatus.PREEMPTED, own.finish())
+        self.assert_done(self.robot.run(to_joints(*HOME, command_id=7), OTHER))
+        self.robot.status.wait_for(lambda s: "another client commands this controller: tag 7" in s.diagnosis,
+                                   "the tag of another")
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("two_clients_test")
+    rostest.rosrun("cobot_command", "two_clients", TwoClients)
