@@ -1,0 +1,27 @@
+#include "cobot_command/common/given.h"
+
+#include <fmt/format.h>
+
+#include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/overloaded.h"
+
+namespace cobot_command {
+
+std::string quoted(const std::string& text) {
+  return '"' + foreignText(text, kQuoteLimit) + '"';
+}
+
+std::string describe(const Given& given) {
+  return std::visit(Overloaded{[](bool flag) { return std::string(flag ? "true" : "false"); },
+                               [](int number) { return std::to_string(number); },
+                               [](double number) { return fmt::format("{:#}", number); },
+                               [](const std::string& text) {
+                                 return text.empty() ? std::string("an empty text")
+                                                     : "the text " + quoted(text);
+                               },
+                               [](const GivenList& list) { return fmt::format("a list of {}", list.size()); },
+                               [](const OtherKind& other) { return other.name; }},
+                    given.value);
+}
+
+}  // namespace cobot_command
