@@ -37,7 +37,16 @@ void addPrefix(tinyxml2::XMLElement& element, const std::string& prefix) {
 
 }  // namespace
 
+bool isNamePrefix(const std::string& text) {
+  constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
+  return text.substr(0, 1) != "/" && text.find_first_not_of(kLetters) == std::string::npos;
+}
+
 Result<std::string, ModelError> withPrefix(const std::string& urdf, const std::string& prefix) {
+  if (!isNamePrefix(prefix)) {
+    return refuse(ModelError{fmt::format(
+        "The prefix is \"{}\". Allowed are letters, digits, _, -, . and /, not beginning with /.", prefix)});
+  }
   tinyxml2::XMLDocument document;
   const bool parsed = document.Parse(urdf.data(), urdf.size()) == tinyxml2::XML_SUCCESS;
   auto* robot = parsed ? document.FirstChildElement("robot") : nullptr;

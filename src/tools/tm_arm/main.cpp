@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "../subcommand.h"
 #include "../written_output.h"
 #include "answers.h"
 #include <CLI/CLI.hpp>
@@ -125,7 +126,6 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->required()
       ->check(CLI::IsMember(arm::ArmModel::knownNames()));
   app.add_flag("--json", arguments.json, "Answer in JSON, in one line");
-  app.require_subcommand(1);
   app.footer(
       "With - in place of the six numbers they are read from standard input, a line each, an answer a line.\n"
       "Exit code: 0 success, 1 out of reach, 2 bad usage, 3 the answer could not be written.");
@@ -137,6 +137,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   auto* urdf = app.add_subcommand("urdf", "The URDF of the model");
   urdf->add_option("--prefix", arguments.prefix, "Stands before the name of every link and joint");
   for (auto* subcommand : {fk, ik, urdf}) subcommand->fallthrough();
+  tools::askForSubcommand(app);
 }
 
 int run(int argc, char** argv) {
@@ -145,6 +146,7 @@ int run(int argc, char** argv) {
   describe(app, arguments);
   try {
     app.parse(wordsOf(argc, argv));
+    tools::checkSubcommand(app);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kSuccess : kBadUsage;
   }

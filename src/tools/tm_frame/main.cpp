@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "../subcommand.h"
 #include "../written_output.h"
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -139,7 +140,6 @@ std::string checkHeader(const std::string& header) {
 
 int run(int argc, char** argv) {
   CLI::App app("Frames of the TM protocol: $HEADER,LENGTH,DATA,*CS");
-  app.require_subcommand(1);
   app.footer("Exit status: 0 success, 1 a fault was found, 2 bad usage, 3 the answer could not be written.");
 
   std::string header;
@@ -158,8 +158,10 @@ int run(int argc, char** argv) {
   decode->add_flag("--accept-empty-length", options.accept_empty_length,
                    "Take an empty LENGTH and search for the end of the frame, as some bridges need it");
 
+  cobot_command::tools::askForSubcommand(app);
   try {
     app.parse(argc, argv);
+    cobot_command::tools::checkSubcommand(app);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kSuccess : kBadUsage;
   }

@@ -112,6 +112,9 @@ TEST(TmFrame, endsWithTwoOnBadUsage) {
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_FALSE(outcome.output.empty()) << arguments;
   }
+  EXPECT_THAT(run("frobnicate").output,
+              HasSubstr("there is no subcommand \"frobnicate\"; allowed: encode, decode"));
+  EXPECT_THAT(run("").output, HasSubstr("no subcommand is given; allowed: encode, decode"));
   const Outcome outcome = run("decode --hex", "24\\nxyz");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.output, HasSubstr("line 2"));

@@ -126,6 +126,23 @@ TEST(TmArm, saysWhyAPoseIsOutOfReachAndExitsWith1) {
   EXPECT_EQ(tmArm("--model tm5-900 --json ik -", "4170 0 500 180 0 90\\n").exit_code, 1);
 }
 
+TEST(TmArm, namesTheSubcommandThatItDoesNotHave) {
+  EXPECT_THAT(tmArm("--model tm12 jump").output,
+              HasSubstr("there is no subcommand \"jump\"; allowed: fk, ik, urdf"));
+  EXPECT_THAT(tmArm("--model tm12").output, HasSubstr("no subcommand is given; allowed: fk, ik, urdf"));
+  EXPECT_THAT(tmArm("--model tm12 --speed 3 urdf").output, HasSubstr("--speed"));
+  EXPECT_EQ(tmArm("--model tm12 --speed 3 urdf").exit_code, 2);
+  EXPECT_EQ(tmArm("--model tm12 urdf jump").exit_code, 2);
+}
+
+TEST(TmArm, refusesAPrefixThatTfWouldNotTake) {
+  for (const char* prefix : {"/x", "'a b'"}) {
+    const Outcome outcome = tmArm(std::string("--model tm12 urdf --prefix ") + prefix);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.output, HasSubstr("Allowed are letters, digits"));
+  }
+}
+
 TEST(TmArm, exitsWith2OnBadUsage) {
   for (const char* arguments :
        {"", "fk 0 0 0 0 0 0", "--model ur5 fk 0 0 0 0 0 0", "--model tm12", "--model tm12 jump",
