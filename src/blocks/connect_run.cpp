@@ -7,6 +7,7 @@
 
 #include "cobot_command/blocks/error_ids.h"
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/host_name.h"
 
 namespace cobot_command::blocks {
 
@@ -17,14 +18,8 @@ namespace {
 
 constexpr double kMinTimeout = 10;
 constexpr double kMaxTimeout = 300;
-constexpr std::size_t kMaxHostLength = 255;
 /// A controller streams every 15 ms; opening the connection takes time as well.
 constexpr Duration kFirstFrameWait = std::chrono::milliseconds(500);
-
-bool isHost(const std::string& host) {
-  return !host.empty() && host.size() <= kMaxHostLength &&
-         std::all_of(host.begin(), host.end(), [](char c) { return c > ' ' && c < '\x7f'; });
-}
 
 /// What the troubles of the link mean when the timeout is over.
 Failure timedOut(link::Trouble trouble, const std::string& diagnosis) {
@@ -60,7 +55,7 @@ std::vector<Failure> checkConnect(const ConnectGoal& goal) {
   if (!(goal.timeout >= kMinTimeout && goal.timeout <= kMaxTimeout)) {
     failures.push_back({connect_error::kTimeoutRange, fmt::format("timeout is {} s", goal.timeout), ""});
   }
-  if (!isHost(goal.host)) {
+  if (!isHostName(goal.host)) {
     failures.push_back(
         {own_error::kHostInvalid,
          fmt::format("host is '{}' ({} characters)", foreignText(goal.host, kQuoteLimit), goal.host.size()),

@@ -14,4 +14,7 @@ namespace cobot_command::language {
 /// Nothing for a blank line. The error tells the column and what was expected.
 [[nodiscard]] Result<std::optional<Statement>, std::string> parseLine(std::string_view line);
 
+/// true, empty, newline and the like.
+[[nodiscard]] bool isConstant(std::string_view word);
+
 }  // namespace cobot_command::language

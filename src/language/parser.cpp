@@ -16,6 +16,10 @@ constexpr std::array<std::string_view, 20> kProgramWords{
     "if",     "else",   "for",  "while",     "do",        "switch", "case", "default", "break", "continue",
     "return", "define", "main", "closestop", "errorstop", "void",   "var",  "const",   "goto",  "try"};
 
+bool isOfPrograms(std::string_view word) {
+  return std::find(kProgramWords.begin(), kProgramWords.end(), word) != kProgramWords.end();
+}
+
 std::string_view firstWord(std::string_view line) {
   const std::size_t start = line.find_first_not_of(" \t\r}");
   if (start == std::string_view::npos) return {};
@@ -26,11 +30,15 @@ std::string_view firstWord(std::string_view line) {
 
 }  // namespace
 
+bool isReservedWord(std::string_view word) {
+  return isConstant(word) || isOfPrograms(word);
+}
+
 ParsedScript parse(std::string_view text) {
   ParsedScript script;
   for (const SourceLine& line : splitLines(text)) {
     const std::string_view word = firstWord(line.text);
-    if (std::find(kProgramWords.begin(), kProgramWords.end(), word) != kProgramWords.end()) {
+    if (isOfPrograms(word)) {
       script.faults.push_back(
           {line.number,
            fmt::format("\"{}\" belongs to the programs of TMflow 2; a script of the Listen node is made of "

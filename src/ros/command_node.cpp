@@ -51,7 +51,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
     : default_host_(parameters.robot_ip),
       default_port_(parameters.script_port),
       publisher_(node, jointNames(parameters.prefix), parameters.prefix),
-      diagnostics_(node, self, parameters.link.status_port != 0),
+      diagnostics_(node, self, parameters.diagnostic_period, parameters.link.status_port != 0),
       frames_(parameters.prefix + "base", parameters.tf_from_start),
       intake_([this](const std_msgs::Header& header) { return frames_.find(header); },
               [this] { return frames_.patience(); }, fileSource(), intakeCore()) {

@@ -20,8 +20,13 @@ auto significant(const link::RobotStatus& s) {
 
 }  // namespace
 
-Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& self, bool status_wanted)
-    : rate_since_(ros::SteadyTime::now()), updater_(node, self) {
+// The updater looks for a period by itself, at any time, and throws at one that is no number: it is given a
+// namespace where there is none.
+Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& self, double period,
+                         bool status_wanted)
+    : period_(period),
+      rate_since_(ros::SteadyTime::now()),
+      updater_(node, ros::NodeHandle(self, "diagnostic_updater")) {
   view_.status_wanted = status_wanted;
   updater_.setHardwareID("none");
   add("Link", describeLink);
@@ -56,7 +61,7 @@ void Diagnostics::take(const link::RobotStatus& status) {
 void Diagnostics::tick() {
   const ros::SteadyTime now = ros::SteadyTime::now();
   // Half a look early, or the next one would be half a look late.
-  const bool due = (now - last_publication_).toSec() >= updater_.getPeriod() - kLookPeriod / 2;
+  const bool due = (now - last_publication_).toSec() >= period_ - kLookPeriod / 2;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!due && !changed_) return;

@@ -25,11 +25,7 @@ namespace {
 constexpr std::uint32_t kQueueSize = 100;
 
 runtime::SimulatorOptions optionsOf(const SimulatorParameters& parameters) {
-  runtime::SimulatorOptions options;
-  options.bind_address = parameters.bind_address;
-  options.script_port = parameters.script_port;
-  options.status_port = parameters.status_port;
-  options.time_scale = parameters.time_scale;
+  runtime::SimulatorOptions options = parameters.simulator.options;
   options.state_period = fromSeconds(1.0 / parameters.publish_rate);
   return options;
 }
@@ -79,9 +75,9 @@ SimulatedControllerNode::SimulatedControllerNode(const ros::NodeHandle& self, Si
       joint_states_(self_.advertise<sensor_msgs::JointState>("joint_states", kQueueSize)),
       tool_pose_(self_.advertise<geometry_msgs::PoseStamped>("tool_pose", kQueueSize)),
       status_(self_.advertise<cobot_command::RobotStatus>("status", kQueueSize)),
-      runtime_(std::move(parameters.arm), parameters.settings, optionsOf(parameters),
+      runtime_(std::move(parameters.arm), parameters.simulator.settings, optionsOf(parameters),
                {[this](const simulator::RobotState& state) { publish(state); },
-                parameters.log_traffic ? logTraffic : noteTraffic}) {
+                parameters.simulator.log_traffic ? logTraffic : noteTraffic}) {
   offerServices();
 }
 

@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/common/result.h"
-
 namespace cobot_command::simulator {
 
 namespace {
@@ -109,7 +107,7 @@ bool isDelay(const std::string& fault) {
   return fault.compare(0, 6, "delay_") == 0;
 }
 
-Read readFault(Words& words) {
+Result<SetFault, std::string> faultIn(Words& words) {
   SetFault order;
   order.name = words.next();
   const std::string count = words.next();
@@ -131,6 +129,12 @@ Read readFault(Words& words) {
   if (!seconds) return refuse(fmt::format("\"{}\": give the delay in seconds", value));
   order.seconds = *seconds;
   return order;
+}
+
+Read readFault(Words& words) {
+  auto order = faultIn(words);
+  if (!order) return refuse(std::move(order.error()));
+  return *order;
 }
 
 struct Command {
@@ -186,6 +190,14 @@ Read read(const std::string& name, Words& words) {
 }
 
 }  // namespace
+
+Result<SetFault, std::string> parseFault(const std::string& text) {
+  Words words(text);
+  auto order = faultIn(words);
+  const std::string left = words.rest();
+  if (order && !left.empty()) return refuse(fmt::format("there is a \"{}\" too much", left));
+  return order;
+}
 
 std::string controlHelp() {
   std::string help;

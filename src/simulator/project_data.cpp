@@ -4,8 +4,6 @@
 #include <array>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/arm/pose_bits.h"
@@ -59,8 +57,7 @@ Result<std::string, std::string> declare(language::Variables& variables, const s
   const language::ParsedScript script = language::parse(declaration);
   const language::Findings findings = language::check(script, functions, scope, robot);
   const auto refused = [&](const std::string& reason) {
-    return refuse(fmt::format("\"{}\" declares no variable: {}; allowed is one declaration, as int var_i = 5",
-                              declaration, reason));
+    return refuse("it declares no variable: " + reason);
   };
   if (!findings.errors.empty()) return refused(findings.errors.front().reason);
   const auto& lines = script.statements;
@@ -115,8 +112,9 @@ void ProjectData::beginAnew() {
   forget(bases);
   forget(tools);
   forget(points);
-  for (const auto& [name, value] : declared)
+  for (const auto& [name, value] : declared) {
     if (name.rfind("g_", 0) != 0) variables.set(name, value);
+  }
 }
 
 }  // namespace cobot_command::simulator

@@ -237,4 +237,9 @@ void RobotItems::write(const language::ItemName& item, std::optional<std::size_t
   }
 }
 
+bool isItemObject(const std::string& name) {
+  return std::any_of(kAttributes.begin(), kAttributes.end(),
+                     [&](const Attribute& attribute) { return attribute.object == name; });
+}
+
 }  // namespace cobot_command::simulator

@@ -41,4 +41,7 @@ class RobotItems {
   std::function<RobotState()> state_;
 };
 
+/// IO, Robot, Base and the like.
+[[nodiscard]] bool isItemObject(const std::string& name);
+
 }  // namespace cobot_command::simulator

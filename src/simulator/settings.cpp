@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "item_table.h"
 #include "project_data.h"
+#include "reserved_names.h"
+#include "settings_text.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,10 +14,33 @@ namespace cobot_command::simulator {
 
 namespace {
 
-using protocol::ItemFormat;
+std::optional<SettingFault> faultInVariables(const Settings& settings, language::Variables& variables) {
+  for (const std::string& declaration : settings.variables) {
+    const auto fault = [&](const std::string& reason) {
+      return SettingFault{"variables", fmt::format("holds {}: {}", quoted(declaration), reason),
+                          "declarations of variables, such as int var_i = 5, each with a name of its own"};
+    };
+    const auto name = declare(variables, declaration);
+    if (!name) return fault(name.error());
+    if (const auto taken = whatIsNamed(*name)) return fault(fmt::format("{} is {}", *name, *taken));
+  }
+  return std::nullopt;
+}
 
-constexpr std::array<std::pair<std::string_view, ItemFormat>, 3> kFormats{
-    {{"binary", ItemFormat::Binary}, {"string", ItemFormat::String}, {"json", ItemFormat::Json}}};
+std::optional<SettingFault> faultInPosture(const arm::JointVector& posture, const arm::ArmModel& arm,
+                                           const std::string& setting, const std::string& whose) {
+  const SettingFault fault{setting, "", "postures of " + arm.name()};
+  if (!posture.allFinite()) return SettingFault{setting, whose + "no finite angles", fault.allowed};
+  const int outside = arm.firstJointOutsideLimits(posture);
+  if (outside < 0) return std::nullopt;
+  const auto joint = static_cast<std::size_t>(outside);
+  const arm::JointLimit& limit = arm.limits().at(joint);
+  return SettingFault{
+      setting,
+      fmt::format("{}joint {} at {:g} deg, outside its limits {:g} to {:g} deg", whose, joint + 1,
+                  radToDeg(posture[outside]), radToDeg(limit.lower), radToDeg(limit.upper)),
+      fault.allowed};
+}
 
 }  // namespace
 
@@ -36,72 +60,31 @@ std::vector<std::string> defaultStreamItems() {
   return names;
 }
 
-std::optional<std::string> faultIn(const Settings& settings) {
+std::optional<SettingFault> faultIn(const Settings& settings) {
   const auto& versions = knownTmflowVersions();
   if (std::find(versions.begin(), versions.end(), settings.tmflow_version) == versions.end()) {
-    return fmt::format("\"{}\" is no version of TMflow that is simulated: allowed are {}",
-                       settings.tmflow_version, fmt::join(versions, ", "));
+    return SettingFault{"tmflow_version", "is " + quoted(settings.tmflow_version),
+                        fmt::format("{}", fmt::join(versions, ", "))};
   }
   language::Variables variables;
-  for (const std::string& declaration : settings.variables) {
-    const auto name = declare(variables, declaration);
-    if (!name) return name.error();
-    if (isItem(*name)) return fmt::format("{} is a predefined item: give the variable another name", *name);
-  }
+  if (auto fault = faultInVariables(settings, variables)) return fault;
   for (const std::string& name : settings.stream_items) {
     if (isItem(name) || variables.find(name) != nullptr) continue;
-    return fmt::format("there is neither an item nor a variable \"{}\" to stream", name);
+    return SettingFault{
+        "stream_items",
+        fmt::format("names {}, which is neither an item nor one of the variables", quoted(name)),
+        "items of doc/simulator.md, and names out of variables"};
   }
   return std::nullopt;
 }
 
-Result<ItemFormat, std::string> parseStreamFormat(std::string_view text) {
-  for (const auto& [name, format] : kFormats) {
-    if (name == text) return format;
+std::optional<SettingFault> faultIn(const Settings& settings, const arm::ArmModel& arm) {
+  if (auto fault = faultIn(settings)) return fault;
+  if (auto fault = faultInPosture(settings.start_posture, arm, "start_posture_deg", "has ")) return fault;
+  for (const auto& [name, joints] : settings.points) {
+    if (auto fault = faultInPosture(joints, arm, "points", quoted(name) + " has ")) return fault;
   }
-  return refuse(fmt::format("\"{}\" is no format: allowed are binary, string and json", text));
-}
-
-std::vector<std::string> parseNames(std::string_view text) {
-  std::vector<std::string> names;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(','), text.size());
-    std::string_view name = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    while (!name.empty() && name.front() == ' ') name.remove_prefix(1);
-    while (!name.empty() && name.back() == ' ') name.remove_suffix(1);
-    if (!name.empty()) names.emplace_back(name);
-  }
-  return names;
-}
-
-Result<std::pair<std::string, std::array<double, 6>>, std::string> parseNamedNumbers(std::string_view text) {
-  const std::size_t sign = std::min(text.find('='), text.size());
-  const std::string list = fmt::format("{{{}}}", text.substr(std::min(sign + 1, text.size())));
-  const auto value = protocol::parseValue(ItemFormat::String, list, std::vector<double>());
-  std::array<double, 6> numbers{};
-  if (sign == 0 || !value || protocol::elementCount(*value) != numbers.size())
-    return refuse(fmt::format("\"{}\" is not usable: allowed is NAME=1,2,3,4,5,6", text));
-  const auto& found = std::get<std::vector<double>>(*value);
-  std::copy(found.begin(), found.end(), numbers.begin());
-  return std::pair(std::string(text.substr(0, sign)), numbers);
-}
-
-Result<std::optional<std::set<std::string, std::less<>>>, std::string> parseWriteClients(
-    std::string_view text) {
-  using Clients = std::set<std::string, std::less<>>;
-  if (text == "all") return std::optional<Clients>();
-  const std::vector<std::string> names = parseNames(text == "none" ? std::string_view() : text);
-  const auto strange = std::find_if(names.begin(), names.end(), [](const std::string& name) {
-    return name.find_first_not_of("0123456789abcdefABCDEF.:") != std::string::npos;
-  });
-  if (strange != names.end() || (names.empty() && text != "none")) {
-    return refuse(
-        fmt::format("\"{}\" is no list of addresses: allowed are all, none, and addresses like "
-                    "192.168.1.7, separated by commas",
-                    text));
-  }
-  return std::optional<Clients>(Clients(names.begin(), names.end()));
+  return std::nullopt;
 }
 
 }  // namespace cobot_command::simulator

@@ -80,6 +80,9 @@ class FunctionTable {
   [[nodiscard]] Result<Match, std::string> find(const std::string& name,
                                                 const std::vector<Type>& arguments) const;
 
+  /// In any form, of any version.
+  [[nodiscard]] bool has(std::string_view name) const { return functions_.find(name) != functions_.end(); }
+
  private:
   Version tmflow_;
   std::map<std::string, std::vector<Function>, std::less<>> functions_;

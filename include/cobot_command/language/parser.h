@@ -24,4 +24,7 @@ struct ParsedScript {
 /// deeper than kMaxNesting is a fault.
 [[nodiscard]] ParsedScript parse(std::string_view text);
 
+/// Means something by itself, in scripts or in the programs of TMflow 2: no name for a variable.
+[[nodiscard]] bool isReservedWord(std::string_view word);
+
 }  // namespace cobot_command::language

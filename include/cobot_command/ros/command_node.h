@@ -14,9 +14,9 @@
 
 #include "cobot_command/Finish.h"
 #include "cobot_command/ros/action_bridge.h"
+#include "cobot_command/ros/command_parameters.h"
 #include "cobot_command/ros/diagnostics.h"
 #include "cobot_command/ros/goal_intake.h"
-#include "cobot_command/ros/parameters.h"
 #include "cobot_command/ros/status_publisher.h"
 #include "cobot_command/ros/steps_files.h"
 #include "cobot_command/ros/tf_frames.h"

@@ -31,12 +31,13 @@ void describeQueue(diagnostic_updater::DiagnosticStatusWrapper& status, const Di
 void describeRobot(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
 void describeStatusStream(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
 
-/// Publishes once in ~diagnostic_period (1 s), and within a tenth of a second when something that people look
+/// Publishes once in a period, and within a tenth of a second when something that people look
 /// at has changed. take() is for the core's thread and costs a copy; all else is done on ROS's spinner.
 class Diagnostics {
  public:
   /// `status_wanted`: a status stream is asked for, so that its absence is worth a warning.
-  Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& self, bool status_wanted);
+  /// `period`: [s].
+  Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& self, double period, bool status_wanted);
   Diagnostics(const Diagnostics&) = delete;
   Diagnostics& operator=(const Diagnostics&) = delete;
 
@@ -56,6 +57,7 @@ class Diagnostics {
   std::optional<ros::SteadyTime> last_frame_;
   bool changed_ = true;
 
+  const double period_;
   DiagnosticsView view_;  // what is being published
   ros::SteadyTime last_publication_;
   ros::SteadyTime rate_since_;

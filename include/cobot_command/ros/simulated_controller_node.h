@@ -12,7 +12,7 @@
 
 #include "cobot_command/common/result.h"
 #include "cobot_command/ros/conversions.h"
-#include "cobot_command/ros/parameters.h"
+#include "cobot_command/ros/simulator_parameters.h"
 #include "cobot_command/runtime/simulator_runtime.h"
 
 namespace cobot_command::ros_adapter {

@@ -2,19 +2,16 @@
 // show.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/types.h"
-#include "cobot_command/common/result.h"
+#include "cobot_command/common/setting.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/protocol/item_content.h"
@@ -88,21 +85,12 @@ struct Settings {
 /// What `tmflow_version` can be.
 [[nodiscard]] const std::vector<std::string>& knownTmflowVersions();
 
-/// What is wrong with the items, the variables or the version: found, allowed. The controller leaves out what
-/// is.
-[[nodiscard]] std::optional<std::string> faultIn(const Settings& settings);
+/// A row for each setting, in the order of the pages; `settings` outlives it.
+[[nodiscard]] SettingTable settingsTable(Settings& settings);
 
-// Settings as people write them; refused with a sentence: found, allowed.
-
-/// "binary", "string" or "json".
-[[nodiscard]] Result<protocol::ItemFormat, std::string> parseStreamFormat(std::string_view text);
-/// Names, separated by commas.
-[[nodiscard]] std::vector<std::string> parseNames(std::string_view text);
-/// "NAME=1,2,3,4,5,6": a pose [mm, deg], or joint angles [deg].
-[[nodiscard]] Result<std::pair<std::string, std::array<double, 6>>, std::string> parseNamedNumbers(
-    std::string_view text);
-/// "all", "none", or addresses, separated by commas.
-[[nodiscard]] Result<std::optional<std::set<std::string, std::less<>>>, std::string> parseWriteClients(
-    std::string_view text);
+/// What does not fit together: version, variables, items of the stream; then postures and `arm`. The
+/// controller leaves out what is wrong.
+[[nodiscard]] std::optional<SettingFault> faultIn(const Settings& settings);
+[[nodiscard]] std::optional<SettingFault> faultIn(const Settings& settings, const arm::ArmModel& arm);
 
 }  // namespace cobot_command::simulator

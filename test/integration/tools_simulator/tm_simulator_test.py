@@ -107,7 +107,7 @@ class Serving(unittest.TestCase):
             client.read_until(b'Joint_Angle')
 
     def test_moves_each_model_and_reports_the_tag(self):
-        models = re.search(r'--model TEXT:\{([^}]*)\}', run('--help').stdout).group(1).split(',')
+        models = re.findall(r'tm\d+\w*(?:-\d+)?', re.search(r'--model.*\n.*\((.*), or empty\)', run('--help').stdout).group(1))
         self.assertIn('tm5-900', models)
         for model in models:
             with self.subTest(model), Simulator('--model', model, '--time-scale', 'max') as simulator, \
@@ -131,6 +131,52 @@ class Serving(unittest.TestCase):
                 client.read_until(frame('TMSTA', '00,true,Listen1'))
             simulator.end(signal.SIGINT)
             self.assertEqual(len(simulator.lines), 1)
+
+
+class Settings(unittest.TestCase):
+    """Each is tried on its own in test/unit; here: that options of every form arrive."""
+
+    def read(self, simulator, item):
+        with Client(simulator.status) as client:
+            client.send('TMSVR', 'q,12,%s' % item)
+            answer = ('q,12,%s=' % item).encode()
+            client.read_until(answer)
+            client.received = client.received.split(answer)[1]
+            client.read_until(b',*')
+            return client.received.split(b',*')[0].decode()
+
+    def test_are_taken_under_either_name(self):
+        for options in (['--base', 'a=1,2,3,0,0,0', '--base', 'b=4,5,6,0,0,0', '--bind', '127.0.0.1', '--any-payload'],
+                        ['--bases', 'a=1,2,3,0,0,0', 'b=4,5,6,0,0,0', '--bind-address', '127.0.0.1',
+                         '--checks-payload=false', '--robot-model', 'tm12', '--verbose']):
+            with self.subTest(options), Simulator(*options) as simulator, Client(simulator.script) as client:
+                client.send('TMSCT', '7,ChangeBase("a")\r\nChangeBase("b")\r\nChangeLoad(20)')
+                client.read_until(frame('TMSCT', '7,OK'))
+
+    def test_name_the_project_and_what_it_does_on_an_error(self):
+        with Simulator('--project-name', 'Cell 7', '--on-motion-error', 'stop_project', '--stop-time', '50') as simulator:
+            self.assertEqual(self.read(simulator, 'Project_Name'), '"Cell 7"')
+            with Client(simulator.script) as client:
+                client.send('TMSCT', '7,PTP("JPP",30,0,170,0,90,0,35,200,0,false)\r\nQueueTag(8)')
+                client.read_until(frame('TMSTA', '01,08,false'))
+                self.assertEqual(client.read_to_the_end(), 'closed')
+
+    def test_pause_the_project_behind_a_safeguard_that_does_not_reset_itself(self):
+        for option, expected in (([], 'false'), (['--no-safeguard-resets-itself'], 'true')):
+            with self.subTest(option), Simulator('--control', *option) as simulator:
+                simulator.say('safeguard open')
+                simulator.say('safeguard close')
+                self.assertEqual(self.read(simulator, 'Project_Pause'), expected)
+
+    def test_turn_a_fault_on_from_the_start(self):
+        with Simulator('--fault', 'refuse_script 1 2;3') as simulator, Client(simulator.script) as client:
+            client.send('TMSCT', '7,Pause()')
+            client.read_until(frame('TMSCT', '7,ERROR;2;3'))
+
+    def test_start_elsewhere_and_not_at_all(self):
+        with Simulator('--start-posture-deg', '10, 0.5,90,0,90,0', '--no-project-running') as simulator:
+            self.assertTrue(self.read(simulator, 'Joint_Angle').startswith('{10,0.5,90,0,90,0'))
+            self.assertEqual(self.read(simulator, 'Project_Run'), 'false')
 
 
 class Controlling(unittest.TestCase):
@@ -235,6 +281,30 @@ class Refusing(unittest.TestCase):
         self.assert_bad_usage('--time-scale', '--time-scale', 'fast')
         self.assert_bad_usage('address', '--bind', 'nowhere')
         self.assert_bad_usage('--unknown', '--unknown')
+
+    def test_settings_by_name_that_cannot_be(self):
+        numbers = '1,2,3,4,5,6'
+        for mention, options in (
+                ('--script-port: is 5890.7; allowed: a whole number, 0 to 65535', ['--script-port', '5890.7']),
+                ('--status-port: is 7000, which script_port is, too', ['--script-port', '7000', '--status-port', '7000']),
+                ('--status-period: is 0.5; allowed: a number, 1 to 1000 ms', ['--status-period', '0.5']),
+                ('--stop-time: is nan', ['--stop-time', 'nan']),
+                ('--connection-timeout: is -1', ['--connection-timeout', '-1']),
+                ('--project-speed: is 7', ['--project-speed', '7']),
+                ('--listen-node', ['--listen-node']),
+                ('--write-clients: names "999.1.1.1"', ['--write-clients', '999.1.1.1']),
+                ('--stream-items: names no item', ['--stream-items', '']),
+                ('--stream-items: names "Bogus"', ['--stream-items', 'Bogus']),
+                ('--variable: holds "int PTP": PTP is a function', ['--variable', 'int PTP']),
+                ('--base: names "a" twice', ['--base', 'a=' + numbers, '--base', 'a=' + numbers]),
+                ('--tcp: names NOTOOL', ['--tcp', 'NOTOOL=' + numbers]),
+                ('--point: "P" has joint 3 at 170 deg', ['--point', 'P=0,0,170,0,0,0']),
+                ('--start-posture-deg: is a list of 5', ['--start-posture-deg', '0,0,90,0,90']),
+                ('--start-posture-deg: has joint 3', ['--start-posture-deg', '0,0,170,0,90,0']),
+                ('--fault: holds "drop"', ['--fault', 'drop']),
+                ('--on-motion-error: is the text "explode"', ['--on-motion-error', 'explode'])):
+            with self.subTest(options):
+                self.assert_bad_usage(mention, *options)
 
     def test_a_port_in_use(self):
         with Simulator() as first:

@@ -134,7 +134,7 @@ TEST(SettingKinds, areWordsForTheValuesOfAnEnumeration) {
 TEST(SettingKinds, quoteNoMoreThanALineOfForeignText) {
   std::string value;
   const SettingKind kind = text(value, oneOf({"a"}));
-  EXPECT_EQ(answer(kind, {"a\n\x1b[31m\xff"}), R"(is the text "a\x0A\x1B[31m\xFF")");
+  EXPECT_EQ(answer(kind, {"a\n\x1b[31m\xff"}), R"(is the text "a\n\x1B[31m\xFF")");
   EXPECT_LT(answer(kind, {std::string(1000000, 'x')}).size(), 100U);
 }
 

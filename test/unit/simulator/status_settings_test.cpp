@@ -1,4 +1,4 @@
-// What the settings make of the status port: format, items, version, variables; and settings as text.
+// What the settings make of the status port: format, items, version, variables.
 #include "simulated_robot.h"
 #include "streamed_items.h"
 #include <gmock/gmock.h>
@@ -8,7 +8,6 @@ namespace {
 
 using protocol::ItemFormat;
 using protocol::StatusFrame;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A robot with these settings, and the first frame of its stream.
@@ -122,20 +121,6 @@ TEST(StatusItems, tellTheTimesOfTheSimulatedClock) {
   EXPECT_EQ(stream.read("Project_Run_Time"), "Project_Run_Time=\"00:00:00\"");
 }
 
-TEST(SettingsText, namesTheFormats) {
-  EXPECT_EQ(parseStreamFormat("json"), ItemFormat::Json);
-  EXPECT_THAT(parseStreamFormat("xml").error(), HasSubstr("\"xml\" is no format: allowed are binary"));
-}
-
-TEST(SettingsText, listsNamesAndClients) {
-  EXPECT_THAT(parseNames(" A,Bc , ,D"), ElementsAre("A", "Bc", "D"));
-  EXPECT_FALSE(parseWriteClients("all")->has_value());
-  EXPECT_TRUE(parseWriteClients("none")->value().empty());
-  EXPECT_THAT(parseWriteClients("10.0.0.7, ::1")->value(), ElementsAre("10.0.0.7", "::1"));
-  EXPECT_THAT(parseWriteClients("everybody").error(), HasSubstr("all, none"));
-  EXPECT_FALSE(parseWriteClients(""));
-}
-
 TEST(StatusVariables, areThoseOfScripts) {
   Settings settings = streaming({"g_count", "var_limit"});
   settings.variables = {"int g_count = 1", "double[] var_limit = {1, 2}"};
@@ -168,29 +153,19 @@ TEST(StatusVariables, areLeftOutOfTheStreamWhenBinaryCannotSayThem) {
   EXPECT_EQ(stream.frame.content, std::string("\x0a\0Robot_Link\x01\0\x01\x05\0ESTOP\x01\0\0", 25));
 }
 
-TEST(SettingsText, namesSixNumbers) {
-  const auto named = parseNamedNumbers("My base=1,-2.5,3,1e2,0,90");
-  EXPECT_EQ(named->first, "My base");
-  EXPECT_THAT(named->second, ElementsAre(1, -2.5, 3, 100, 0, 90));
-  for (const char* text :
-       {"", "b", "b=", "=1,2,3,4,5,6", "b=1,2,3,4,5", "b=1,2,3,4,5,6,7", "b=1,2,3,4,5,x"}) {
-    EXPECT_THAT(parseNamedNumbers(text).error(), HasSubstr("NAME=1,2,3,4,5,6")) << text;
-  }
-}
-
-TEST(SettingsText, areCheckedAsAWhole) {
+TEST(Settings, areCheckedAsAWhole) {
   EXPECT_EQ(faultIn(Settings{}), std::nullopt);
-  EXPECT_THAT(faultIn(streaming({"Bogus"})).value(), HasSubstr("\"Bogus\""));
-  EXPECT_THAT(faultIn(ofVersion("new")).value(), HasSubstr("\"new\" is no version"));
+  EXPECT_THAT(faultIn(streaming({"Bogus"})).value().found, HasSubstr("\"Bogus\""));
+  EXPECT_THAT(faultIn(ofVersion("new")).value().found, HasSubstr("is \"new\""));
   Settings settings = streaming({"g_count"});
   settings.variables = {"int g_count = 7", "int[] g_more = {}"};
   EXPECT_EQ(faultIn(settings), std::nullopt);
   for (const char* text : {"", "long x=1", "int =1", "int 1x=1", "int x y=1", "int g_count=1", "g_count=2"}) {
     settings.variables = {"int g_count = 7", text};
-    EXPECT_THAT(faultIn(settings).value_or("no fault"), HasSubstr("declares no variable")) << text;
+    EXPECT_THAT(faultIn(settings).value().found, HasSubstr("declares no variable")) << text;
   }
   settings.variables = {"bool ESTOP = true"};
-  EXPECT_THAT(faultIn(settings).value(), HasSubstr("ESTOP is a predefined item"));
+  EXPECT_THAT(faultIn(settings).value().found, HasSubstr("ESTOP is a predefined item"));
 }
 
 }  // namespace

@@ -1,0 +1,233 @@
+// The settings of the simulated controller, a row each: parameters, options and pages are made of them.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "settings_text.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/common/setting_kinds.h"
+#include "cobot_command/common/units.h"
+#include "cobot_command/simulator/control_line.h"
+#include "cobot_command/simulator/settings.h"
+
+namespace cobot_command::simulator {
+
+namespace {
+
+using namespace setting_kinds;
+using Six = std::array<double, 6>;
+using Found = std::optional<std::string>;
+
+constexpr double kLongestWait = 86400;     // [s]
+constexpr double kLongestStopTime = 60;    // [s]
+constexpr std::size_t kLongestName = 128;  // as for the item Project_Name
+
+SettingKind projectSpeed(int& percent) {
+  SettingKind kind = whole(percent, 5, 100, "%");
+  kind.range = "5 to 100 in steps of 5";
+  kind.take = [take = std::move(kind.take)](const Given& given) -> Found {
+    const auto* number = std::get_if<int>(&given.value);
+    if (number != nullptr && *number % 5 != 0) return isFound(given);
+    return take(given);
+  };
+  return kind;
+}
+
+TextRule projectName() {
+  return {fmt::format("a text of 1 to {} bytes", kLongestName),
+          [](const std::string& name) { return !name.empty() && name.size() <= kLongestName; }};
+}
+
+SettingKind posture(arm::JointVector& joints) {
+  SettingKind kind;
+  kind.form = SettingKind::Form::Numbers;
+  kind.type = "a list of six joint angles";
+  kind.unit = "[deg]";
+  kind.take = [&joints](const Given& given) -> Found {
+    const auto* list = std::get_if<GivenList>(&given.value);
+    Six angles{};
+    if (list == nullptr || list->size() != angles.size()) return isFound(given);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const auto angle = finiteIn((*list)[i]);
+      if (!angle) return "holds " + describe((*list)[i]);
+      angles.at(i) = *angle;
+    }
+    joints = arm::toJointVector(angles);
+    return std::nullopt;
+  };
+  kind.show = [&joints] { return fmt::format("{:.6g}", fmt::join(arm::toControllerJoints(joints), ", ")); };
+  return kind;
+}
+
+/// Launch files and rosparam make a number of 1.80.
+SettingKind version(std::string& text) {
+  SettingKind kind = setting_kinds::text(text, oneOf(knownTmflowVersions()));
+  kind.take = [take = std::move(kind.take)](const Given& given) {
+    const auto* number = std::get_if<double>(&given.value);
+    return take(number == nullptr ? given : Given{fmt::format("{:.2f}", *number)});
+  };
+  return kind;
+}
+
+/// Texts NAME=..., each of which `add` puts into a new value, which takes the place of the old one.
+template <class Value, class Add>
+SettingKind list(Value& value, const std::string& type, Add add) {
+  SettingKind kind;
+  kind.form = SettingKind::Form::Texts;
+  kind.type = type;
+  kind.take = [&value, add](const Given& given) -> Found {
+    const auto texts = textsIn(given);
+    if (!texts) return texts.error();
+    Value made{};
+    for (const std::string& text : *texts) {
+      if (auto found = add(made, text)) return found;
+    }
+    value = std::move(made);
+    return std::nullopt;
+  };
+  kind.show = [] { return std::string("none"); };
+  return kind;
+}
+
+/// `built_in` is the name that no project can define.
+template <class Value, class Convert>
+SettingKind namedSixes(std::map<std::string, Value>& values, const std::string& type,
+                       const std::string& built_in, Convert convert) {
+  return list(values, type, [built_in, convert](std::map<std::string, Value>& made, const std::string& text) {
+    const auto named = parseNamedNumbers(text);
+    if (!named) return Found(named.error());
+    if (named->first == built_in) return Found("names " + built_in + ", which every project has");
+    const bool is_new = made.emplace(named->first, convert(named->second)).second;
+    return is_new ? Found() : Found("names " + quoted(named->first) + " twice");
+  });
+}
+
+SettingKind poses(std::map<std::string, arm::Pose>& values, const std::string& built_in) {
+  return namedSixes(values, "a list of texts NAME=X,Y,Z,RX,RY,RZ [mm, deg]", built_in,
+                    [](const Six& six) { return arm::toPose(six); });
+}
+
+SettingKind postures(std::map<std::string, arm::JointVector>& values) {
+  return namedSixes(values, "a list of texts NAME=J1,J2,J3,J4,J5,J6 [deg]", "",
+                    [](const Six& six) { return arm::toJointVector(six); });
+}
+
+SettingKind declarations(std::vector<std::string>& values) {
+  return list(values, "a list of declarations", [](std::vector<std::string>& made, const std::string& text) {
+    made.push_back(text);
+    return Found();
+  });
+}
+
+SettingKind switches(FaultSwitches& values) {
+  return list(values, "a list of texts NAME [COUNT [VALUE]]",
+              [](FaultSwitches& made, const std::string& text) {
+                const auto order = parseFault(text);
+                const OperatorReply reply = order ? set(made, *order) : OperatorReply{false, order.error()};
+                return reply.done ? Found() : Found("holds " + quoted(text) + ": " + reply.text);
+              });
+}
+
+SettingKind streamItems(std::vector<std::string>& names) {
+  const auto read = [](const std::string& text) -> Result<std::vector<std::string>, std::string> {
+    std::vector<std::string> found = parseNames(text);
+    if (found.empty()) return refuse(std::string("names no item"));
+    return found;
+  };
+  return written<std::vector<std::string>>(
+      names, "names with commas between", read,
+      [](const std::vector<std::string>&) { return std::string("see the status port"); });
+}
+
+SettingKind writeClients(WriteClients& clients) {
+  return written<WriteClients>(clients, "all, none, or addresses such as 192.168.1.7 with commas between",
+                               parseWriteClients, [](const WriteClients& shown) {
+                                 return shown ? fmt::format("{}", fmt::join(*shown, ","))
+                                              : std::string("all");
+                               });
+}
+
+SettingTable projectTable(Settings& s) {
+  return {
+      {"project_running", flag(s.project_running), "the project runs at the start"},
+      {"project_name", text(s.project_name, projectName()), "an item of the status port"},
+      {"project_speed", projectSpeed(s.project_speed_percent), "slows every motion"},
+      {"start_posture_deg", posture(s.start_posture), "posture at the start, within the limits of the model"},
+      {"listen_node", text(s.listen_node_message), "entry message of the Listen node"},
+      {"connection_timeout", seconds(s.connection_timeout, 0, kLongestWait),
+       "the Listen node is left when nobody connects for so long; 0: never"},
+      {"data_timeout", seconds(s.data_timeout, 0, kLongestWait),
+       "the Listen node is left when clients send nothing for so long; 0: never"},
+      {"reentry_delay", secondsOrNever(s.reentry_delay, 0, kLongestWait),
+       "from leaving the Listen node until it is entered again"},
+      {"tmflow_version", version(s.tmflow_version),
+       "decides which functions scripts have, and which items there are"},
+      {"bases", poses(s.bases, "RobotBase"), "bases of the project, besides RobotBase", "base"},
+      {"tcps", poses(s.tcps, "NOTOOL"), "TCPs of the project, besides NOTOOL and HandCamera", "tcp"},
+      {"points", postures(s.points), "points of the project, within the limits of the model", "point"},
+      {"variables", declarations(s.variables),
+       "variables of the project, as `int var_i = 5`: scripts see them all, the status port those that are "
+       "in the stream; one whose name begins with g_ outlives the project",
+       "variable"},
+  };
+}
+
+SettingTable controllerTable(Settings& s) {
+  const Words<MotionErrorPolicy> policies{{"report_false", MotionErrorPolicy::ReportFalse},
+                                          {"stop_project", MotionErrorPolicy::StopProject}};
+  return {
+      {"stop_time", seconds(s.stop_time, 0, kLongestStopTime),
+       "from full motion to rest, on the path, by a pause or a stop, and back"},
+      {"safeguard_resets_itself", flag(s.safeguard_resets_itself),
+       "the arm goes on when the safeguard is closed; else the project is paused then"},
+      {"on_motion_error", choice(s.on_motion_error, policies),
+       "what the project does when a motion cannot be made"},
+      {"checks_payload", flag(s.checks_payload),
+       "a motion fails when tool and load are more than the model carries", "any-payload"},
+      {"turn_speed", realIn(s.turn_speed, 1, 3600, "deg/s", radToDeg(1)),
+       "of the TCP at 100 % on lines and circles; as in the command node, whose plans are wrong otherwise"},
+      {"joint_noise", realIn(s.joint_noise, 0, 10, "deg", radToDeg(1)),
+       "standard deviation of the joint angles that the robot tells"},
+      {"speed_noise", realIn(s.speed_noise, 0, 100, "deg/s", radToDeg(1)), "of the speeds"},
+      {"torque_noise", real(s.torque_noise, 0, 1000, "Nm"), "of the torques"},
+      {"force_noise", real(s.force_noise, 0, 1000, "N"), "of the forces"},
+      {"noise_seed", whole(s.noise_seed, 0, 1000000), "the same seed gives the same noise on every run"},
+      {"velocity_licence", flag(s.velocity_licence),
+       "there are the functions of continuous velocities (ContinueVJog, ContinueVLine), which need a "
+       "licence"},
+      {"accept_empty_length", flag(s.accept_empty_length),
+       "frames without a length are taken, as some bridges send them"},
+  };
+}
+
+SettingTable statusPortTable(Settings& s) {
+  using protocol::ItemFormat;
+  const Words<ItemFormat> formats{
+      {"binary", ItemFormat::Binary}, {"string", ItemFormat::String}, {"json", ItemFormat::Json}};
+  return {
+      {"status_period", seconds(s.status_period, 0.001, 1), "of the status stream"},
+      {"stream_format", choice(s.stream_format, formats), "of the status stream"},
+      {"stream_items", streamItems(s.stream_items), "items and variables in the status stream, in its order"},
+      {"write_clients", writeClients(s.write_clients), "who may write items"},
+  };
+}
+
+SettingTable faultTable(Settings& s) {
+  return {
+      {"faults", switches(s.faults), "faults of the world that are on from the start", "fault"},
+      {"reports_stale_tags", flag(s.faults.stale_tag.on),
+       "the fault `stale_tag`, which was seen on real controllers"},
+  };
+}
+
+}  // namespace
+
+SettingTable settingsTable(Settings& settings) {
+  return joined(
+      {projectTable(settings), controllerTable(settings), statusPortTable(settings), faultTable(settings)});
+}
+
+}  // namespace cobot_command::simulator
