@@ -112,8 +112,9 @@ class NodeEnd::Impl {
     xmlrpc->bind(kShutdown, [this](XmlRpc::XmlRpcValue& parameters, XmlRpc::XmlRpcValue& result) {
       using Value = XmlRpc::XmlRpcValue;
       if (parameters.getType() == Value::TypeArray && parameters.size() > 1 &&
-          parameters[1].getType() == Value::TypeString)
+          parameters[1].getType() == Value::TypeString) {
         ROS_WARN_STREAM("asked to shut down: " << foreignText(static_cast<std::string&>(parameters[1])));
+      }
       boost::asio::post(context_, [this] { ask(); });
       result = ros::xmlrpc::responseInt(1, "", 0);
     });

@@ -81,16 +81,18 @@ bool decode(const YAML::Node& node, int& value) {
 template <class Value>
 Value convert(const YAML::Node& node, const std::string& key, const char* allowed) {
   Value value{};
-  if (!node.IsScalar() || !decode(node, value))
+  if (!node.IsScalar() || !decode(node, value)) {
     throw Fault(node.Mark(), fmt::format("{} is {}; it must be {}", key, found(node), allowed));
+  }
   return value;
 }
 
 int named(const YAML::Node& node, const std::string& key, const Names& names) {
   const auto text = node.IsScalar() ? node.Scalar() : std::string();
   const auto entry = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == text; });
-  if (entry == names.end())
+  if (entry == names.end()) {
     throw Fault(node.Mark(), fmt::format("{} is {}; it must be one of: {}", key, found(node), listed(names)));
+  }
   return entry->second;
 }
 
@@ -98,16 +100,19 @@ int named(const YAML::Node& node, const std::string& key, const Names& names) {
 class Map {
  public:
   Map(YAML::Node node, const char* what, const std::vector<std::string>& keys) : node_(std::move(node)) {
-    if (!node_.IsMap())
+    if (!node_.IsMap()) {
       throw Fault(node_.Mark(), fmt::format("{} is {}; it must be a map", what, found(node_)));
+    }
     std::vector<std::string> seen;
     for (const auto& entry : node_) {
       const auto key = entry.first.IsScalar() ? entry.first.Scalar() : std::string();
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
         throw Fault(entry.first.Mark(),
                     fmt::format("unknown key in {}; known: {}", what, fmt::join(keys, ", ")));
-      if (std::find(seen.begin(), seen.end(), key) != seen.end())
+      }
+      if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
         throw Fault(entry.first.Mark(), fmt::format("{} stands twice in {}", key, what));
+      }
       seen.push_back(key);
     }
   }
@@ -152,8 +157,9 @@ blocks::MoveAbsoluteGoal toMove(const Map& step) {
   move.movement_command = step.named("movement_command", kMovements);
   move.data_format = step.named("data_format", kFormats);
   const YAML::Node target = step.list("target_position", move.target.size());
-  for (std::size_t i = 0; i < move.target.size(); ++i)
+  for (std::size_t i = 0; i < move.target.size(); ++i) {
     move.target[i] = convert<double>(target[i], fmt::format("target_position[{}]", i), "a number");
+  }
   move.speed = step.whole("speed");
   move.accel_time = step.whole("accel_time");
   if (step.has("command_id")) move.command_id = step.whole("command_id");
@@ -166,8 +172,9 @@ blocks::MoveAbsoluteGoal toMove(const Map& step) {
   if (!step.has("robot_pose")) return move;
   move.robot_pose_enable = true;
   const YAML::Node posture = step.list("robot_pose", kPostures.size());
-  for (std::size_t i = 0; i < kPostures.size(); ++i)
+  for (std::size_t i = 0; i < kPostures.size(); ++i) {
     move.robot_pose[i] = named(posture[i], fmt::format("robot_pose[{}]", i), kPostures[i]);
+  }
   return move;
 }
 
@@ -214,10 +221,12 @@ PickAndPlaceSteps toSteps(const YAML::Node& document) {
   const Map file(document, "the file", {"dwell", "steps"});
   const double usual_dwell = file.has("dwell") ? file.number("dwell") : kDefaultDwell;
   const YAML::Node list = file.required("steps");
-  if (!list.IsSequence())
+  if (!list.IsSequence()) {
     throw Fault(list.Mark(), fmt::format("steps is {}; it must be a list", found(list)));
-  if (list.size() > kMostSteps)
+  }
+  if (list.size() > kMostSteps) {
     throw Fault(list.Mark(), fmt::format("steps is a list of {}, far more than there may be", list.size()));
+  }
   PickAndPlaceSteps steps;
   for (const YAML::Node& node : list) steps.push_back(toStep(node, usual_dwell));
   return steps;
@@ -236,8 +245,9 @@ std::string wordsOf(const YAML::Exception& fault) {
 /// The path on this machine; its error says what is wrong with the location.
 Result<std::filesystem::path, std::string> toPath(const std::string& location) {
   static const std::string kScheme = "package://";
-  if (location.find('\0') != std::string::npos)
+  if (location.find('\0') != std::string::npos) {
     return refuse(fmt::format("steps_file is '{}'; a path has no NUL", foreignText(location)));
+  }
   if (location.compare(0, kScheme.size(), kScheme) != 0) {
     if (std::filesystem::path(location).is_absolute()) return std::filesystem::path(location);
     return refuse(fmt::format("steps_file is '{}'; it must be an absolute path, or package://NAME/path",
@@ -247,9 +257,10 @@ Result<std::filesystem::path, std::string> toPath(const std::string& location) {
   const std::string package = location.substr(kScheme.size(), slash - kScheme.size());
   const std::string path = location.substr(std::min(slash + 1, location.size()));
   const std::string folder = ros::package::getPath(package);
-  if (folder.empty())
+  if (folder.empty()) {
     return refuse(fmt::format("{}: package '{}' is not found", foreignText(location),
                               foreignText(package, kQuoteLimit)));
+  }
   if (path.empty()) return refuse(foreignText(location) + ": the path in the package is missing");
   return std::filesystem::path(folder) / path;
 }
