@@ -130,8 +130,9 @@ class Client {
   /// Returns when the goal is taken, that is when it may be cancelled.
   void start(const Goal& goal) {
     if (interrupted != 0) throw std::runtime_error("interrupted");
-    if (!client_.waitForServer(kTimeout))
+    if (!client_.waitForServer(kTimeout)) {
       throw std::runtime_error("no action server " + name_ + ": is the command node running?");
+    }
     client_.sendGoal(goal);
     while (ros::ok() && client_.getState() == State::PENDING) ros::Duration(0.01).sleep();
   }
@@ -143,8 +144,9 @@ class Client {
       if (ros::Time::now() > deadline) throw std::runtime_error(name_ + " did not end");
     }
     const Result result = *client_.getResult();
-    if (client_.getState() != state)
+    if (client_.getState() != state) {
       throw std::runtime_error(name_ + ": " + result.error_description + " -> " + result.remedy);
+    }
     return result;
   }
 

@@ -55,8 +55,9 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       frames_(parameters.prefix + "base", parameters.tf_from_start),
       intake_([this](const std_msgs::Header& header) { return frames_.find(header); },
               [this] { return frames_.patience(); }, fileSource(), intakeCore()) {
-  if (!parameters.arm)
+  if (!parameters.arm) {
     ROS_WARN("no robot model: moves are sent to the controller without planning them first");
+  }
   retry_ = node.createSteadyTimer(
       ros::WallDuration(kFrameRetryPeriod),
       [this](const ros::SteadyTimerEvent&) {

@@ -58,8 +58,9 @@ void takeTarget(Goal& goal, const Message& message) {
 blocks::PickAndPlaceStep toStep(const cobot_command::PickAndPlaceStep& message, const Lookups& lookups) {
   blocks::PickAndPlaceStep step;
   step.move = toGoal(message.move, lookups);
-  if (!message.output.module.empty())
+  if (!message.output.module.empty()) {
     step.output = {message.output.module, message.output.output, message.output.value != 0};
+  }
   step.dwell = message.dwell;
   return step;
 }

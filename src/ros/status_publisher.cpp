@@ -78,17 +78,20 @@ void StatusPublisher::sendActiveFrames(const ros::Time& stamp) {
   if (stamp == frames_sent_) return;
   frames_sent_ = stamp;
   std::vector<geometry_msgs::TransformStamped> frames;
-  if (active_frames_.base)
+  if (active_frames_.base) {
     frames.push_back(stamped(*active_frames_.base, base_frame_, prefix_ + "active_base", stamp));
-  if (active_frames_.tcp)
+  }
+  if (active_frames_.tcp) {
     frames.push_back(stamped(*active_frames_.tcp, prefix_ + "tool0", prefix_ + "active_tool", stamp));
+  }
   if (!frames.empty()) tf_.sendTransform(frames);
 }
 
 void StatusPublisher::publish(const blocks::CommandStatus& status, const ClockPair& clocks) {
   command_status_.publish(toMessage(status, clocks));
-  if (streaming_ && !status.status_stream)
+  if (streaming_ && !status.status_stream) {
     robot_status_.publish(toMessage(link::RobotStatus{}, clocks.ros_now));
+  }
   streaming_ = status.status_stream;
 }
 

@@ -117,8 +117,9 @@ Result<SetFault, std::string> faultIn(Words& words) {
   }
   if (count.empty()) return order;
   const auto number = toInt(count);
-  if (!number)
+  if (!number) {
     return refuse(fmt::format("\"{}\": give a count, 0 for until it is turned off; or off", count));
+  }
   order.count = *number;
   const std::string value = words.rest();
   if (!isDelay(order.name)) {

@@ -97,8 +97,9 @@ language::CallAnswer ScriptEnvironment::writeOutput(const language::ItemName& it
 language::CallAnswer ScriptEnvironment::call(const std::string& function,
                                              const language::Arguments& arguments) {
   if (function == "ListenSend") return listenSend(arguments);
-  if (auto objection = objectionTo(function, scalarsIn(arguments)))
+  if (auto objection = objectionTo(function, scalarsIn(arguments))) {
     return language::CallFailure{std::move(*objection)};
+  }
   return effects_.execute(commandOf(function, arguments));
 }
 

@@ -92,8 +92,9 @@ Floats dhTable(const arm::ArmModel& arm) {
 
 Floats jointLimits(const arm::ArmModel& arm, double arm::JointLimit::*number) {
   Floats floats;
-  for (const arm::JointLimit& limit : arm.limits())
+  for (const arm::JointLimit& limit : arm.limits()) {
     floats.push_back(static_cast<float>(radToDeg(limit.*number)));
+  }
   return floats;
 }
 

@@ -226,8 +226,9 @@ void ListenNode::answer(ClientId client, const protocol::ScriptRequest& request,
   if (!listening()) return refuseFrame(client, Code::NotListening);
   if (faults_.ignore_script.take()) return outbox_.log("fault: the script is ignored");
   const std::string code = faults_.cperr_script.text;
-  if (faults_.cperr_script.take())
+  if (faults_.cperr_script.take()) {
     return refuseFrame(client, static_cast<Code>(std::stoi(code, nullptr, 16)));
+  }
   PendingScript script{client, request.id, language::parse(request.script), {}};
   spoil(script);
   if (!runPriorityCommand(script, now)) interpreter_.add(std::move(script));

@@ -193,8 +193,9 @@ void declareForms(language::FunctionTable& functions, const std::string& declara
   for (const auto& [mark, apart, array] : kShort) {
     const std::size_t at = declaration.find(mark);
     if (at == std::string::npos) continue;
-    for (const std::string_view form : {apart, array})
+    for (const std::string_view form : {apart, array}) {
       declareForms(functions, std::string(declaration).replace(at, mark.size(), form), since);
+    }
     return;
   }
   functions.declare(declaration, since);
@@ -227,8 +228,9 @@ std::optional<std::string> outside(std::string_view what, const std::optional<Sc
 }  // namespace
 
 void declareRobotFunctions(language::FunctionTable& functions) {
-  for (const RobotFunction& function : robotFunctions())
+  for (const RobotFunction& function : robotFunctions()) {
     declareForms(functions, std::string(function.declaration), function.since);
+  }
   functions.declare("int ListenSend(int, any)", {1, 76});
   functions.declare("int ListenSend(int, any[])", {1, 76});
 }
@@ -242,8 +244,9 @@ std::optional<std::string> objectionTo(const std::string& function,
       known->formats.count > 0 && arguments[0] ? std::get_if<std::string>(&*arguments[0]) : nullptr;
   if (format != nullptr) {
     if (auto wrong = wrongFormat(*known, *format)) return wrong;
-    if (function == "PTP" && hasPoseBits(arguments.size()) && *format != formats::kWithPoseBits)
+    if (function == "PTP" && hasPoseBits(arguments.size()) && *format != formats::kWithPoseBits) {
       return fmt::format("a pose is for {} only", formats::kWithPoseBits);
+    }
   }
   if (function == "QueueTag") {
     if (auto wrong = outside("the tag", arguments[0], 1, kLastTag)) return wrong;

@@ -108,8 +108,9 @@ template <class Map>
 Result<bool, std::string> isFixed(const Map& map, const std::string& object, const Scalar& key) {
   const auto* name = std::get_if<std::string>(&key);
   const auto found = name == nullptr ? map.end() : map.find(*name);
-  if (found == map.end())
+  if (found == map.end()) {
     return refuse(fmt::format("the project has no such {}; it has {}", object, namesOf(map)));
+  }
   return found->second.is_fixed;
 }
 
@@ -117,8 +118,9 @@ Result<bool, std::string> isFixed(const ProjectData& project, const std::string&
   if (object == "Base") return isFixed(project.bases, object, key);
   if (object == "TCP") return isFixed(project.tools, object, key);
   if (object == "Point") return isFixed(project.points, object, key);
-  if (object == "Robot" && key != Scalar(std::uint8_t{0}) && key != Scalar(std::int32_t{0}))
+  if (object == "Robot" && key != Scalar(std::uint8_t{0}) && key != Scalar(std::int32_t{0})) {
     return refuse(std::string("there is only Robot[0]"));
+  }
   return false;
 }
 
@@ -131,10 +133,12 @@ Result<const Attribute*, std::string> find(const std::string& object, const std:
     return object != "IO" || !key || a.module.empty() || (module != nullptr && *module == a.module);
   };
   const auto* const found = std::find_if(kAttributes.begin(), kAttributes.end(), matches);
-  if (found == kAttributes.end())
+  if (found == kAttributes.end()) {
     return refuse(fmt::format("there is no item {}[{}].{}", object, key ? language::textOf(*key) : "", name));
-  if (found - kAttributes.begin() >= static_cast<std::ptrdiff_t>(kSimulated))
+  }
+  if (found - kAttributes.begin() >= static_cast<std::ptrdiff_t>(kSimulated)) {
     return refuse(fmt::format("{}[..].{} is known, but not simulated", object, name));
+  }
   return found;
 }
 
@@ -158,8 +162,9 @@ Result<ItemShape, std::string> RobotItems::shapeOf(const std::string& object,
 }
 
 Result<Value, std::string> RobotItems::read(const language::ItemName& item) const {
-  if (auto shape = shapeOf(item.object, {item.keys.begin(), item.keys.end()}, item.attribute); !shape)
+  if (auto shape = shapeOf(item.object, {item.keys.begin(), item.keys.end()}, item.attribute); !shape) {
     return refuse(std::move(shape.error()));
+  }
   if (item.object == "Robot") return ofRobot(item.attribute);
   const auto& name = std::get<std::string>(item.keys.front());
   return item.object == "IO" ? ofIo(name, item.attribute) : ofProject(item.object, name, item.attribute);
@@ -168,8 +173,9 @@ Result<Value, std::string> RobotItems::read(const language::ItemName& item) cons
 Value RobotItems::ofIo(const std::string& module, const std::string& attribute) const {
   const bool is_box = module == "ControlBox";
   if (attribute == "AI") return arrayOf(ScalarType::Float, std::vector<float>(is_box ? 2 : 1, 0.0F));
-  if (attribute == "AO" || attribute == "InstantAO")
+  if (attribute == "AO" || attribute == "InstantAO") {
     return arrayOf(ScalarType::Float, std::array<float, 1>{io_.analogOutput()});
+  }
   if (attribute == "SI" || attribute == "SO") return bytesOf(std::array<bool, 5>{});
   const DigitalIo& digital = attribute == "DI" ? io_.inputs() : io_.outputs();
   return is_box ? bytesOf(digital.control_box) : bytesOf(digital.end_module);
@@ -186,8 +192,9 @@ Value RobotItems::ofRobot(const std::string& attribute) const {
   if (attribute == "TCPForce3D") return Scalar(static_cast<float>(state.tcp_force.norm()));
   if (attribute == "CameraLight") return Scalar(std::uint8_t{state.camera_light});
   Array joints{ScalarType::Float, {}};
-  for (const double joint : arm::toControllerJoints(state.joints))
+  for (const double joint : arm::toControllerJoints(state.joints)) {
     joints.items.emplace_back(static_cast<float>(joint));
+  }
   return joints;
 }
 
@@ -217,8 +224,9 @@ Value RobotItems::ofProject(const std::string& object, const std::string& name,
 }
 
 void RobotItems::write(const language::ItemName& item, std::optional<std::size_t> index, const Value& value) {
-  if (item.object == "Robot")
+  if (item.object == "Robot") {
     return io_.write(SetCameraLight{std::get<std::uint8_t>(std::get<Scalar>(value)) == 1});
+  }
   const auto& name = std::get<std::string>(item.keys.front());
   Value whole = index ? ofProject(item.object, name, item.attribute) : value;
   if (index) std::get<Array>(whole).items[*index] = std::get<Scalar>(value);

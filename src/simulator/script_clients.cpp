@@ -53,8 +53,9 @@ void ScriptClients::closeAll() {
 
 void ScriptClients::feed(ClientId client, std::string_view bytes) {
   const auto found = clients_.find(client);
-  if (found != clients_.end() && !found->second.deaf && !faults_.silence.on)
+  if (found != clients_.end() && !found->second.deaf && !faults_.silence.on) {
     found->second.decoder.feed(bytes);
+  }
 }
 
 std::optional<protocol::DecodeEvent> ScriptClients::next(ClientId client) {

@@ -16,8 +16,9 @@ namespace {
 /// As one number for each line.
 std::vector<int> linesOf(const std::vector<language::Fault>& faults) {
   std::vector<int> lines;
-  for (const language::Fault& fault : faults)
+  for (const language::Fault& fault : faults) {
     if (lines.empty() || lines.back() != fault.line) lines.push_back(fault.line);
+  }
   return lines;
 }
 
@@ -76,8 +77,9 @@ language::Findings ScriptInterpreter::findingsOf(const PendingScript& script) {
   if (!findings.errors.empty()) return findings;
   std::size_t queued = robot_.queue.size();
   for (const language::Statement& statement : script.script.statements) {
-    if (goesIntoTheQueue(statement) && ++queued > kMostWaiting)
+    if (goesIntoTheQueue(statement) && ++queued > kMostWaiting) {
       findings.errors.push_back({statement.line, "the queue of motions is full"});
+    }
   }
   return findings;
 }
@@ -88,8 +90,9 @@ bool ScriptInterpreter::begin() {
   pending_.pop_front();
   const language::Findings findings = findingsOf(script);
   for (const auto* faults : {&findings.errors, &findings.warnings}) {
-    for (const language::Fault& fault : *faults)
+    for (const language::Fault& fault : *faults) {
       outbox_.log(fmt::format("script {}, line {}: {}", script.id, fault.line, fault.reason));
+    }
   }
   if (!findings.errors.empty()) {
     clients_.reply(script.client, protocol::ScriptReply{script.id, false, linesOf(findings.errors)});

@@ -54,8 +54,9 @@ void SimulatedController::Impl::on(const SetAutoRemote& remote) {
 }
 
 void SimulatedController::Impl::on(const SetVariable& variable) {
-  if (!project_.variables.set(variable.name, toLanguage(variable.value)))
+  if (!project_.variables.set(variable.name, toLanguage(variable.value))) {
     outbox_.log("no room for " + variable.name);
+  }
 }
 
 void SimulatedController::Impl::on(const SetProjectSpeed& speed) {

@@ -97,8 +97,9 @@ int answerOnce(const std::vector<std::string>& words, const Question& ask) {
   const auto numbers = parseNumbers(words);
   if (!numbers) {
     std::string found;
-    for (const std::string& word : words)
+    for (const std::string& word : words) {
       found += (found.empty() || word.rfind(' ', 0) == 0 ? "" : " ") + word;
+    }
     return badNumbers(found);
   }
   const tm_arm::Answer answer = ask(*numbers);

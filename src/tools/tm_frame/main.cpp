@@ -39,13 +39,16 @@ std::string toHex(std::string_view bytes) {
 /// Pairs of hexadecimal digits, blanks between them or not; false when there is anything else.
 bool fromHex(std::string_view text, std::string& bytes) {
   std::string digits;
-  for (const char c : text)
+  for (const char c : text) {
     if (std::string_view(" \t\r").find(c) == std::string_view::npos) digits += c;
-  if (digits.size() % 2 != 0 || digits.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
+  }
+  if (digits.size() % 2 != 0 || digits.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
     return false;
+  }
   bytes.clear();
-  for (std::size_t i = 0; i < digits.size(); i += 2)
+  for (std::size_t i = 0; i < digits.size(); i += 2) {
     bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  }
   return true;
 }
 
