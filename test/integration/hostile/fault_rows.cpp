@@ -219,6 +219,9 @@ void addAnswers(std::vector<FaultRow>& rows) {
 
 void addTags(std::vector<FaultRow>& rows) {
   const auto tag = [](FaultKind kind) { return on(kToClient, kind, Which::Tag); };
+  // The robot gets there long after one has looked for it.
+  Variant early = inController("early", {"early_tag"}, ofMotions(own_error::kNotAtTarget));
+  early.pace = Pace::Lasting;
   rows.push_back(
       {"21_tags",
        {at("dropped", {once(tag(FaultKind::Drop))}, kDone),
@@ -227,7 +230,7 @@ void addTags(std::vector<FaultRow>& rows) {
         at("stale", {lasting(tag(FaultKind::Echo), 200ms)}, kDone),
         inController("false", {"false_tag"}, ofMotions(motion_error::kMotionFailed)),
         inController("unknown", {"drop_tag", "query_none"}, ofMotions(own_error::kTagLost)),
-        inController("stale behind a stop", {"stale_tag"}, kDone)}});
+        inController("stale behind a stop", {"stale_tag"}, kDone), early}});
 }
 
 void addProject(std::vector<FaultRow>& rows) {
