@@ -130,10 +130,24 @@ void PeerStage::take(const blocks::SendBytes& send) {
 
 void PeerStage::take(const blocks::GoalProgressed& progressed) {
   EXPECT_FALSE(ended(progressed.goal)) << "progress after the end";
+  expectBounded(progressed.progress.text);
   if (progressed.progress.phase == blocks::Phase::Connected) connected_[progressed.goal] = true;
 }
 
+void PeerStage::take(const blocks::StatusChanged& changed) {
+  status_ = changed.status;
+  for (const auto& text : {status_.diagnosis, status_.listen_node, status_.status_diagnosis})
+    expectBounded(text);
+  for (const auto& block : status_.blocks) expectBounded(block.error_description);
+}
+
+void PeerStage::expectBounded(const std::string& text) {
+  constexpr std::size_t kMostText = 4096;
+  EXPECT_LE(text.size(), kMostText) << text.substr(0, 200);
+}
+
 void PeerStage::take(const blocks::GoalEnded& ended) {
+  expectBounded(ended.outcome.error_description);
   ends_[ended.goal].push_back(ended.outcome);
   EXPECT_EQ(ends_[ended.goal].size(), 1u) << "goal " << ended.goal << " has ended twice";
 }

@@ -72,9 +72,13 @@ class PeerStage {
   void take(const blocks::SendBytes& send);
   void take(const blocks::GoalProgressed& progressed);
   void take(const blocks::GoalEnded& ended);
-  void take(const blocks::StatusChanged& changed) { status_ = changed.status; }
+  void take(const blocks::StatusChanged& changed);
+  void take(const blocks::FrameTraced& traced) { expectBounded(traced.meaning); }
+  void take(const blocks::LogMessage& message) { expectBounded(message.text); }
   template <class Told>
   void take(const Told& /*told*/) {}
+  /// Whatever a peer says, people are told in a line.
+  static void expectBounded(const std::string& text);
   void measure();
 
   blocks::CommandCore core_;
