@@ -13,6 +13,7 @@
 #include "fuzz_input.h"
 
 #include "cobot_command/blocks/goal.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::fuzz {
 
@@ -199,10 +200,10 @@ class AnyGoal {
     ((varied() ? any(fields) : void()), ...);
   }
 
-  /// The layer's own words, from above the core: always short.
+  /// The layer's own words, from above the core.
   void varyFault(std::string& field) {
     if (varied()) {
-      field = input_.text();
+      field = foreignText(input_.text());
     }
   }
   /// Six, a few, or many.
@@ -245,8 +246,7 @@ class AnyGoal {
   void any(blocks::FramedPose& field) {
     field = testing::framedPose();
     const auto mask = std::exchange(mask_, input_.byte());
-    vary(field.frame, field.position, field.quaternion);
-    varyFault(field.fault);
+    vary(field.frame, field.position, field.quaternion, field.fault, field.latest);
     if (varied()) {
       field.frame_in_robot_base.reset();
     } else if (varied()) {

@@ -13,6 +13,7 @@
 
 #include "cobot_command/blocks/command_core.h"
 #include "cobot_command/blocks/error_catalogue.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::fuzz {
 
@@ -131,7 +132,10 @@ class WatchedCore {
   void take(const Told& /*told*/) {}
 
   /// Whatever came in, what is told of it can be read on a screen.
-  static void requireText(const std::string& text) { REQUIRE(text.size() <= kLongestText); }
+  static void requireText(const std::string& text) {
+    REQUIRE(text.size() <= kLongestText);
+    REQUIRE(isUtf8(text));
+  }
   static constexpr std::size_t kLongestText = 4096;
 
   blocks::CommandCore core_;
