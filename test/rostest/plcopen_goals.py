@@ -8,6 +8,7 @@ from actionlib_msgs.msg import GoalStatus
 from cobot_command.msg import (MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, PickAndPlaceGoal, RunScriptGoal,
                                StopGoal)
 from load_watch import first_at_or_after
+from motion_checks import AS_REPORTED
 from plcopen_status import QUEUED_BLOCKS
 
 MOVES = (MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal)
@@ -85,6 +86,24 @@ def _success_faults(record, result):
     if goal.check_only:
         if not result.joint_path.points or result.planned_duration.to_sec() < 0:
             yield "checked, and no path is told"
+    elif not goal.blending_enable:
+        yield from _place_faults(goal, result)
+
+
+def _place_faults(goal, result):
+    """What the result itself tells of where the robot is."""
+    if isinstance(goal, MoveRelativeGoal):
+        return
+    if isinstance(goal, MoveAbsoluteGoal) and goal.data_format == MoveAbsoluteGoal.JPP:
+        wanted, found = _six(goal.target_position), result.final_joints
+        if len(found) != 6 or max(abs(a - b) for a, b in zip(wanted, found)) > AS_REPORTED:
+            yield f"succeeded at {list(found)}"
+        return
+    whole = isinstance(goal, MoveAbsoluteGoal) or goal.arc_angle == 0
+    target = goal.target_position if isinstance(goal, MoveAbsoluteGoal) else goal.end_point
+    framed = (goal.target_pose if isinstance(goal, MoveAbsoluteGoal) else goal.end_pose).header.frame_id
+    if whole and not framed and math.dist(_six(target)[:3], _six(result.final_pose)[:3]) > AS_REPORTED:
+        yield f"succeeded at {_six(result.final_pose)}"
 
 
 def _six(t):

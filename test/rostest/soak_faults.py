@@ -26,7 +26,8 @@ WORLD = [(f"{kind}_{message}", count, seconds, "")
                                       ("delay", 1, SHORT), ("delay", 1, LONG))]
 WORLD += [("refuse_script", 2, 0.0, "1;2"), ("ignore_script", 1, 0.0, ""), ("cperr_script", 2, 0.0, "04"),
           ("cperr_script", 1, 0.0, "F1"), ("wrong_id", 1, 0.0, ""), ("refuse_stop", 1, 0.0, ""),
-          ("ignore_stop", 1, 0.0, ""), ("false_tag", 1, 0.0, ""), ("stale_tag", 3, 0.0, ""), ("silence", 0, 0.0, ""),
+          ("ignore_stop", 1, 0.0, ""), ("false_tag", 1, 0.0, ""), ("early_tag", 1, 0.0, ""),
+          ("stale_tag", 3, 0.0, ""), ("silence", 0, 0.0, ""),
           ("close_on_connect", 0, 0.0, ""), ("refuse_connections", 0, 0.0, ""), ("impostor", 0, 0.0, ""),
           ("drop_stream", 0, 0.0, ""), ("corrupt_stream", 0, 0.0, ""), ("hide_items", 0, 0.0, "Joint_Angle Joint_Speed")]
 
