@@ -101,7 +101,9 @@ int poll(pollfd* fds, nfds_t count, int timeout) {
 
 int epoll_ctl(int epoll, int operation, int fd, epoll_event* event) noexcept {
   static auto* const system = systemCall<int(int, int, int, epoll_event*)>("epoll_ctl");
-  return fails(Call::EpollControl) ? -1 : system(epoll, operation, fd, event);
+  // Only what is added needs memory of the system; what was added can always be changed or taken out.
+  const bool may_fail = operation == EPOLL_CTL_ADD;
+  return may_fail && fails(Call::EpollControl) ? -1 : system(epoll, operation, fd, event);
 }
 
 int setsockopt(int fd, int level, int name, const void* value, socklen_t size) noexcept {
