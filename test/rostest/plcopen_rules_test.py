@@ -112,11 +112,16 @@ class GoalRulesTest(unittest.TestCase):
         self.assertTrue(any(words in fault for fault in faults) if words else not faults, faults)
 
     def test_takes_ends_that_hold_all_rules(self):
-        for good in (record("a", to_joints(*HOME), 1, 2, GoalStatus.SUCCEEDED),
+        for good in (record("a", to_joints(*HOME), 1, 2, GoalStatus.SUCCEEDED, final_joints=HOME),
                      record("b", to_joints(*HOME), None, 2, GoalStatus.REJECTED, **FAILED),
                      record("c", to_joints(*HOME, command_id=1), None, 2, GoalStatus.REJECTED, errors={0x28},
                             **{**FAILED, "error_id": 0x28})):
             self.assert_found("", plcopen_goals.faults_of(good, TABLE))
+
+    def test_finds_a_success_that_is_elsewhere(self):
+        for joints in ((), (1, *HOME[1:])):
+            away = record("a", to_joints(*HOME), 1, 2, GoalStatus.SUCCEEDED, final_joints=joints)
+            self.assert_found("succeeded at", plcopen_goals.faults_of(away, TABLE))
 
     def test_finds_ends_without_or_with_a_wrong_error(self):
         for words, state, result in (("error_id 0", GoalStatus.REJECTED, {}),
