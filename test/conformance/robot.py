@@ -275,7 +275,7 @@ class SimulatedRobot(Robot):
 
     def default_ports(self):
         """The ports of the script and the status server, where no others are asked for."""
-        found = re.findall(r'--(?:script|status)-port INT=(\d+)', self._help)
+        found = re.findall(r'--(?:script|status)-port \w+=(\d+)', self._help)
         return tuple(int(port) for port in found)
 
     def close(self):

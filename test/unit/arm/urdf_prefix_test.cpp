@@ -59,10 +59,12 @@ TEST(UrdfPrefix, followsTheNamesIntoTransmissionsMimicsAndGazeboButNotIntoMateri
   EXPECT_THAT(*text, Not(HasSubstr("x_x_")));
 }
 
-TEST(UrdfPrefix, isEscapedWhereXmlNeedsIt) {
-  const auto text = withPrefix("<robot name=\"r\"><link name=\"a\"/></robot>", "\"<&");
-  ASSERT_TRUE(text);
-  EXPECT_THAT(*text, HasSubstr("&quot;&lt;&amp;a"));
+TEST(UrdfPrefix, isRefusedWhenNoNameMayBeginSo) {
+  for (const char* prefix : {"\"<&", "/x", "a b", "\xc3\xa4"}) {
+    const auto refused = withPrefix("<robot name=\"r\"><link name=\"a\"/></robot>", prefix);
+    ASSERT_FALSE(refused) << prefix;
+    EXPECT_THAT(refused.error().message, HasSubstr("Allowed are letters"));
+  }
 }
 
 TEST(UrdfPrefix, refusesWhatIsNoUrdf) {

@@ -136,8 +136,9 @@ void PeerStage::take(const blocks::GoalProgressed& progressed) {
 
 void PeerStage::take(const blocks::StatusChanged& changed) {
   status_ = changed.status;
-  for (const auto& text : {status_.diagnosis, status_.listen_node, status_.status_diagnosis})
+  for (const auto& text : {status_.diagnosis, status_.listen_node, status_.status_diagnosis}) {
     expectBounded(text);
+  }
   for (const auto& block : status_.blocks) expectBounded(block.error_description);
 }
 
