@@ -82,6 +82,7 @@ SimulatedControllerNode::SimulatedControllerNode(const ros::NodeHandle& self, Si
 }
 
 Result<void, runtime::SimulatorError> SimulatedControllerNode::start() {
+  self_.deleteParam("listening");  // of a run before this one, which nobody shall connect to
   const auto ports = runtime_.start();
   if (!ports) return refuse(ports.error());
   self_.setParam("listening/script_port", ports->script);

@@ -27,8 +27,13 @@ class EndsTestCase(OutcomeTestCase):
 
     def setUp(self):
         self.robot = Robot()
-        self.simulator = self.start("simulated_controller_node", "simulated_controller", **SIMULATOR)
+        self.start_simulator()
         self.robot.true_joints.wait_for(lambda m: True, "the arm")
+
+    def start_simulator(self):
+        if rospy.has_param("simulated_controller/listening"):
+            rospy.delete_param("simulated_controller/listening")  # of the one before
+        self.simulator = self.start("simulated_controller_node", "simulated_controller", **SIMULATOR)
 
     def start(self, kind, name, **parameters):
         process = node(kind, name, **parameters)
@@ -106,8 +111,7 @@ class AnEndThatIsAskedFor(EndsTestCase):
                 self.assertEqual(status, -number if number == signal.SIGKILL else 0)
                 self.assert_aborted(sent.finish(), 0x99)
                 self.assert_aborted(self.robot.connect.finish(), 0x90)
-                rospy.delete_param("simulated_controller/listening")
-                self.simulator = self.start("simulated_controller_node", "simulated_controller", **SIMULATOR)
+                self.start_simulator()
                 self.assert_works()
                 self.assertEqual(command_node.end(signal.SIGTERM)[0], 0)
 

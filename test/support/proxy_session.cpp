@@ -141,7 +141,11 @@ void ProxySession::run(Way& w) {
   const bool from_arrival = step.kind == Step::Kind::SendDelayed;
   w.timer.expires_at((from_arrival ? came : std::chrono::steady_clock::now()) + step.wait);
   w.timer.async_wait([self = shared_from_this(), &w](error_code) {
-    if (!self->ended_) self->perform(w);
+    if (self->ended_ || w.steps.empty()) {
+      w.busy = false;  // close() has dropped what was to be done
+      return;
+    }
+    self->perform(w);
   });
 }
 
