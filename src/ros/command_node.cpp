@@ -115,11 +115,11 @@ FileSource CommandNode::fileSource() {
           [this](blocks::GoalId id) { steps_files_.forget(id); }};
 }
 
-/// In the words of the core for a goal that waits there.
+/// It has not come to its block, whose outputs show nothing of it.
 void CommandNode::endCancelled(blocks::GoalId id) {
   blocks::Outcome outcome;
   outcome.ending = blocks::Ending::CommandAborted;
-  outcome.error_description = "cancelled before its turn";
+  outcome.error_description = "cancelled while its frame or its file was looked up";
   for (const auto& bridge : bridges_) bridge->ended(id, outcome, {ros::Time::now(), steadyNow()});
 }
 
