@@ -24,7 +24,7 @@ TfFrames::TfFrames(std::string robot_base, bool from_start) : robot_base_(std::m
 }
 
 void TfFrames::listen() {
-  listener_.emplace(buffer_);
+  listener_ = std::make_unique<tf2_ros::TransformListener>(buffer_);
   listening_since_ = ros::SteadyTime::now();
 }
 

@@ -1,6 +1,7 @@
 // The frames of tf, seen from the base of one robot.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -36,7 +37,7 @@ class TfFrames {
 
   std::string robot_base_;
   tf2_ros::Buffer buffer_;
-  std::optional<tf2_ros::TransformListener> listener_;  // after the buffer that it fills
+  std::unique_ptr<tf2_ros::TransformListener> listener_;  // after the buffer that it fills
   ros::SteadyTime listening_since_;
 };
 
