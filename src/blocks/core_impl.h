@@ -108,6 +108,8 @@ class CommandCore::Impl : private link::Wire {
   void refuseTurn(const Waiting& next, Outcome refusal);
   void beginCycle(GoalId id, const PickAndPlaceGoal& goal, Instant now);
   void continueCycle(Instant now);
+  [[nodiscard]] Result<CommandOrder, Failure> prepareStep(const PickAndPlaceRun::Command& command,
+                                                          Instant now);
   [[nodiscard]] Result<CommandOrder, Failure> prepare(const Goal& goal, Instant now);
   void start(CommandOrder order, Instant now);
   void finishRuns(Instant now);

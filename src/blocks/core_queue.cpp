@@ -235,24 +235,25 @@ void CommandCore::Impl::beginCycle(GoalId id, const PickAndPlaceGoal& goal, Inst
 }
 
 void CommandCore::Impl::continueCycle(Instant now) {
-  const PickAndPlaceRun::Command command = *cycle_->next();
-  Result<CommandOrder, Failure> order = CommandOrder();
-  if (const auto* move = std::get_if<MoveAbsoluteGoal>(&command)) {
-    const auto moved = findMovedFrame(*move, frame_finder_);
-    order = moved ? Result<CommandOrder, Failure>(refuse(*moved)) : prepare(*move, now);
-  } else {
-    order = orderOf(std::get<OutputAction>(command));
-  }
-  if (const Failures failures = checkReadiness(BufferMode::Aborting); !failures.empty()) {
-    order = refuse(failures.front());
-  }
+  auto order = prepareStep(*cycle_->next(), now);
   if (!order) {
-    cycle_->commandRefused(Block::MoveAbsolute, order.error(), now);
+    cycle_->commandRefused(order.error(), now);
     return;
   }
   order->goal = cycle_->goal();
   cycle_->commandStarted();
   start(std::move(*order), now);
+}
+
+/// To prepare a move opens a tag for it, so it comes last.
+Result<CommandOrder, Failure> CommandCore::Impl::prepareStep(const PickAndPlaceRun::Command& command,
+                                                             Instant now) {
+  const Failures failures = checkReadiness(BufferMode::Aborting);
+  if (!failures.empty()) return refuse(failures.front());
+  const auto* move = std::get_if<MoveAbsoluteGoal>(&command);
+  if (move == nullptr) return orderOf(std::get<OutputAction>(command));
+  if (const auto moved = findMovedFrame(*move, frame_finder_)) return refuse(*moved);
+  return prepare(*move, now);
 }
 
 // --- Ends.

@@ -24,7 +24,8 @@ std::vector<ErrorEntry> pickAndPlaceErrors() {
            "Check the path of the file, and its form against config/pick_and_place.yaml",
            "steps_file is not there, is no YAML, or has other fields than a step")
       .row(own_error::kOutputFailed, "Output not set", "Check that the controller has this output",
-           "the controller refused or did not answer the line that sets an output")
+           "the controller refused or did not answer the line that sets an output, or it could not be sent; "
+           "the description tells why")
       .row(own_error::kBlendBeforeDwell, "Blending must be disabled before an output or a dwell",
            "Disable blending_enable of the step", "a step with blending_enable has an output or a dwell")
       .row(own_error::kExitBeforeEnd, "Only the last step of the last cycle may leave the Listen node",

@@ -52,7 +52,8 @@ void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
     return;
   }
   if (outcome.ending == Ending::CommandAborted || cancelled_why_) {
-    if (!cancelled_why_) cancelled_why_ = outcome.error_description;
+    // It is the command that tells what became of the robot.
+    if (outcome.ending == Ending::CommandAborted) cancelled_why_ = outcome.error_description;
     fire(Event::Cancelled, now);
     return;
   }
@@ -68,9 +69,11 @@ void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
   }
 }
 
-void PickAndPlaceRun::commandRefused(Block block, const Failure& failure, Instant now) {
-  const Outcome refusal = toOutcome(block, Ending::Rejected, failure);
-  failStep(own_error::kStepRefused, {refusal.error_id, refusal.error_description, ""}, refusal.remedy, now);
+void PickAndPlaceRun::commandRefused(const Failure& failure, Instant now) {
+  const bool sets = state_ == State::Setting;
+  const Outcome refusal = toOutcome(sets ? Block::RunScript : Block::MoveAbsolute, Ending::Rejected, failure);
+  failStep(sets ? own_error::kOutputFailed : own_error::kStepRefused,
+           {refusal.error_id, refusal.error_description, ""}, refusal.remedy, now);
 }
 
 void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now) {
@@ -87,6 +90,10 @@ void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::st
 }
 
 void PickAndPlaceRun::cancel(const std::string& why, Instant now) {
+  endEarly(why + "; no motion was under way", now);
+}
+
+void PickAndPlaceRun::endEarly(const std::string& why, Instant now) {
   if (ended()) return;
   cancelled_why_ = why;
   if (!under_way_) fire(Event::Cancelled, now);
@@ -94,9 +101,9 @@ void PickAndPlaceRun::cancel(const std::string& why, Instant now) {
 
 void PickAndPlaceRun::finish(FinishAfter after, Instant now) {
   if (after == FinishAfter::Move) {
-    cancel(state_ == State::Dwelling ? "finished on request, in a dwell"
-                                     : "finished on request, behind this move",
-           now);
+    endEarly(state_ == State::Dwelling ? "finished on request, in a dwell"
+                                       : "finished on request, behind this move",
+             now);
   } else if (!isLast()) {
     goal_.cycles = cycle_;
     finished_why_ = fmt::format("finished on request, behind cycle {}", cycle_);

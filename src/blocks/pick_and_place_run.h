@@ -46,7 +46,7 @@ class PickAndPlaceRun {
   void commandProgressed(const Progress& progress);
   void commandEnded(const Outcome& outcome, Instant now);
   /// The command could not be sent.
-  void commandRefused(Block block, const Failure& failure, Instant now);
+  void commandRefused(const Failure& failure, Instant now);
 
   /// When a command is under way that one has to be cancelled too; its end is this one's.
   void cancel(const std::string& why, Instant now);
@@ -72,6 +72,7 @@ class PickAndPlaceRun {
   void fire(Event event, Instant now);
   void startDwell(Instant now);
   void nextStep(Instant now);
+  void endEarly(const std::string& why, Instant now);
   void fail(Failure failure, Instant now);
   void failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now);
   void report(Progress progress);
@@ -85,9 +86,9 @@ class PickAndPlaceRun {
   std::size_t step_ = 0;
   int cycle_ = 1;
   bool under_way_ = false;
-  std::optional<std::string> cancelled_why_;
-  std::string finished_why_;            ///< it is to end behind this cycle
-  std::optional<Instant> waits_until_;  ///< in a dwell, or for a reason
+  std::optional<std::string> cancelled_why_;  ///< and what became of the robot
+  std::string finished_why_;                  ///< it is to end behind this cycle
+  std::optional<Instant> waits_until_;        ///< in a dwell, or for a reason
   ReasonWait reason_;
   std::optional<Instant> held_since_;
   Instant started_at_;

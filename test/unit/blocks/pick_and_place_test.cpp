@@ -144,6 +144,75 @@ TEST(PickAndPlace, namesTheStepThatFailsAndWhy) {
   EXPECT_TRUE(rig.nothingSent());
 }
 
+/// The flow leaves the Listen node between two steps.
+TEST(PickAndPlace, keepsNoTagOfAMoveThatIsRefusedBetweenTwoSteps) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId goal = rig.submit(cycle());
+  for (const int x : {400, 401, 402}) move(rig, x);
+  setOutput(rig);
+  rig.listening = false;
+  rig.pass(2s);
+  const Outcome* outcome = rig.outcome(goal);
+  ASSERT_NE(outcome, nullptr);
+  EXPECT_EQ(outcome->error_id, own_error::kStepRefused) << outcome->error_description;
+  EXPECT_THAT(outcome->error_description, HasSubstr("16#220"));
+  EXPECT_EQ(outcome->failed_step, 3);
+  EXPECT_TRUE(rig.latest().open_tags.empty());
+}
+
+TEST(PickAndPlace, saysOfAnOutputThatCouldNotBeSentThatItIsNotSet) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId goal = rig.submit(cycle());
+  for (const int x : {400, 401}) move(rig, x);
+  rig.reply(rig.takeScript().id);
+  rig.listening = false;
+  rig.pass(2s);  // the move that is under way goes on
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+  rig.tag(rig.latest().open_tags.at(0));
+  const Outcome* outcome = rig.outcome(goal);
+  ASSERT_NE(outcome, nullptr);
+  EXPECT_EQ(outcome->ending, Ending::Aborted);
+  EXPECT_EQ(outcome->error_id, own_error::kOutputFailed) << outcome->error_description;
+  EXPECT_THAT(outcome->error_description,
+              HasSubstr("Output not set: the output of step 3 of 6, cycle 1: 16#220"));
+  EXPECT_THAT(outcome->error_description, ::testing::Not(HasSubstr("Step refused")));
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST(PickAndPlace, tellsOfACancelWhatBecameOfTheRobot) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId moving = rig.submit(cycle());
+  rig.reply(rig.takeScript().id);
+  rig.cancel(moving);
+  rig.reply(rig.takeScript().id);
+  EXPECT_THAT(rig.outcome(moving)->error_description,
+              HasSubstr("cancelled; the controller accepted the stop, but no status stream tells"));
+
+  const GoalId dwelling = rig.submit(cycle());
+  for (const int x : {400, 401, 402}) move(rig, x);
+  setOutput(rig);
+  rig.cancel(dwelling);
+  EXPECT_EQ(rig.outcome(dwelling)->error_description, "cancelled; no motion was under way");
+}
+
+TEST(PickAndPlace, tellsAtTheEndOfTheLayerWhatBecameOfTheRobot) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.connect();
+  rig.status(StatusFrames());
+  const GoalId goal = rig.submit(cycle());
+  rig.reply(rig.takeScript().id);
+  rig.core.retire(rig.now);
+  rig.pump();
+  rig.reply(rig.takeScript().id);
+  rig.status(StatusFrames());
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_THAT(rig.outcome(goal)->error_description,
+              ::testing::AllOf(HasSubstr("shutting down"), HasSubstr("the robot was stopped")));
+}
+
 TEST(PickAndPlace, endsWithTheLinkAlsoInADwell) {
   CoreRig rig;
   rig.connect();
