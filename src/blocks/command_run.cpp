@@ -100,6 +100,7 @@ void CommandRun::robotChanged(Instant now) {
     return;
   }
   followHold(now);
+  watchForStall(now);
   if (state_ == State::Verifying) verify(now);
   if (state_ == State::Explaining) lookForReason(now);
   if (phase_ == Phase::Active && now - reported_at_ >= kReportPeriod) becomeActive(now);
@@ -120,6 +121,7 @@ void CommandRun::followHold(Instant now) {
     const Duration pause = now - *held_since_;
     held_since_.reset();
     if (deadline_) *deadline_ += pause;
+    if (due_) *due_ += pause;
     if (active_at_) *active_at_ += pause;
     if (moving_from_) *moving_from_ += pause;
     give_up_at_ += pause;
@@ -153,11 +155,11 @@ void CommandRun::act(CommandRunAction action, Instant now) {
       awaitTag(now);
       return;
     case Do::AskTag:
-      deadline_.reset();
-      context_.link.queryTag(*order_.tag, now);
+    case Do::AskTagEarly:
+      askTag(action == Do::AskTagEarly, now);
       return;
     case Do::Extend:
-      deadline_ = now + context_.settings.tag_deadline_margin;
+      extend(now);
       return;
     case Do::Verify:
       beginVerifying(now);
@@ -193,6 +195,18 @@ void CommandRun::awaitTag(Instant now) {
   } else {
     becomeActive(now);
   }
+}
+
+void CommandRun::askTag(bool early, Instant now) {
+  due_ = early ? deadline_ : std::nullopt;
+  deadline_.reset();
+  context_.link.queryTag(*order_.tag, now);
+}
+
+void CommandRun::extend(Instant now) {
+  deadline_ = due_.value_or(now + context_.settings.tag_deadline_margin);
+  due_.reset();
+  stall_.lookedInto();
 }
 
 void CommandRun::becomeActiveWhenDue(Instant now) {

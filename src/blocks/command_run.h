@@ -12,6 +12,7 @@
 #include "failure.h"
 #include "reason_wait.h"
 #include "robot_watch.h"
+#include "stall_watch.h"
 #include "stop_run.h"
 
 #include "cobot_command/blocks/command_run_states.h"
@@ -72,10 +73,14 @@ class CommandRun {
   void act(CommandRunAction action, Instant now);
   void fail(Failure failure, Robot robot, Instant now, CommandRunEvent event = CommandRunEvent::Failed);
   void awaitTag(Instant now);
+  void askTag(bool early, Instant now);
+  void extend(Instant now);
   void askForStop(Instant now);
   void followHold(Instant now);
 
   // --- Evidence (command_run_evidence.cpp).
+  void watchForStall(Instant now);
+  [[nodiscard]] std::string stallText() const;
   void beginVerifying(Instant now);
   void verify(Instant now);
   void judge(Instant now);
@@ -99,10 +104,12 @@ class CommandRun {
   std::optional<Instant> active_at_;    ///< when the commands in front of it should be done
   std::optional<Instant> moving_from_;  ///< when it began to be executed, later by every pause since
   std::optional<Instant> deadline_;     ///< of Executing, Verifying, Explaining
+  std::optional<Instant> due_;          ///< the deadline of its tag, when that is asked for before
   std::optional<Instant> held_since_;   ///< the robot is paused: its deadlines stand still
   Instant give_up_at_;                  ///< when nobody can tell whether it moves
   bool reached_ = false;                ///< it was seen at its target since its tag, if not standing there
   ReasonWait reason_;
+  StallWatch stall_;
   Failure failure_;
   Robot robot_on_failure_ = Robot::LeaveIt;
   std::string cancelled_why_;

@@ -83,6 +83,16 @@ void CommandRun::tagFailed(Instant now) {
 
 void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
   if (state_ != State::Confirming) return;
+  if (due_) {
+    // "false": the controller has the motion still, whatever it waits for.
+    const bool dropped = state == protocol::TagState::Unknown;
+    if (dropped && stall_.stalled(context_.settings.evidence_timeout)) {
+      fail({own_error::kStoppedElsewhere, stallText(), ""}, Robot::Stop, now);
+    } else {
+      fire(Event::StillGoing, now);
+    }
+    return;
+  }
   if (state == protocol::TagState::Unknown) {
     fail({own_error::kTagLost, fmt::format("the controller does not know tag {}", *order_.tag), ""},
          Robot::Stop, now);
@@ -103,6 +113,10 @@ void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
 
 void CommandRun::tagQueryFailed(const std::string& reason, Instant now) {
   if (state_ != State::Confirming) return;
+  if (due_) {  // it was a question before its time
+    fire(Event::StillGoing, now);
+    return;
+  }
   fail({motion_error::kReceiveTag, fmt::format("tag {} was asked for: {}", *order_.tag, reason), ""},
        Robot::Stop, now);
 }

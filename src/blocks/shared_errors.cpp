@@ -149,6 +149,12 @@ constexpr SharedError kRobotErrors[] = {
      "buffer_mode REFUSE, and since the link was made the robot moves on from before, as "
      "~stop_orphaned_motion is "
      "false, or the stop failed"},
+    {own_error::kStoppedElsewhere, "Motion stopped by somebody else",
+     "Find out who stops the robot: another client of this controller (a second command node stops what it "
+     "finds in motion, unless its ~stop_orphaned_motion is false), the project or the pendant; then execute "
+     "again",
+     "the robot has stood away from the target for ~evidence_timeout, no pause and no safeguard holds it, "
+     "and the controller, asked, does not know the tag any more; the robot is told to stop"},
     {own_error::kTagLost, "Motion not confirmed", kExecuteAgain,
      "the motion is overdue and the controller does not know its tag, or cannot tell for too long; the robot "
      "is told to stop"},
@@ -221,7 +227,8 @@ ErrorTable& ErrorTable::motion() {
   return shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kUnreachable,
                  own_error::kPoseBits, own_error::kJointLimit, own_error::kJointSpeed, own_error::kSingular,
                  own_error::kNotPlannable, own_error::kAmbiguousTurn, own_error::kNoFreeTag,
-                 own_error::kTagLost, own_error::kStopNotConfirmed, own_error::kNotAtTarget});
+                 own_error::kTagLost, own_error::kStopNotConfirmed, own_error::kNotAtTarget,
+                 own_error::kStoppedElsewhere});
 }
 
 ErrorTable& ErrorTable::move() {

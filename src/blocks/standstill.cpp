@@ -1,14 +1,11 @@
 #include "standstill.h"
 
-#include "cobot_command/common/units.h"
-
 namespace cobot_command::blocks {
 namespace {
 
 /// Below this every joint counts as standing; above the noise of a real arm's Joint_Speed.
 constexpr double kSlow = degToRad(0.1);  // [rad/s]
-/// What that speed makes of a joint angle in the time below.
-constexpr double kSamePlace = degToRad(0.01);  // [rad]
+/// In which that speed makes kSamePlace of a joint angle.
 constexpr Duration kRest = std::chrono::milliseconds(100);
 /// Frames may come late and together: of two alone it is not known how much time is between them.
 constexpr int kFrames = 3;

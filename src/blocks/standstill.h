@@ -6,9 +6,14 @@
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/common/units.h"
 #include "cobot_command/link/robot_status.h"
 
 namespace cobot_command::blocks {
+
+/// Joint angles that differ by less show the same place: what a joint at the speed below which it counts as
+/// standing makes in a tenth of a second.
+inline constexpr double kSamePlace = degToRad(0.01);  // [rad]
 
 class Standstill {
  public:

@@ -44,7 +44,16 @@ class TwoClients(CobotTestCase):
         first = self.robot.start_slowly(turn(60, 0, 0, 0, 0, 0, command_id=TAG, **SLOWLY))
         self.assert_done(self.robot.run(StopGoal(), OTHER))
         self.assert_done(self.robot.run(turn(1, 0, 0, 0, 0, 0, command_id=TAG), OTHER))
-        self.assert_aborted(first.finish(), 0x226, "J1 is ")
+        state, result = first.finish()
+        self.assertEqual(state, GoalStatus.ABORTED)
+        # The latter when the second motion of the other comes later than the layer asks what became of the first.
+        self.assertIn(result.error_id, (0x226, 0x228), result.error_description)
+        self.assertIn("J1 is ", result.error_description)
+
+    def test_are_told_that_the_other_has_stopped_the_robot(self):
+        first = self.robot.start_slowly()
+        self.assert_done(self.robot.run(StopGoal(), OTHER))
+        self.assert_aborted(first.finish(), 0x228, "J1 is ")
 
     def test_notice_each_other(self):
         own = self.robot.send(turn(60, 0, 0, 0, 0, 0, command_id=5, **SLOWLY), OTHER)

@@ -10,7 +10,7 @@ namespace cobot_command::blocks {
 enum class CommandRunState {
   Sent,        ///< the script was sent, no reply yet
   Executing,   ///< accepted; its tag is awaited
-  Confirming,  ///< overdue; TMSTA 01 was asked
+  Confirming,  ///< overdue, or stalled; TMSTA 01 was asked
   Verifying,   ///< its tag came; the status stream has to show the robot standing at the target
   Explaining,  ///< failed; the status stream may tell why
   Stopping,    ///< cancelled; the robot is being stopped (stop_run_states.h)
@@ -26,6 +26,7 @@ enum class CommandRunEvent {
   Failed,       ///< whatever ends the command with an error; the cause comes with it
   Unexplained,  ///< the same, where the status stream may soon tell more
   Overdue,
+  Stalled,     ///< the robot has come to rest away from the target, and nothing is seen to hold it
   StillGoing,  ///< asked: not complete, but the robot moves, or is paused, or nobody can tell
   Cancel,
   Stopped  ///< the robot stands
@@ -36,6 +37,7 @@ enum class CommandRunAction {
   RememberTag,
   AwaitTag,
   AskTag,
+  AskTagEarly,  ///< the deadline stands
   Extend,
   Verify,
   Judge,  ///< what was seen until now has to do
@@ -67,6 +69,7 @@ struct CommandRunTable {
     {S::Executing,  E::Failed,            S::Ended,      A::EndError},
     {S::Executing,  E::Unexplained,       S::Explaining, A::AwaitReason},
     {S::Executing,  E::Overdue,           S::Confirming, A::AskTag},
+    {S::Executing,  E::Stalled,           S::Confirming, A::AskTagEarly},
     {S::Executing,  E::Cancel,            S::Stopping,   A::AskForStop},
 
     {S::Confirming, E::TagComplete,       S::Verifying,  A::Verify},

@@ -99,6 +99,7 @@ inline constexpr int kCommunication = 0x224;
 inline constexpr int kStopNotConfirmed = 0x225;
 inline constexpr int kNotAtTarget = 0x226;
 inline constexpr int kOrphanMoves = 0x227;
+inline constexpr int kStoppedElsewhere = 0x228;
 // The layer.
 inline constexpr int kShutDown = 0x230;
 inline constexpr int kBaseUnknown = 0x231;

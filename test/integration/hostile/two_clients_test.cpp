@@ -5,6 +5,8 @@
 #include "hostile_rig.h"
 #include <gmock/gmock.h>
 
+#include "cobot_command/blocks/error_ids.h"
+
 namespace cobot_command::hostile {
 namespace {
 
@@ -36,6 +38,12 @@ struct TwoClients : testing::Test {
       layer->stop();
       for (const auto& [id, ends] : layer->told().ends) EXPECT_EQ(ends.size(), 1u) << "goal " << id;
     }
+  }
+  /// Our motion is under way, and our stream has shown it for some frames.
+  [[nodiscard]] bool isSeenMoving(GoalId move) {
+    if (!ours.reaches(move, Phase::Active)) return false;
+    const int before = ours.told().robot_statuses;
+    return ours.waitUntil([&](const Told& told) { return told.robot_statuses > before + 10; });
   }
   [[nodiscard]] double firstJointDeg() { return radToDeg(robot.state().joints[0]); }
 
@@ -105,6 +113,31 @@ TEST_F(TwoClients, aStopOfTheOneIsNoSuccessOfTheOther) {
   ASSERT_TRUE(outcome.has_value());
   EXPECT_EQ(outcome->ending, Ending::Aborted) << outcome->error_description;
   EXPECT_LT(firstJointDeg(), 119);
+}
+
+void expectStoppedElsewhere(const std::optional<Outcome>& outcome) {
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(outcome->ending, Ending::Aborted);
+  EXPECT_EQ(outcome->error_id, blocks::own_error::kStoppedElsewhere) << outcome->error_description;
+}
+
+/// It need not wait until its tag is due, which takes half a minute here.
+TEST_F(TwoClients, areToldThatTheOtherHasStoppedTheRobot) {
+  const GoalId move = ours.submit(turn(120, 1, 3));
+  ASSERT_TRUE(isSeenMoving(move));
+  ASSERT_EQ(theirs.endOf(theirs.submit(blocks::StopGoal{}))->ending, Ending::Done);
+  expectStoppedElsewhere(ours.endOf(move));
+}
+
+/// As it does by default with what it finds in motion.
+TEST_F(TwoClients, areToldThatAThirdHasStoppedTheRobotWhenItConnected) {
+  const GoalId move = ours.submit(turn(120, 1, 3));
+  ASSERT_TRUE(isSeenMoving(move));
+  Layer third(robot.ports().status);
+  const auto link = third.submit(blocks::ConnectGoal{"127.0.0.1", robot.ports().script, 10, {}});
+  ASSERT_TRUE(third.reaches(link, Phase::Connected));
+  expectStoppedElsewhere(ours.endOf(move));
+  third.stop();
 }
 
 /// The second client is told of, in the words of the status.

@@ -169,6 +169,19 @@ Scenarios motionScenarios(const Goal& goal) {
            }
          });
        }},
+      {row(own_error::kStoppedElsewhere),
+       [=] {
+         return until(goal, [](CoreRig& rig, const std::string& id) {
+           rig.reply(id);
+           rig.status(StatusFrames().moving());
+           while (rig.nothingSent()) {
+             rig.pass(100ms);
+             rig.status(StatusFrames().at({33, 0, 90, 0, 90, 0}));
+           }
+           rig.takeTagQuery();
+           rig.tag(1, TagState::Unknown);
+         });
+       }},
       {row(own_error::kTagLost),
        [=] { return overdue([](CoreRig& rig) { rig.tag(1, TagState::Unknown); }); }},
   };
