@@ -25,7 +25,8 @@ std::vector<ErrorEntry> connectErrors() {
            "cannot occur any more: bytes are read as they come; a device that sends none is 16#70")
       .row(connect_error::kNotACobot, "Target device is not a Cobot",
            "Check address and port: the script port of a controller is 5890",
-           "until the timeout the device accepted connections and answered nothing, or something that is not "
+           "until the timeout the device accepted connections and answered nothing, nothing but errors, or "
+           "something that is not "
            "the "
            "protocol of a script port; or it is the status port")
       .row(connect_error::kGetStatusAgain, "Get TCP Status Error", kCheckWiring,

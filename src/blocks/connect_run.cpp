@@ -29,6 +29,7 @@ Failure timedOut(link::Trouble trouble, const std::string& diagnosis) {
       return {connect_error::kTimeOut, diagnosis, "Let the flow of the TMflow project enter its Listen node"};
     case Trouble::Silent:
     case Trouble::NotTmRobot:
+    case Trouble::OtherAnswers:
     case Trouble::StatusPort:
       return {connect_error::kNotACobot, diagnosis,
               "Check that host and port are those of the robot controller; its script port is usually 5890"};

@@ -34,13 +34,18 @@ std::optional<Request> RequestLedger::takeOldestScript() {
 }
 
 std::optional<Request> RequestLedger::takeExpired(Instant now) {
-  return takeFirst([&](const Request& r) { return r.deadline <= now; });
+  for (Request& request : open_) {
+    if (request.patience && !request.deadline) request.deadline = now + *request.patience;
+  }
+  return takeFirst([&](const Request& r) { return r.deadline && *r.deadline <= now; });
 }
 
 std::optional<Instant> RequestLedger::nextDeadline() const {
   std::optional<Instant> next;
   for (const Request& request : open_) {
-    if (request.deadline != kNoDeadline && (!next || request.deadline < *next)) next = request.deadline;
+    if (!request.patience) continue;
+    const Instant due = request.deadline.value_or(request.handed_over);
+    if (!next || due < *next) next = due;
   }
   return next;
 }

@@ -109,7 +109,7 @@ std::string ScriptLink::sendScript(const std::string& script, Instant now,
   Request request;
   request.kind = Request::Kind::Script;
   request.script_id = ledger_.newScriptId();
-  request.deadline = now + reply_timeout.value_or(settings_.reply_timeout);
+  request.patience = reply_timeout.value_or(settings_.reply_timeout);
   std::string id = request.script_id;
   transmit(protocol::ScriptRequest{id, script}, std::move(request), now);
   return id;
@@ -124,11 +124,12 @@ void ScriptLink::queryTag(int tag, Instant now) {
   Request request;
   request.kind = Request::Kind::TagQuery;
   request.tag = tag;
-  request.deadline = now + settings_.reply_timeout;
+  request.patience = settings_.reply_timeout;
   transmit(protocol::TagQuery{tag}, std::move(request), now);
 }
 
 void ScriptLink::transmit(const protocol::ClientMessage& message, Request request, Instant now) {
+  request.handed_over = now;
   ledger_.add(std::move(request));
   std::string bytes = protocol::encode(message);
   wire_.trace(now, Channel::Script, true, bytes, protocol::describe(message));
@@ -154,6 +155,12 @@ void ScriptLink::lifesignDue(Instant now) {
     if (foreign_bytes_) {
       diagnose(Trouble::NotTmRobot,
                fmt::format("{}:{} does not speak the protocol of a TM robot", host_, port_));
+    } else if (!heard_.empty()) {
+      diagnose(
+          Trouble::OtherAnswers,
+          fmt::format("connected to {}:{}, but the question for the Listen node gets no answer: all that "
+                      "comes is {}",
+                      host_, port_, heard_));
     } else {
       diagnose(
           Trouble::Silent,
@@ -245,6 +252,7 @@ void ScriptLink::drop() {
   lifesign_at_.reset();
   unanswered_lifesigns_ = 0;
   foreign_bytes_ = false;
+  heard_.clear();
   decoder_.reset();
   ledger_.clear();
 }

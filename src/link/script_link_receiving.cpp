@@ -49,6 +49,9 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
     return;
   }
   foreign_bytes_ = false;
+  if (state_ == State::Probing) {
+    heard_ = fmt::format("{} ({})", frame.header, protocol::describe(*message));
+  }
   const std::uint64_t late_before = late_replies_;
   std::visit([&](const auto& value) { take(value, now); }, *message);
   wire_.trace(now, Channel::Script, false, bytes,

@@ -37,6 +37,8 @@ std::string times(std::size_t count, const std::string& text) {
 constexpr int kNotACobot = connect_error::kNotACobot;
 constexpr const char* kForeign = "does not speak the protocol";
 constexpr const char* kNobody = "nothing answers";
+constexpr const char* kErrorsOnly = "all that comes is CPERR (controller: ";
+constexpr const char* kTagOnly = "all that comes is TMSTA (tag 1 complete)";
 
 /// Says this once, and then nothing.
 MisbehavingPeer says(std::string name, std::string bytes, std::string words, int error = kNotACobot,
@@ -130,17 +132,19 @@ void addStates(std::vector<MisbehavingPeer>& peers) {
   for (const char* data : {"00", "00,", "00,maybe,Listen1", "00,TRUE,Listen1", "0,true", "", ",,,,"}) {
     peers.push_back(replies(fmt::format("TMSTA \"{}\"", data), status(data), kForeign));
   }
-  peers.push_back(replies("a tag for an answer", status("01,01,true"), kNobody));
-  peers.push_back(replies("data of a script for an answer", status("90,hello"), kNobody));
+  peers.push_back(replies("a tag for an answer", status("01,01,true"), kTagOnly));
+  peers.push_back(replies("data of a script for an answer", status("90,hello"),
+                          "all that comes is TMSTA (script data on 90: hello)"));
   peers.push_back(replies("a state with the header of scripts", reply("00,true,Listen1"), kForeign));
   peers.push_back(replies("never in a Listen node", status("00,false,"), "not in a Listen node",
                           connect_error::kTimeOut));
   for (const char* code : {"00", "01", "02", "03", "04", "F1"}) {
-    peers.push_back(replies(fmt::format("CPERR {} to everything", code), encodeFrame("CPERR", code), ""));
+    peers.push_back(
+        replies(fmt::format("CPERR {} to everything", code), encodeFrame("CPERR", code), kErrorsOnly));
   }
   peers.push_back(replies("CPERR of no known code", encodeFrame("CPERR", "77"), kForeign));
-  peers.push_back(repeats("a flood of CPERR", times(1000, encodeFrame("CPERR", "04")), kNobody));
-  peers.push_back(repeats("answers before it is asked", status("01,01,true"), kNobody));
+  peers.push_back(repeats("a flood of CPERR", times(1000, encodeFrame("CPERR", "04")), kErrorsOnly));
+  peers.push_back(repeats("answers before it is asked", status("01,01,true"), kTagOnly));
 }
 
 // --- Those that can be connected to.

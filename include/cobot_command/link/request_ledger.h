@@ -14,14 +14,14 @@
 
 namespace cobot_command::link {
 
-inline constexpr Instant kNoDeadline = Instant::max();
-
 struct Request {
   enum class Kind { Script, NodeQuery, TagQuery };
   Kind kind = Kind::NodeQuery;
-  std::string script_id;           ///< of a Script
-  int tag = 0;                     ///< of a TagQuery
-  Instant deadline = kNoDeadline;  ///< when its answer counts as missing
+  std::string script_id;             ///< of a Script
+  int tag = 0;                       ///< of a TagQuery
+  Instant handed_over{};             ///< by the event that made it; planning may have taken long since then
+  std::optional<Duration> patience;  ///< until its answer counts as missing; nothing: it never does
+  std::optional<Instant> deadline;   ///< from the first look at the time behind that event: then it is out
 };
 
 class RequestLedger {
@@ -37,9 +37,10 @@ class RequestLedger {
   std::optional<Request> takeTagQuery(int tag);
   std::optional<Request> takeOldest();
   std::optional<Request> takeOldestScript();
-  /// One request whose deadline has come.
+  /// One request whose deadline has come. The time of those that are new begins with it.
   std::optional<Request> takeExpired(Instant now);
 
+  /// With a new request: at once.
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
   /// Forgets all requests: the connection is gone. Ids go on.
   void clear() { open_.clear(); }

@@ -30,12 +30,13 @@ enum class Trouble {
   Unreachable,  ///< no route, host down
   UnknownHost,
   OpenTimedOut,
-  OpenFailed,   ///< for another reason
-  Silent,       ///< connected, and nothing answers
-  NotTmRobot,   ///< connected, and something else answers
-  StatusPort,   ///< connected to the status stream of a TM robot
-  Closed,       ///< connected and closed again
-  NotListening  ///< a TM robot, its flow is in another node
+  OpenFailed,    ///< for another reason
+  Silent,        ///< connected, and nothing answers
+  NotTmRobot,    ///< connected, and something else answers
+  OtherAnswers,  ///< connected, and what comes is a controller's, but not what was asked for
+  StatusPort,    ///< connected to the status stream of a TM robot
+  Closed,        ///< connected and closed again
+  NotListening   ///< a TM robot, its flow is in another node
 };
 
 // --- What comes out of next().
@@ -133,6 +134,7 @@ class ScriptLink {
   std::optional<Instant> lifesign_at_;
   int unanswered_lifesigns_ = 0;
   int listening_since_exit_ = 0;  ///< answers "in the Listen node", one after the other
+  std::string heard_;             ///< what was understood last, in place of the answer that makes it Ready
   bool foreign_bytes_ = false;    ///< what arrived last on this connection was not understood
   BackOff back_off_;
   protocol::FrameDecoder decoder_;

@@ -53,6 +53,24 @@ TEST_F(Fault, rejectedByTheControllerNamesTheLine) {
   EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("line 2: QueueTag(1,0)"));
 }
 
+/// A long sequence is planned in the event that sends it.
+TEST(NoFault, isAReplyThatHadNoTimeBecausePlanningTookIt) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId goal = rig.submit(CoreRig::move());
+  const auto script = rig.takeScript();
+  rig.now += 20s;
+  rig.core.advance(rig.now);
+  rig.pump();
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+  rig.pass(900ms);
+  rig.reply(script.id);
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+  rig.tag(1);
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done) << rig.outcome(goal)->error_description;
+}
+
 TEST_F(Fault, notInTheListenNodeAnyMore) {
   const GoalId goal = rig.submit(CoreRig::move());
   rig.takeScript();

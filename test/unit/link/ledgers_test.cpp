@@ -11,11 +11,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-Request script(std::string id, Instant deadline = kNoDeadline) {
+Request script(std::string id, std::optional<Duration> patience = std::nullopt) {
   Request request;
   request.kind = Request::Kind::Script;
   request.script_id = std::move(id);
-  request.deadline = deadline;
+  request.handed_over = Instant(1s);
+  request.patience = patience;
   return request;
 }
 
@@ -62,14 +63,28 @@ TEST(RequestLedger, knowsItsEarliestDeadline) {
   EXPECT_EQ(ledger.nextDeadline(), std::nullopt);
   ledger.add(Request{});
   EXPECT_EQ(ledger.nextDeadline(), std::nullopt) << "a lifesign has none of its own";
-  ledger.add(script("1", Instant(5s)));
-  ledger.add(script("2", Instant(3s)));
+  ledger.add(script("1", 4s));
+  ledger.add(script("2", 2s));
+  EXPECT_EQ(ledger.nextDeadline(), Instant(1s)) << "from then on they count";
+  EXPECT_FALSE(ledger.takeExpired(Instant(1s)));
   EXPECT_EQ(ledger.nextDeadline(), Instant(3s));
   EXPECT_FALSE(ledger.takeExpired(Instant(3s) - 1ns));
   EXPECT_EQ(ledger.takeExpired(Instant(3s))->script_id, "2");
   EXPECT_EQ(ledger.nextDeadline(), Instant(5s));
   ledger.clear();
   EXPECT_EQ(ledger.nextDeadline(), std::nullopt);
+}
+
+TEST(RequestLedger, countsFromTheFirstLookAtTheTime) {
+  RequestLedger ledger;
+  ledger.add(script("1", 2s));
+  EXPECT_FALSE(ledger.takeExpired(Instant(30s)));
+  EXPECT_EQ(ledger.nextDeadline(), Instant(32s));
+  ledger.add(script("2", 2s));
+  EXPECT_EQ(ledger.nextDeadline(), Instant(1s));
+  EXPECT_EQ(ledger.takeExpired(Instant(33s))->script_id, "1");
+  EXPECT_FALSE(ledger.takeExpired(Instant(34s)));
+  EXPECT_EQ(ledger.takeExpired(Instant(35s))->script_id, "2");
 }
 
 TEST(TagLedger, givesOutAllFifteenAndNoMore) {

@@ -248,6 +248,7 @@ TEST_F(ScriptLinkTest, tellsOfMissingReplies) {
   bringTo(State::Ready);
   const std::string id = link.sendScript("A()", now);
   link.queryTag(4, now);
+  advanceToDeadline();  // the frames are out: their time begins
   now += settings.reply_timeout;
   link.advance(now);
   drain();
@@ -284,6 +285,45 @@ TEST_F(ScriptLinkTest, takesBackTheAnswersOfAnOldConnection) {
   say(protocol::ScriptReply{id, true, {}});
   EXPECT_EQ(link.lateReplies(), 1u);
   EXPECT_TRUE(all<ScriptAnswered>().empty());
+}
+
+TEST_F(ScriptLinkTest, saysWhatComesInPlaceOfAnAnswer) {
+  bringTo(State::Probing);
+  say(CommunicationError{CommunicationErrorCode::Data});
+  advanceToDeadline();
+  EXPECT_THAT(link.diagnosis(), HasSubstr("all that comes is CPERR (controller: data error)"));
+  EXPECT_EQ(link.trouble(), Trouble::OtherAnswers);
+  say(protocol::TagReport{3, protocol::TagState::Complete});
+  advanceToDeadline();
+  EXPECT_THAT(link.diagnosis(), HasSubstr("all that comes is TMSTA (tag 3 complete)"));
+  while (link.state() == State::Probing) advanceToDeadline();
+  advanceToDeadline();
+  link.opened(now);
+  advanceToDeadline();
+  EXPECT_EQ(link.trouble(), Trouble::Silent) << "of this connection";
+}
+
+/// Whoever drives the link may be long busy, with planning say, before its bytes go out.
+TEST_F(ScriptLinkTest, countsTheTimeForAnAnswerFromTheFirstLookAtTheClockBehindTheFrame) {
+  bringTo(State::Ready);
+  const std::string id = link.sendScript("PTP", now);
+  link.queryTag(3, now);
+  EXPECT_EQ(link.nextDeadline(), now) << "to be looked at at once";
+  now += 20s;
+  link.advance(now);
+  drain();
+  EXPECT_TRUE(all<ScriptAnswered>().empty());
+  EXPECT_TRUE(all<TagQueryFailed>().empty());
+  now += settings.reply_timeout - 1ns;
+  link.advance(now);
+  drain();
+  EXPECT_TRUE(all<ScriptAnswered>().empty());
+  now += 1ns;
+  link.advance(now);
+  drain();
+  ASSERT_EQ(all<ScriptAnswered>().size(), 1u);
+  EXPECT_EQ(all<ScriptAnswered>()[0].id, id);
+  EXPECT_EQ(all<TagQueryFailed>().size(), 1u);
 }
 
 TEST_F(ScriptLinkTest, isReadyAgainWhenTheEntryMessageBehindAScriptExitWasLost) {
