@@ -18,8 +18,8 @@ void CommandCore::cancel(GoalId id, Instant now) {
   impl_->cancel(id, now);
 }
 
-void CommandCore::finish(FinishAfter after, Instant now) {
-  impl_->finish(after, now);
+FinishReport CommandCore::finish(FinishAfter after, Instant now) {
+  return impl_->finish(after, now);
 }
 
 void CommandCore::keepConnected(const ConnectGoal& target, Instant now) {

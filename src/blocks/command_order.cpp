@@ -24,6 +24,14 @@ bool setsVelocities(const std::vector<std::string>& lines) {
                      [](const std::string& line) { return line.find("ContinueV") != std::string::npos; });
 }
 
+/// Pause(), and not PVTPause(), which holds a PVT alone and is not shown as a pause.
+bool pauses(const std::string& line) {
+  for (std::size_t at = line.find("Pause("); at != std::string::npos; at = line.find("Pause(", at + 1)) {
+    if (at == 0 || line.compare(at - 1, 1, "T") != 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 CommandOrder orderOf(const MoveAbsoluteGoal& goal, const arm::Pose& base) {
@@ -59,6 +67,7 @@ CommandOrder orderOf(const RunScriptGoal& goal, const arm::Pose& /*base*/) {
   order.moves = true;
   order.lines = linesOf(goal);
   order.stands_at_end = !setsVelocities(order.lines);
+  order.pauses = std::any_of(order.lines.begin(), order.lines.end(), pauses);
   if (const auto parsed = protocol::parseScript(fmt::format("{}", fmt::join(order.lines, "\r\n")))) {
     order.commands.emplace();
     for (const auto& line : parsed->lines) order.commands->push_back(line.command);

@@ -27,6 +27,7 @@ struct CommandOrder {
   bool exits_node = false;        ///< its last line is ScriptExit()
   bool exits_afterwards = false;  ///< the node is to be left with a script of its own once it is done
   bool beside = false;            ///< goes out beside what is on the wire, whatever state the robot is in
+  bool pauses = false;            ///< a script with a Pause() of its own
   bool stands_at_end = true;  ///< the robot stands when its tag comes; false: a script that sets velocities
   std::optional<Duration> reply_timeout;  ///< other than that of the link
   std::optional<Plan> plan;

@@ -114,10 +114,10 @@ void CommandRun::linkLost(const std::string& reason, Instant now) {
 void CommandRun::followHold(Instant now) {
   const bool under_way = state_ == State::Sent || state_ == State::Executing || state_ == State::Confirming;
   const bool held = under_way && context_.robot.held();
-  if (held && !held_since_) {
-    held_since_ = now;
-    if (phase_ == Phase::Active) report(Phase::Held, "the robot is held: paused, or by a safeguard", now);
-  } else if (!held && held_since_) {
+  if (held) {
+    if (!held_since_) held_since_ = now;
+    if (phase_ == Phase::Active) report(Phase::Held, holdText(), now);
+  } else if (held_since_) {
     const Duration pause = now - *held_since_;
     held_since_.reset();
     if (deadline_) *deadline_ += pause;
@@ -127,6 +127,13 @@ void CommandRun::followHold(Instant now) {
     give_up_at_ += pause;
     if (phase_ == Phase::Held) becomeActive(now);
   }
+}
+
+std::string CommandRun::holdText() const {
+  constexpr const char* kResume = "program_control with RESUME, or the pendant, continues it";
+  if (!context_.robot.paused()) return "a safeguard holds the robot: it goes on when that is released";
+  return fmt::format("{}: {}", order_.pauses ? "held by a Pause() in the script" : "the project is paused",
+                     kResume);
 }
 
 void CommandRun::fire(Event event, Instant now) {
@@ -188,6 +195,7 @@ void CommandRun::act(CommandRunAction action, Instant now) {
 }
 
 void CommandRun::awaitTag(Instant now) {
+  if (held_since_) held_since_ = now;  // what follows begins now, and is held from now on
   deadline_ = now + timeFor(order_, context_.settings);
   if (order_.plan && order_.plan->start_delay > Duration::zero()) {
     active_at_ = now + order_.plan->start_delay;
@@ -216,7 +224,12 @@ void CommandRun::becomeActiveWhenDue(Instant now) {
 
 void CommandRun::becomeActive(Instant now) {
   if (!moving_from_) moving_from_ = now;
-  report(Phase::Active, "the robot executes it", now);
+  const bool unseen = order_.pauses && !context_.robot.tellsPause();
+  report(Phase::Active,
+         unseen ? "the robot executes it; the Pause() in the script, which the status stream does not show, "
+                  "lasts until program_control with RESUME, or the pendant, continues it"
+                : "the robot executes it",
+         now);
 }
 
 void CommandRun::askForStop(Instant now) {

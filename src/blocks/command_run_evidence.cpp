@@ -68,8 +68,12 @@ void CommandRun::verify(Instant now) {
 void CommandRun::judge(Instant now) {
   const auto to_go = gap();
   const bool away = to_go && !to_go->closed;
-  if (reached_ || (!away && context_.robot.moving() != true)) {
+  if (reached_) {
     fire(Event::Verified, now);
+    return;
+  }
+  if (!away && !context_.robot.moving()) {  // a slow stream: a few more frames tell it
+    deadline_ = now + context_.settings.evidence_timeout;
     return;
   }
   fail({own_error::kNotAtTarget,

@@ -238,10 +238,15 @@ void CommandCore::Impl::cancel(GoalId id, Instant now) {
   settle(now);
 }
 
-void CommandCore::Impl::finish(FinishAfter after, Instant now) {
+FinishReport CommandCore::Impl::finish(FinishAfter after, Instant now) {
+  FinishReport found;
+  found.dropped = static_cast<int>(waiting_.size());
+  found.moves_on = mayStillMove();
   dropWaiting("what is under way was to be finished, and nothing behind it");
+  found.under_way = busyBlock();
   if (cycle_) cycle_->finish(after, now);
   settle(now);
+  return found;
 }
 
 void CommandCore::Impl::keepConnected(const ConnectGoal& target, Instant now) {

@@ -37,7 +37,7 @@ class CommandCore::Impl : private link::Wire {
 
   void submit(GoalId id, const Goal& goal, Instant now);
   void cancel(GoalId id, Instant now);
-  void finish(FinishAfter after, Instant now);
+  FinishReport finish(FinishAfter after, Instant now);
   void keepConnected(const ConnectGoal& target, Instant now);
   void retire(Instant now);
   [[nodiscard]] bool retired() const;

@@ -26,6 +26,7 @@ class RobotWatch {
   /// The project is paused, or a safeguard holds the robot: motions take as long as that lasts.
   [[nodiscard]] bool held() const;
   [[nodiscard]] bool paused() const { return status_ && status_->project_paused.value_or(false); }
+  [[nodiscard]] bool tellsPause() const { return status_ && status_->project_paused; }
   [[nodiscard]] bool emergencyStop() const { return status_ && status_->emergency_stop.value_or(false); }
   /// The controller is in an error that nobody has acknowledged.
   [[nodiscard]] bool inError() const { return showsError() && !error_acknowledged_; }

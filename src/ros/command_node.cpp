@@ -148,9 +148,9 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
     return true;
   }
   const auto after = request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
-  response.success = runtime_->finish(after);
-  response.message = response.success ? "what is under way comes to its end; its own result tells of it"
-                                      : "the command layer is shutting down";
+  const auto found = runtime_->finish(after);
+  response.success = found && found->foundAny();
+  response.message = found ? blocks::toText(*found) : "the command layer is shutting down";
   return true;
 }
 

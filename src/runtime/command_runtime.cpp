@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <future>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <type_traits>
@@ -182,8 +184,11 @@ void CommandRuntime::cancel(blocks::GoalId id) {
   impl_->post([id](auto& core, Instant now) { core.cancel(id, now); });
 }
 
-bool CommandRuntime::finish(blocks::FinishAfter after) {
-  return impl_->post([after](auto& core, Instant now) { core.finish(after, now); });
+std::optional<blocks::FinishReport> CommandRuntime::finish(blocks::FinishAfter after) {
+  const auto report = std::make_shared<std::promise<blocks::FinishReport>>();
+  const bool posted =
+      impl_->post([=](auto& core, Instant now) { report->set_value(core.finish(after, now)); });
+  return posted ? std::optional(report->get_future().get()) : std::nullopt;
 }
 
 void CommandRuntime::retire() {

@@ -81,6 +81,12 @@ class PickAndPlace(MotionTestCase):
         self.assertFalse(answer.success)
         self.assertIn("after is 2", answer.message)
 
+    def test_is_not_said_to_end_when_nothing_is_under_way(self):
+        for after in (FinishRequest.MOVE, FinishRequest.CYCLE):
+            answer = self.robot.try_to_finish(after)
+            self.assertFalse(answer.success)
+            self.assertEqual(answer.message, "nothing is under way")
+
     def test_leaves_the_listen_node_behind_the_last_step_of_the_last_cycle(self):
         leaving = turn_to(-15)
         leaving.exit_node = True

@@ -109,7 +109,8 @@ class CommandCore {
   void cancel(GoalId id, Instant now);
   /// Ends what is under way in its own time, without a stop: a move is finished and Done; a pick and place
   /// ends behind its move as CommandAborted, behind its cycle as Done. What waits ends as CommandAborted.
-  void finish(FinishAfter after, Instant now);
+  /// Returns what was found; nothing under way and nothing that waits is no error.
+  FinishReport finish(FinishAfter after, Instant now);
   /// Keeps a link by itself whenever no connect goal is Busy: tries for ever, and again after each loss. A
   /// cancelled connect goal ends that too. Precondition: the target is what a connect goal may be.
   void keepConnected(const ConnectGoal& target, Instant now);

@@ -1,6 +1,11 @@
 // How much of what is under way is still to be done when it is to end in its own time.
 #pragma once
 
+#include <optional>
+#include <string>
+
+#include "cobot_command/blocks/error_catalogue.h"
+
 namespace cobot_command::blocks {
 
 /// A cancel stops the robot at once; this lets it finish first, as a falling Execute does (thesis annex B).
@@ -8,5 +13,17 @@ enum class FinishAfter {
   Move,  ///< the move, or the output, that is under way
   Cycle  ///< the whole cycle of a pick and place
 };
+
+/// What was found when everything was to be finished.
+struct FinishReport {
+  std::optional<Block> under_way;  ///< comes to its end in its own time; its result tells of it
+  int dropped = 0;                 ///< goals that waited behind it, and have ended
+  bool moves_on = false;           ///< blended motions, done for their goals, come to their end by themselves
+
+  /// There was something to finish.
+  [[nodiscard]] bool foundAny() const { return under_way || dropped > 0; }
+};
+/// "move_absolute comes to its end; ...", or that there is nothing to finish.
+[[nodiscard]] std::string toText(const FinishReport& report);
 
 }  // namespace cobot_command::blocks

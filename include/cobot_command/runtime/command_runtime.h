@@ -41,8 +41,8 @@ class CommandRuntime {
   [[nodiscard]] bool submit(blocks::GoalId id, blocks::Goal goal);
   /// The falling edge of Execute. After stop() all goals have ended, so there is nothing to cancel.
   void cancel(blocks::GoalId id);
-  /// See CommandCore. False once stop() has begun.
-  bool finish(blocks::FinishAfter after);
+  /// See CommandCore; waits for the core's thread, so not from the observer. Nothing once stop() has begun.
+  std::optional<blocks::FinishReport> finish(blocks::FinishAfter after);
   /// See CommandCore.
   void keepConnected(blocks::ConnectGoal target);
 

@@ -37,9 +37,10 @@ void runCycle(CoreRig& rig) {
   rig.pass(2s);
 }
 
-void finish(CoreRig& rig, FinishAfter after) {
-  rig.core.finish(after, rig.now);
+FinishReport finish(CoreRig& rig, FinishAfter after) {
+  const FinishReport found = rig.core.finish(after, rig.now);
   rig.pump();
+  return found;
 }
 
 TEST(Finish, letsTheMoveOfACycleEndAndNoOtherBegin) {
@@ -111,13 +112,43 @@ TEST(Finish, letsASingleMoveBeDoneAndDropsWhatWaits) {
 
 TEST(Finish, changesNothingWhenNothingIsUnderWay) {
   CoreRig rig;
-  finish(rig, FinishAfter::Move);
+  EXPECT_FALSE(finish(rig, FinishAfter::Move).foundAny());
   rig.connect();
-  finish(rig, FinishAfter::Cycle);
+  const FinishReport nothing = finish(rig, FinishAfter::Cycle);
+  EXPECT_FALSE(nothing.foundAny());
+  EXPECT_EQ(toText(nothing), "nothing is under way");
   const GoalId goal = rig.submit(cycle(2));
   runCycle(rig);
   runCycle(rig);
   EXPECT_EQ(rig.outcome(goal)->cycles_done, 2);
+}
+
+TEST(Finish, tellsWhatItHasFound) {
+  CoreRig rig;
+  rig.connect();
+  MoveAbsoluteGoal blended = CoreRig::move();
+  blended.blending_enable = true;
+  rig.submit(blended);
+  rig.reply(rig.takeScript().id);
+  const FinishReport loose = finish(rig, FinishAfter::Move);
+  EXPECT_FALSE(loose.foundAny());
+  EXPECT_THAT(toText(loose), HasSubstr("nothing is under way; blended motions"));
+
+  rig.submit(CoreRig::move());
+  MoveAbsoluteGoal behind = CoreRig::move();
+  behind.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  rig.submit(behind);
+  const FinishReport one = finish(rig, FinishAfter::Move);
+  EXPECT_TRUE(one.foundAny());
+  EXPECT_EQ(toText(one),
+            "move_absolute comes to its end; its own result tells of it; one goal waited, and has ended");
+  rig.reply(rig.takeScript().id);
+  rig.tag(rig.latest().open_tags.at(0));
+
+  rig.submit(cycle(0));
+  EXPECT_EQ(finish(rig, FinishAfter::Cycle).under_way, Block::PickAndPlace);
+  rig.shutDown();
+  rig.discardSent();
 }
 
 TEST(Finish, canStillBeFollowedByACancelThatStops) {

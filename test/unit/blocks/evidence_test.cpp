@@ -267,6 +267,32 @@ TEST_F(Evidence, isTakenFromJointAnglesWhereNoSpeedsAreStreamed) {
   expectDone(id);
 }
 
+/// Two frames alone may have been on their way together.
+TEST_F(Evidence, thatItStandsIsAwaitedUntilASlowStreamWithoutSpeedsCanTellIt) {
+  for (const bool stands : {true, false}) {
+    rig.status(passing(kHome));  // where it will start nobody knows, nor then where it will end
+    const GoalId id = moving(CoreRig::move());
+    const auto slowly = [&](float j1) {
+      rig.status(at({j1, 0, 90, 0, 90, 0}).without("Joint_Speed"));
+      rig.pass(700ms);
+    };
+    rig.close("gone", link::Channel::Status);
+    rig.pass(100ms);
+    rig.open(link::Channel::Status);
+    slowly(20);
+    rig.tag(rig.latest().open_tags.at(0));
+    slowly(20);
+    EXPECT_EQ(rig.outcome(id), nullptr) << "half a second behind the first frame since the tag";
+    slowly(stands ? 20 : 25);
+    if (stands) {
+      expectDone(id);
+    } else {
+      expectNotReached(id, "still moves");
+      rig.pass(1s);  // nobody answers the stop
+    }
+  }
+}
+
 // --- Poses.
 
 class PoseEvidence : public Evidence {
