@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::arm {
 namespace {
 
@@ -44,8 +46,9 @@ bool isNamePrefix(const std::string& text) {
 
 Result<std::string, ModelError> withPrefix(const std::string& urdf, const std::string& prefix) {
   if (!isNamePrefix(prefix)) {
-    return refuse(ModelError{fmt::format(
-        "The prefix is \"{}\". Allowed are letters, digits, _, -, . and /, not beginning with /.", prefix)});
+    return refuse(ModelError{
+        fmt::format("The prefix is \"{}\". Allowed are letters, digits, _, -, . and /, not beginning with /.",
+                    foreignText(prefix, kQuoteLimit))});
   }
   tinyxml2::XMLDocument document;
   const bool parsed = document.Parse(urdf.data(), urdf.size()) == tinyxml2::XML_SUCCESS;

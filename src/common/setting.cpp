@@ -99,7 +99,7 @@ Given givenBy(const std::vector<std::string>& words, SettingKind::Form form) {
   const std::string word = words.empty() ? std::string() : words.back();
   switch (form) {
     case Form::Flag:
-      return word == "true" || word == "false" ? Given{word == "true"} : Given{word};
+      return word == "true" || word == "false" ? Given{word == "true"} : numberOrText(word);
     case Form::Number:
       return numberOrText(word);
     case Form::Numbers:

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::setting_kinds {
 
 namespace {
@@ -97,8 +99,10 @@ SettingKind flag(bool& value) {
   kind.type = "true or false";
   kind.take = [&value](const Given& given) -> std::optional<std::string> {
     const auto* found = std::get_if<bool>(&given.value);
-    if (found == nullptr) return isFound(given);
-    value = *found;
+    const auto* number = std::get_if<int>(&given.value);
+    const bool is_digit = number != nullptr && (*number == 0 || *number == 1);
+    if (found == nullptr && !is_digit) return isFound(given);
+    value = found != nullptr ? *found : *number == 1;
     return std::nullopt;
   };
   kind.show = [&value] { return std::string(value ? "true" : "false"); };
@@ -162,6 +166,13 @@ SettingKind secondsOrNever(std::optional<Duration>& value, double lowest, double
 
 TextRule anyText() {
   return {"a text", [](const std::string&) { return true; }};
+}
+
+TextRule name(std::size_t longest) {
+  return {fmt::format("a text of 1 to {} bytes without control characters", longest),
+          [longest](const std::string& text) {
+            return !text.empty() && text.size() <= longest && escaped(text) == text;
+          }};
 }
 
 TextRule oneOf(const std::vector<std::string>& words) {

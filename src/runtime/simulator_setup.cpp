@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <boost/asio/ip/address.hpp>
 #include <fmt/format.h>
 
 #include "cobot_command/common/setting_kinds.h"
@@ -13,8 +14,10 @@ namespace {
 using namespace setting_kinds;
 
 TextRule address() {
-  return {"an address of this machine", [](const std::string& text) {
-            return !text.empty() && text.find_first_of(" \t\r\n") == std::string::npos;
+  return {"an address of this machine in numbers", [](const std::string& text) {
+            boost::system::error_code fault;
+            boost::asio::ip::make_address(text, fault);
+            return !fault;
           }};
 }
 
@@ -23,8 +26,7 @@ SettingKind timeScale(double& scale) {
   kind.range += ", or max: motions as fast as possible";
   kind.take = [&scale, take = std::move(kind.take)](const Given& given) {
     const auto* word = std::get_if<std::string>(&given.value);
-    const bool is_max = (word != nullptr && *word == "max") || finiteIn(given) == kAsFastAsPossible;
-    if (!is_max) return take(given);
+    if (word == nullptr || *word != "max") return take(given);
     scale = kAsFastAsPossible;
     return std::optional<std::string>();
   };

@@ -36,11 +36,6 @@ SettingKind projectSpeed(int& percent) {
   return kind;
 }
 
-TextRule projectName() {
-  return {fmt::format("a text of 1 to {} bytes", kLongestName),
-          [](const std::string& name) { return !name.empty() && name.size() <= kLongestName; }};
-}
-
 SettingKind posture(arm::JointVector& joints) {
   SettingKind kind;
   kind.form = SettingKind::Form::Numbers;
@@ -153,10 +148,10 @@ SettingKind writeClients(WriteClients& clients) {
 SettingTable projectTable(Settings& s) {
   return {
       {"project_running", flag(s.project_running), "the project runs at the start"},
-      {"project_name", text(s.project_name, projectName()), "an item of the status port"},
+      {"project_name", text(s.project_name, name(kLongestName)), "an item of the status port"},
       {"project_speed", projectSpeed(s.project_speed_percent), "slows every motion"},
       {"start_posture_deg", posture(s.start_posture), "posture at the start, within the limits of the model"},
-      {"listen_node", text(s.listen_node_message), "entry message of the Listen node"},
+      {"listen_node", text(s.listen_node_message, name(kLongestName)), "entry message of the Listen node"},
       {"connection_timeout", seconds(s.connection_timeout, 0, kLongestWait),
        "the Listen node is left when nobody connects for so long; 0: never"},
       {"data_timeout", seconds(s.data_timeout, 0, kLongestWait),
@@ -218,8 +213,6 @@ SettingTable statusPortTable(Settings& s) {
 SettingTable faultTable(Settings& s) {
   return {
       {"faults", switches(s.faults), "faults of the world that are on from the start", "fault"},
-      {"reports_stale_tags", flag(s.faults.stale_tag.on),
-       "the fault `stale_tag`, which was seen on real controllers"},
   };
 }
 

@@ -33,7 +33,8 @@ COMMAND_NODE = [
 SIMULATED_CONTROLLER = [
     ({"publish_rate": float("inf")}, "publish_rate is inf"),
     ({"publish_rate": NAN}, "publish_rate is nan"),
-    ({"bind_address": "nowhere"}, "cannot serve port 0 on nowhere"),
+    ({"bind_address": "nowhere"}, 'bind_address is the text "nowhere"; allowed: an address of this machine in numbers'),
+    ({"bind_address": "192.0.2.1"}, "cannot serve port 0 on 192.0.2.1"),
     ({"prefix": "a b"}, 'prefix is the text "a b"'),
     ({"points": ["P=0,0,170,0,0,0"]}, 'points "P" has joint 3 at 170 deg, outside its limits'),
     ({"variables": ["int PTP"]}, 'variables holds "int PTP": PTP is a function'),

@@ -14,6 +14,7 @@
 
 namespace cobot_command::setting_kinds {
 
+/// 1 and 0 are true and false, as `rosrun` makes whole numbers of `_parameter:=1`.
 [[nodiscard]] SettingKind flag(bool& value);
 [[nodiscard]] SettingKind whole(int& value, int lowest, int highest, const std::string& unit = {});
 [[nodiscard]] SettingKind port(int& value);  ///< 0 to 65535
@@ -32,6 +33,8 @@ struct TextRule {
   std::function<bool(const std::string&)> holds;
 };
 [[nodiscard]] TextRule anyText();
+/// What people see on one line: not empty, UTF-8.
+[[nodiscard]] TextRule name(std::size_t longest);
 [[nodiscard]] TextRule oneOf(const std::vector<std::string>& words);
 [[nodiscard]] TextRule orEmpty(TextRule rule);
 [[nodiscard]] SettingKind text(std::string& value, TextRule rule = anyText());

@@ -12,13 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "../subcommand.h"
+#include "../command_line.h"
 #include "../written_output.h"
 #include "answers.h"
 #include <CLI/CLI.hpp>
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/urdf_prefix.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace {
 
@@ -27,7 +28,9 @@ using Numbers = std::array<double, 6>;
 
 constexpr int kSuccess = 0;
 constexpr int kNegativeAnswer = 1;
-constexpr int kBadUsage = 2;
+using tools::kBadUsage;
+/// Of numbers: what is wrong with them, their count too, is told by one place.
+constexpr int kAnyCount = -1;
 
 struct Arguments {
   std::string model;
@@ -55,13 +58,11 @@ std::optional<Numbers> parseNumbers(const std::vector<std::string>& words) {
   return numbers;
 }
 
-/// The words of the command line, last one first, as CLI11 wants them. A blank before a negative number keeps
-/// it from being taken for an option.
-std::vector<std::string> wordsOf(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = argc - 1; i > 0; --i) {
-    const std::string word = argv[i];
-    words.push_back(word.rfind('-', 0) == 0 && parseNumber(word) ? " " + word : word);
+/// The words of the command line. A blank before a negative number keeps it from being taken for an option.
+std::vector<std::string> numbersAndWordsOf(int argc, char** argv) {
+  std::vector<std::string> words = tools::wordsOf(argc, argv);
+  for (std::string& word : words) {
+    if (word.rfind('-', 0) == 0 && parseNumber(word)) word.insert(0, " ");
   }
   return words;
 }
@@ -69,7 +70,8 @@ std::vector<std::string> wordsOf(int argc, char** argv) {
 using Question = std::function<tm_arm::Answer(const Numbers&)>;
 
 int badNumbers(const std::string& found) {
-  std::cerr << "tm_arm: found \"" << found << "\", but six finite numbers are needed. See tm_arm --help.\n";
+  std::cerr << "tm_arm: found \"" << foreignText(found)
+            << "\", but six finite numbers are needed. See tm_arm --help.\n";
   return kBadUsage;
 }
 
@@ -113,10 +115,11 @@ int printUrdf(const Arguments& arguments) {
     std::cout << urdf;
     return kSuccess;
   }
-  const auto renamed = arm::withPrefix(urdf, arguments.prefix);
+  // A prefix that looks like a number has the blank of numbersAndWordsOf().
+  const auto renamed = arm::withPrefix(urdf, arguments.prefix.substr(arguments.prefix.rfind(" -", 0) == 0));
   if (!renamed) {
-    std::cerr << "tm_arm: " << renamed.error().message << '\n';
-    return kNegativeAnswer;
+    std::cerr << "tm_arm: --prefix: " << renamed.error().message << '\n';
+    return kBadUsage;
   }
   std::cout << *renamed;
   return kSuccess;
@@ -133,8 +136,8 @@ void describe(CLI::App& app, Arguments& arguments) {
 
   auto* fk = app.add_subcommand("fk", "Pose of the flange [mm, deg] for the joints J1..J6 [deg]");
   auto* ik = app.add_subcommand("ik", "All postures [deg] for a flange pose X Y Z [mm] RX RY RZ [deg]");
-  fk->add_option("numbers", arguments.numbers, "J1 J2 J3 J4 J5 J6, or -")->required()->expected(1, 6);
-  ik->add_option("numbers", arguments.numbers, "X Y Z RX RY RZ, or -")->required()->expected(1, 6);
+  fk->add_option("numbers", arguments.numbers, "J1 J2 J3 J4 J5 J6, or -")->required()->expected(1, kAnyCount);
+  ik->add_option("numbers", arguments.numbers, "X Y Z RX RY RZ, or -")->required()->expected(1, kAnyCount);
   auto* urdf = app.add_subcommand("urdf", "The URDF of the model");
   urdf->add_option("--prefix", arguments.prefix, "Stands before the name of every link and joint");
   for (auto* subcommand : {fk, ik, urdf}) subcommand->fallthrough();
@@ -145,12 +148,7 @@ int run(int argc, char** argv) {
   CLI::App app{"Kinematics of the TM arms.", "tm_arm"};
   Arguments arguments;
   describe(app, arguments);
-  try {
-    app.parse(wordsOf(argc, argv));
-    tools::checkSubcommand(app);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kSuccess : kBadUsage;
-  }
+  if (const auto end = tools::readCommandLine(app, numbersAndWordsOf(argc, argv))) return *end;
 
   if (app.got_subcommand("urdf")) return printUrdf(arguments);
   const auto model = arm::ArmModel::named(arguments.model);

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "../subcommand.h"
+#include "../command_line.h"
 #include "../written_output.h"
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSuccess = 0;
 constexpr int kFaultFound = 1;
-constexpr int kBadUsage = 2;
+using cobot_command::tools::kBadUsage;
 
 std::string toHex(std::string_view bytes) {
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -162,11 +162,9 @@ int run(int argc, char** argv) {
                    "Take an empty LENGTH and search for the end of the frame, as some bridges need it");
 
   cobot_command::tools::askForSubcommand(app);
-  try {
-    app.parse(argc, argv);
-    cobot_command::tools::checkSubcommand(app);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kSuccess : kBadUsage;
+  if (const auto end =
+          cobot_command::tools::readCommandLine(app, cobot_command::tools::wordsOf(argc, argv))) {
+    return *end;
   }
   if (encode->parsed()) return encodeToOutput(header, data);
   return hex ? decodeHexLines(FrameDecoder(options)) : decodeBytes(FrameDecoder(options));

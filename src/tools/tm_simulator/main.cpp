@@ -9,9 +9,10 @@
 #include <string>
 #include <utility>
 
+#include "../command_line.h"
+#include "../setting_options.h"
 #include "line_printer.h"
 #include "line_reader.h"
-#include "setting_options.h"
 #include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -30,7 +31,7 @@ using namespace cobot_command;
 
 constexpr const char* kUsualModel = "tm5-900";
 
-enum ExitStatus { Ended = 0, CannotServe = 1, BadUsage = 2 };
+enum ExitStatus { Ended = 0, CannotServe = 1, BadUsage = tools::kBadUsage };
 
 struct Options {
   runtime::SimulatorSetup setup;
@@ -103,17 +104,17 @@ arm::ArmModel armOf(const SettingTable& table, const runtime::SimulatorSetup& se
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   std::signal(SIGPIPE, SIG_IGN);  // a reader of the output may go; LinePrinter sees it
   CLI::App app;
   Options options;
   const SettingTable table = runtime::settingsTable(options.setup);
   describe(app, table, options);
-  try {
-    app.parse(argc, argv);
-    auto arm = armOf(table, options.setup);
-    return serve(std::move(options.setup), std::move(arm), options.control);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? Ended : BadUsage;
-  }
+  std::optional<arm::ArmModel> arm;
+  const auto end = tools::readCommandLine(app, tools::wordsOf(argc, argv),
+                                          [&] { arm.emplace(armOf(table, options.setup)); });
+  return end ? *end : serve(std::move(options.setup), std::move(*arm), options.control);
+} catch (const std::exception& error) {
+  fmt::print(stderr, "tm_simulator: {}\n", error.what());
+  return CannotServe;
 }

@@ -4,17 +4,35 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <string>
 
+#include "../../../src/tools/command_line.h"
+#include "../../../src/tools/setting_options.h"
 #include "fault_line.h"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include "cobot_command/common/setting_kinds.h"
 
 namespace {
 
 using namespace cobot_command::test;
 
-enum ExitStatus { Ended = 0, NoPort = 1, BadUsage = 2 };
+using namespace cobot_command;
+
+enum ExitStatus { Ended = 0, NoPort = 1 };
+
+SettingTable tableOf(ProxyPorts& controller, ProxyPorts& listen, int& seed) {
+  using namespace setting_kinds;
+  return {
+      {"script", port(controller.script), "script port of the controller"},
+      {"status", port(controller.status), "its status port"},
+      {"listen_script", port(listen.script), "where clients find it; 0: any free port"},
+      {"listen_status", port(listen.status), "and the status port"},
+      {"seed", whole(seed, 0, std::numeric_limits<int>::max()), "of what is random"},
+  };
+}
 
 void tell(const std::string& text) {
   std::cout << text << '\n' << std::flush;
@@ -49,7 +67,7 @@ int serve(const ProxyPorts& controller, const ProxyPorts& listen, unsigned seed)
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   CLI::App app(
       "A proxy in front of a TM controller on this machine that spoils the traffic. Faults are lines on its "
       "standard input: PORT KIND [direction=to_client|to_controller] [which=any|script|tag|node_state] "
@@ -58,19 +76,11 @@ int main(int argc, char** argv) {
       "the kinds. \"heal\" takes all faults away, \"reset\" drops all connections, \"strikes\" counts.");
   ProxyPorts controller{5890, 5891};
   ProxyPorts listen;
-  unsigned seed = 1;
-  const auto port = CLI::Range(0, 65535);
-  app.add_option("--script", controller.script, "script port of the controller")
-      ->check(port)
-      ->capture_default_str();
-  app.add_option("--status", controller.status, "its status port")->check(port)->capture_default_str();
-  app.add_option("--listen-script", listen.script, "where clients find it; 0: any free port")->check(port);
-  app.add_option("--listen-status", listen.status, "and the status port")->check(port);
-  app.add_option("--seed", seed, "of what is random")->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? Ended : BadUsage;
-  }
-  return serve(controller, listen, seed);
+  int seed = 1;
+  tools::addOptions(app, tableOf(controller, listen, seed));
+  if (const auto end = tools::readCommandLine(app, tools::wordsOf(argc, argv))) return *end;
+  return serve(controller, listen, static_cast<unsigned>(seed));
+} catch (const std::exception& error) {
+  fmt::print(stderr, "tm_fault_proxy: {}\n", error.what());
+  return NoPort;
 }

@@ -138,7 +138,7 @@ TEST(TmArm, namesTheSubcommandThatItDoesNotHave) {
 TEST(TmArm, refusesAPrefixThatTfWouldNotTake) {
   for (const char* prefix : {"/x", "'a b'"}) {
     const Outcome outcome = tmArm(std::string("--model tm12 urdf --prefix ") + prefix);
-    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.output, HasSubstr("Allowed are letters, digits"));
   }
 }

@@ -96,14 +96,36 @@ TEST(SettingKinds, areDurationsThatMayBeNever) {
   EXPECT_EQ(allowedBy(kind), "a number, 0 to 60 s; or -1: never");
 }
 
-TEST(SettingKinds, areFlagsOnlyTrueOrFalse) {
+TEST(SettingKinds, areFlagsForTrueAndFalseAndTheirDigits) {
   bool value = false;
   const SettingKind kind = flag(value);
   EXPECT_EQ(answer(kind, {true}), "");
   EXPECT_TRUE(value);
-  EXPECT_EQ(answer(kind, {0}), "is 0");
+  EXPECT_EQ(answer(kind, {0}), "");
+  EXPECT_FALSE(value);
+  EXPECT_EQ(answer(kind, {1}), "");
+  EXPECT_TRUE(value);
+  EXPECT_EQ(answer(kind, {2}), "is 2");
+  EXPECT_EQ(answer(kind, {-1}), "is -1");
+  EXPECT_EQ(answer(kind, {0.0}), "is 0.0");
   EXPECT_EQ(answer(kind, {"yes"}), "is the text \"yes\"");
   EXPECT_TRUE(value);
+}
+
+TEST(SettingKinds, areNamesThatStandOnALine) {
+  std::string value = "before";
+  const SettingKind kind = text(value, name(8));
+  EXPECT_EQ(allowedBy(kind), "a text of 1 to 8 bytes without control characters");
+  for (const std::string& bad :
+       {std::string(), std::string("a\nb"), std::string("\x1b[2J"), std::string("a\0b", 3),
+        std::string("\x7f"), std::string("\xff"), std::string(9, 'x')}) {
+    EXPECT_THAT(answer(kind, {bad}), HasSubstr("is ")) << bad;
+  }
+  EXPECT_EQ(value, "before");
+  for (const char* good : {"Listen1", "a\\b", "\"\"", "Zelle \xc3\xa4"}) {
+    EXPECT_EQ(answer(kind, {good}), "");
+    EXPECT_EQ(value, good);
+  }
 }
 
 TEST(SettingKinds, areTextsByARule) {

@@ -64,11 +64,9 @@ TEST(SimulatorSetup, canAllBeSet) {
 }
 
 TEST(SimulatorSetup, takesMaxAsATimeScale) {
-  for (const Given& given : {Given{"max"}, Given{0}, Given{0.0}}) {
-    SimulatorSetup setup;
-    EXPECT_EQ(take(settingsTable(setup), {{"time_scale", given}}), std::nullopt);
-    EXPECT_EQ(setup.options.time_scale, kAsFastAsPossible);
-  }
+  SimulatorSetup setup;
+  EXPECT_EQ(take(settingsTable(setup), {{"time_scale", {"max"}}}), std::nullopt);
+  EXPECT_EQ(setup.options.time_scale, kAsFastAsPossible);
 }
 
 TEST(SimulatorSetup, isRefusedByName) {
@@ -79,7 +77,8 @@ TEST(SimulatorSetup, isRefusedByName) {
   EXPECT_THAT(faultOf({{"bind_address", {""}}}), HasSubstr("bind_address is an empty text"));
   EXPECT_THAT(faultOf({{"bind_address", {"a b"}}}), HasSubstr("bind_address is the text \"a b\""));
   EXPECT_THAT(faultOf({{"script_port", {5890.7}}}), HasSubstr("script_port is 5890.7"));
-  for (const Given& given : {Given{"fast"}, Given{-1}, Given{kNan}, Given{0.001}, Given{101}, Given{""}}) {
+  for (const Given& given :
+       {Given{"fast"}, Given{-1}, Given{0}, Given{0.0}, Given{kNan}, Given{0.001}, Given{101}, Given{""}}) {
     EXPECT_THAT(faultOf({{"time_scale", given}}), HasSubstr("allowed: a number, 0.01 to 100, or max"));
   }
   EXPECT_THAT(faultOf({{"script_port", {7000}}, {"status_port", {7000}}}),

@@ -62,8 +62,7 @@ GivenValues others() {
           {"stream_format", {"json"}},
           {"stream_items", {"ESTOP, g_count"}},
           {"write_clients", {"10.0.0.7,::1"}},
-          {"faults", {texts({"drop_tag 1", "delay_reply 2 0.5"})}},
-          {"reports_stale_tags", {true}}};
+          {"faults", {texts({"drop_tag 1", "delay_reply 2 0.5", "stale_tag"})}}};
 }
 
 TEST(SettingsOfTheSimulator, canAllBeSet) {
@@ -129,6 +128,10 @@ TEST(SettingsOfTheSimulator, areRefusedByName) {
   const std::vector<Refused> rows{
       {{{"project_name", {""}}}, "project_name is an empty text; allowed: a text of 1 to 128 bytes"},
       {{{"project_name", {std::string(129, 'x')}}}, "project_name is the text \"xxx"},
+      {{{"project_name", {"a\nb"}}}, "project_name is the text \"a\\nb\""},
+      {{{"listen_node", {""}}},
+       "listen_node is an empty text; allowed: a text of 1 to 128 bytes without control"},
+      {{{"listen_node", {"Listen\r\n1"}}}, "listen_node is the text \"Listen\\r\\n1\""},
       {{{"project_speed", {7}}}, "project_speed is 7; allowed: a whole number, 5 to 100 in steps of 5 %"},
       {{{"project_speed", {105}}}, "project_speed is 105"},
       {{{"project_speed", {50.0}}}, "project_speed is 50.0"},

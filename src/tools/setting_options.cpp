@@ -19,7 +19,7 @@ void take(const std::string& option, const SettingKind& kind, const Given& given
   }
 }
 
-/// Both names take =true and =false besides.
+/// Both names take =true and =false besides; the last one counts.
 void addFlag(CLI::App& app, const Setting& setting) {
   const bool is_on = isOn(setting);
   const std::string option = optionOf(setting);
@@ -27,7 +27,9 @@ void addFlag(CLI::App& app, const Setting& setting) {
   const std::string names = is_on ? '!' + option + ',' + name : option + (option == name ? "" : ',' + name);
   const std::string meaning = is_on ? "not: " + setting.meaning : setting.meaning;
   app.add_flag_function(
-      names, [option, kind = setting.kind](std::int64_t count) { take(option, kind, {count > 0}); }, meaning);
+         names, [option, kind = setting.kind](std::int64_t count) { take(option, kind, {count > 0}); },
+         meaning)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 /// The rule of one option; a list is made of several.
@@ -46,10 +48,12 @@ void addValue(CLI::App& app, const Setting& setting) {
   auto* added = app.add_option_function<std::vector<std::string>>(
       option + (option == name ? "" : ',' + name),
       [option, kind](const std::vector<std::string>& words) {
-        take(option, kind, givenBy(words, kind.form));
+        // CLI11 takes {} for a list of nothing.
+        take(option, kind, givenBy(words.empty() ? std::vector<std::string>{"{}"} : words, kind.form));
       },
       fmt::format("{} ({})", setting.meaning, allowedByOption(kind)));
   added->type_size(1)->expected(1, is_repeated ? CLI::detail::expected_max_vector_size : 1);
+  added->allow_extra_args(is_repeated);  // else it takes every stray word behind it
   added->default_str(kind.show());
 }
 
