@@ -144,13 +144,14 @@ void CommandCore::Impl::watchOrphan(Instant now) {
   orphan_.see(robot_);
   if (!orphan_.takeFound()) return;
   log(Severity::Warning,
-      fmt::format("{}{}", OrphanWatch::kText, settings_.stop_orphaned_motion ? ": it is stopped" : ""));
+      fmt::format("{}{}", orphan_.text(), settings_.stop_orphaned_motion ? ": it is stopped" : ""));
   if (settings_.stop_orphaned_motion && !stop_.busy()) stop_.ask(now);
 }
 
 void CommandCore::Impl::watchStrangers(Instant now) {
   if (!script_.connected()) strangers_.forget();
-  const bool ours = !connect_.ready() || run_ || cycle_ || mayStillMove() || stop_.busy() || orphan_.moves();
+  const bool ours =
+      !connect_.ready() || run_ || cycle_ || mayStillMove() || stop_.busy() || orphan_.mayMove();
   strangers_.see(robot_, ours, now);
 }
 

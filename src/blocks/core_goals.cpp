@@ -203,7 +203,7 @@ CommandCore::Impl::Failures CommandCore::Impl::checkReadiness(BufferMode mode) c
   }
   if (robot_.emergencyStop()) failures.push_back({own_error::kEmergencyStop, "", ""});
   if (robot_.inError()) failures.push_back({own_error::kRobotError, robot_.errorText(), ""});
-  if (mode == BufferMode::Refuse && orphan_.moves() && !stop_.busy()) {
+  if (mode == BufferMode::Refuse && orphan_.mayMove() && !stop_.busy()) {
     failures.push_back({own_error::kOrphanMoves, "", ""});
   }
   return failures;

@@ -41,7 +41,7 @@ void CommandCore::Impl::publishStatus() {
     status.link = CommandStatus::LinkState::Probing;
   }
   status.diagnosis = diagnose(script_, robot_);
-  if (orphan_.moves()) status.diagnosis += fmt::format("; {}", OrphanWatch::kText);
+  if (orphan_.mayMove()) status.diagnosis += fmt::format("; {}", orphan_.text());
   if (const std::string text = strangers_.text(); !text.empty()) status.diagnosis += "; " + text;
   status.host = connect_.target().host;
   status.port = connect_.target().port;

@@ -22,6 +22,15 @@ void OrphanWatch::see(const RobotWatch& robot) {
   }
 }
 
+const char* OrphanWatch::text() const {
+  if (state_ == OrphanState::Moving) return "the robot moves, and no goal of this layer asked for it";
+  if (state_ == OrphanState::Unseen) {
+    return "the robot moved when it was last seen, and no goal of this layer asked for it: the status stream "
+           "has to show it standing, or a stop to be executed";
+  }
+  return "";
+}
+
 bool OrphanWatch::takeFound() {
   return std::exchange(found_, false);
 }

@@ -9,12 +9,14 @@ namespace cobot_command::blocks {
 
 class OrphanWatch {
  public:
-  static constexpr const char* kText = "the robot moves, and no goal of this layer asked for it";
-
   void fire(OrphanEvent event);
   void see(const RobotWatch& robot);
 
-  [[nodiscard]] bool moves() const { return state_ == OrphanState::Moving; }
+  [[nodiscard]] bool mayMove() const {
+    return state_ == OrphanState::Moving || state_ == OrphanState::Unseen;
+  }
+  /// What is to be told of it; empty: nothing.
+  [[nodiscard]] const char* text() const;
   /// True once for each that is found.
   [[nodiscard]] bool takeFound();
 

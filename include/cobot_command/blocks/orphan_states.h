@@ -12,7 +12,8 @@ enum class OrphanState {
   NoLink,
   Looking,  ///< commands can be sent, and it has not been seen yet whether the robot moves
   None,     ///< it stood, or it has been commanded since, or the flow was elsewhere: the project moves it
-  Moving    ///< it moves, and no goal of this layer asked for it
+  Moving,   ///< it moves, and no goal of this layer asked for it
+  Unseen    ///< it moved when it was last seen: a stream that is gone shows no robot that stands
 };
 
 enum class OrphanEvent {
@@ -51,8 +52,13 @@ struct OrphanTable {
 
     {S::Moving,  E::SeenStanding, S::None,    A::None},
     {S::Moving,  E::Stopped,      S::None,    A::None},
-    {S::Moving,  E::OutOfSight,   S::None,    A::None},
+    {S::Moving,  E::OutOfSight,   S::Unseen,  A::None},
     {S::Moving,  E::LinkGone,     S::NoLink,  A::None},
+
+    {S::Unseen,  E::SeenMoving,   S::Moving,  A::None},
+    {S::Unseen,  E::SeenStanding, S::None,    A::None},
+    {S::Unseen,  E::Stopped,      S::None,    A::None},
+    {S::Unseen,  E::LinkGone,     S::NoLink,  A::None},
   };
   // clang-format on
 };

@@ -107,12 +107,39 @@ TEST(OrphanedMotion, isTakenOverWithAStop) {
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
 }
 
-TEST(OrphanedMotion, holdsNothingBackOnceNobodyCanTellWhetherItMoves) {
+/// A stream that is gone shows nothing, so also no robot that stands.
+TEST(OrphanedMotion, holdsEverythingBackUntilTheRobotIsSeenToStandAlsoWhenTheStreamIsLost) {
   CoreRig rig(std::nullopt, leaveIt());
   connectTo(rig, StatusFrames().moving());
   rig.submit(moveWith(BufferMode::Buffered));
+  rig.close("reset", link::Channel::Status);
   EXPECT_TRUE(rig.nothingSent());
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("moved when it was last seen"));
+  const GoalId refused = rig.submit(CoreRig::move());
+  EXPECT_EQ(rig.outcome(refused)->error_id, motion_error::kOtherBlockBusy);
+  rig.pass(100ms);
+  rig.open(link::Channel::Status);
+  EXPECT_TRUE(rig.nothingSent());
+  rig.status(StatusFrames().without("Joint_Speed"));
+  EXPECT_TRUE(rig.nothingSent()) << "of one frame without speeds nobody can say";
+  rig.status(StatusFrames().moving());
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr(kWords));
+  EXPECT_TRUE(rig.nothingSent());
+  rig.status(StatusFrames());
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+}
+
+TEST(OrphanedMotion, isEndedByAStopWhereNoStreamComesBack) {
+  CoreRig rig(std::nullopt, leaveIt());
+  connectTo(rig, StatusFrames().moving());
   rig.close("gone", link::Channel::Status);
+  const GoalId refused = rig.submit(CoreRig::move());
+  ASSERT_NE(rig.outcome(refused), nullptr);
+  EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kOrphanMoves);
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
+  rig.submit(CoreRig::move());
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
 }
 

@@ -21,7 +21,7 @@ TEST(CommandRunTable, isSound) {
 }
 
 TEST(OrphanTable, isSound) {
-  expectSoundTable<OrphanTable>(OrphanState::Moving, OrphanEvent::LinkGone, OrphanState::NoLink);
+  expectSoundTable<OrphanTable>(OrphanState::Unseen, OrphanEvent::LinkGone, OrphanState::NoLink);
 }
 
 TEST(OrphanTable, findsOneOnlyOnceForEachLink) {
@@ -31,6 +31,15 @@ TEST(OrphanTable, findsOneOnlyOnceForEachLink) {
     }
     if (row.to == OrphanState::Looking) {
       EXPECT_EQ(row.from, OrphanState::NoLink);
+    }
+  }
+}
+
+TEST(OrphanTable, endsAMotionOnlyWhenTheRobotIsSeenToStandOrStopped) {
+  for (const auto& row : OrphanTable::kRows) {
+    const bool moved = row.from == OrphanState::Moving || row.from == OrphanState::Unseen;
+    if (moved && row.to == OrphanState::None) {
+      EXPECT_TRUE(row.event == OrphanEvent::SeenStanding || row.event == OrphanEvent::Stopped);
     }
   }
 }
