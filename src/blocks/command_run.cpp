@@ -40,7 +40,7 @@ CommandRun::CommandRun(CommandOrder order, const RunContext& context, Instant no
 }
 
 void CommandRun::cancel(const std::string& why, Instant now) {
-  if (!order_.moves) return;
+  if (!order_.moves || !mayBeCancelled()) return;
   cancelled_why_ = why;
   fire(Event::Cancel, now);
 }

@@ -16,6 +16,13 @@ namespace {
 
 constexpr const char* kShuttingDown = "the command layer is shutting down";
 
+/// It can only take motion away from the robot. So it is never too late for it, as long as there is a wire.
+bool halts(const Goal& goal) {
+  const auto* control = std::get_if<ProgramControlGoal>(&goal);
+  const bool pauses = control != nullptr && control->command == static_cast<int>(ProgramCommand::Pause);
+  return pauses || std::holds_alternative<StopGoal>(goal);
+}
+
 void append(std::vector<Failure>& failures, const std::vector<Failure>& more) {
   failures.insert(failures.end(), more.begin(), more.end());
 }
@@ -28,7 +35,7 @@ void sortByTable(std::vector<Failure>& failures) {
 }  // namespace
 
 void CommandCore::Impl::submit(GoalId id, const Goal& goal, Instant now) {
-  if (life_ == Life::Retiring) {
+  if (life_ == Life::Retiring && !halts(goal)) {
     board_.wait(blockOf(goal), id);
     endAborted(blockOf(goal), id, kShuttingDown);
   } else if (life_ == Life::Over) {

@@ -114,8 +114,9 @@ class CommandCore {
   /// Keeps a link by itself whenever no connect goal is Busy: tries for ever, and again after each loss. A
   /// cancelled connect goal ends that too. Precondition: the target is what a connect goal may be.
   void keepConnected(const ConnectGoal& target, Instant now);
-  /// Begins the end: no goal is taken any more, what waits ends, and a robot that moves is told to stop. What
-  /// is under way ends as CommandAborted when the robot stands. The connections are kept for that.
+  /// Begins the end: no goal is taken any more, but for a stop and a pause, what waits ends, and a robot that
+  /// moves is told to stop. What is under way ends as CommandAborted when the robot stands. The connections
+  /// are kept for that.
   void retire(Instant now);
   /// Nothing is under way any more, and no stop waits for its answer.
   [[nodiscard]] bool retired() const;

@@ -20,6 +20,11 @@ std::vector<Goal> commands() {
           good<PickAndPlaceGoal>()};
 }
 
+/// What may only take motion away from the robot.
+bool halts(const Goal& goal) {
+  return std::holds_alternative<StopGoal>(goal) || std::holds_alternative<ProgramControlGoal>(goal);
+}
+
 Goal buffered(Goal goal) {
   std::visit(
       Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {}, [](CheckSequenceGoal&) {},
@@ -212,8 +217,70 @@ TEST(Retirement, takesNothingMoreAndEndsWhatWaits) {
   const GoalId waiting = rig.submit(buffered(CoreRig::move()));
   retire(rig);
   expectAborted(rig, waiting, static_cast<std::size_t>(Block::MoveAbsolute));
-  for (const Goal& goal : commands()) expectAborted(rig, rig.submit(goal), goal.index());
-  rig.discardSent();
+  rig.takeScript();  // its stop
+  for (const Goal& goal : commands()) {
+    if (!halts(goal)) expectAborted(rig, rig.submit(goal), goal.index());
+  }
+  ProgramControlGoal resume;
+  resume.command = static_cast<int>(ProgramCommand::Resume);
+  expectAborted(rig, rig.submit(resume), static_cast<std::size_t>(Block::ProgramControl));
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+/// Who stops the robot must not be told that it is too late, as long as there is a wire.
+TEST(Retirement, stillSendsAStopAndWaitsForItsAnswer) {
+  for (const bool moves : {false, true}) {
+    CoreRig rig;
+    rig.connect();
+    const GoalId move = moves ? rig.submit(CoreRig::move()) : 0;
+    if (moves) rig.reply(rig.takeScript().id);
+    retire(rig);
+    const std::string own = moves ? rig.takeScript().id : "";
+    const GoalId stop = rig.submit(StopGoal{});
+    EXPECT_TRUE(rig.accepted(stop));
+    const auto frame = rig.takeScript();
+    EXPECT_EQ(frame.script, "StopAndClearBuffer()");
+    EXPECT_FALSE(rig.core.retired());
+    if (moves) rig.reply(own);
+    rig.reply(frame.id);
+    ASSERT_NE(rig.outcome(stop), nullptr);
+    EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
+    if (moves) expectAborted(rig, move, static_cast<std::size_t>(Block::MoveAbsolute));
+    EXPECT_TRUE(rig.core.retired());
+  }
+}
+
+TEST(Retirement, stillSendsAPauseAndWaitsForItsAnswer) {
+  CoreRig rig;
+  rig.connect();
+  retire(rig);
+  const GoalId pause = rig.submit(ProgramControlGoal{});
+  const auto frame = rig.takeScript();
+  EXPECT_EQ(frame.script, "Pause()");
+  EXPECT_FALSE(rig.core.retired());
+  rig.reply(frame.id);
+  EXPECT_EQ(rig.outcome(pause)->ending, Ending::Done);
+  EXPECT_TRUE(rig.core.retired());
+}
+
+TEST(Retirement, refusesAStopWhereThereIsNoWire) {
+  CoreRig rig;
+  retire(rig);
+  const GoalId stop = rig.submit(StopGoal{});
+  ASSERT_NE(rig.outcome(stop), nullptr);
+  EXPECT_EQ(rig.outcome(stop)->error_id, motion_error::kNotConnected);
+}
+
+TEST(Retirement, endsAStopThatIsNotAnsweredAndSaysThatTheRobotMayMove) {
+  CoreRig rig;
+  rig.connect();
+  retire(rig);
+  const GoalId stop = rig.submit(StopGoal{});
+  rig.takeScript();
+  rig.shutDown();
+  expectAborted(rig, stop, static_cast<std::size_t>(Block::Stop));
+  EXPECT_THAT(rig.outcome(stop)->error_description, HasSubstr("may still move"));
+  expectSilence(rig);
 }
 
 TEST(Retirement, isOverAtOnceWhenNothingIsUnderWay) {
