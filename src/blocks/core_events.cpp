@@ -151,7 +151,7 @@ void CommandCore::Impl::watchOrphan(Instant now) {
 void CommandCore::Impl::watchStrangers(Instant now) {
   if (!script_.connected()) strangers_.forget();
   const bool ours =
-      !connect_.ready() || run_ || cycle_ || mayStillMove() || stop_.busy() || orphan_.mayMove();
+      !connect_.ready() || run_ || cycle_ || loose_.mayMove() || stop_.busy() || orphan_.mayMove();
   strangers_.see(robot_, ours, now);
 }
 
@@ -169,7 +169,7 @@ void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   log(Severity::Warning, "link lost: " + event.reason);
   preflight_.forget();
   frames_.forget();
-  loose_since_.reset();
+  loose_.end();
   dropWaiting("the link was lost: " + event.reason);
   if (run_) run_->linkLost(event.reason, now);
   for (CommandRun& run : direct_) run.linkLost(event.reason, now);
@@ -196,11 +196,11 @@ void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) 
     preflight_.forget();
   } else {
     for (const auto& command : *order.commands) {
-      frames_.accepted(command, mayStillMove() || order.moves, now);
+      frames_.accepted(command, loose_.mayMove() || order.moves, now);
       warnOfWeight(command);
     }
   }
-  if (order.moves && !order.tag) loose_since_ = now;
+  if (order.moves && !order.tag) loose_.begin(now);
 }
 
 /// A controller may take a tool that the arm cannot carry, and fail in the first motion (FB section 5).
@@ -226,8 +226,8 @@ void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
     const bool open = tags_.complete(event.tag);
     if (!open) return;
     preflight_.arrive(run_->order().plan, now);
-    loose_since_.reset();  // tags complete in the order of the queue
-    if (!run_->order().stands_at_end) loose_since_ = now;
+    loose_.end();  // tags complete in the order of the queue
+    if (!run_->order().stands_at_end) loose_.begin(now);
     run_->tagCompleted(now);
   } else if (event.asked) {
     run_->tagIncomplete(event.state, now);
@@ -250,11 +250,7 @@ void CommandCore::Impl::handle(const link::RobotStatus& status, Instant now) {
 
 void CommandCore::Impl::robotChanged(Instant now) {
   frames_.robotChanged(robot_, now);
-  // A motion is seen in the stream a little after its acceptance.
-  constexpr Duration kBegins = std::chrono::milliseconds(500);
-  if (loose_since_ && now - *loose_since_ > kBegins && robot_.moving() == false && !robot_.held()) {
-    loose_since_.reset();
-  }
+  loose_.see(robot_, now);
   if (run_) run_->robotChanged(now);
   for (CommandRun& run : direct_) run.robotChanged(now);
   if (cycle_) cycle_->robotChanged(robot_, now);

@@ -240,7 +240,7 @@ void CommandCore::Impl::cancel(GoalId id, Instant now) {
     kept_.reset();
     connect_.cancel(now);
     abortAll("the connection is being closed", now);
-    if (mayStillMove() && !stop_.busy()) stop_.ask(now);
+    stopIfMoving(now);
   }
   settle(now);
 }
@@ -266,7 +266,7 @@ void CommandCore::Impl::retire(Instant now) {
   life_ = Life::Retiring;
   kept_.reset();
   abortAll(kShuttingDown, now);
-  if (mayStillMove() && !stop_.busy()) stop_.ask(now);
+  stopIfMoving(now);
   settle(now);
 }
 
@@ -285,7 +285,7 @@ void CommandCore::Impl::shutDown(Instant now) {
   dropWaiting(why);
   if (cycle_) cycle_->cancel(why, now);
   if (run_) run_->abandon(why, now);
-  if (mayStillMove() && !stop_.busy()) stop_.ask(now);
+  stopIfMoving(now);
   for (CommandRun& run : direct_) run.abandon(why, now);
   finishRuns(now);
   finishCycle(now);

@@ -16,6 +16,7 @@
 #include "command_run.h"
 #include "connect_run.h"
 #include "frame_watch.h"
+#include "loose_motion.h"
 #include "orphan_watch.h"
 #include "output_board.h"
 #include "pick_and_place_run.h"
@@ -99,8 +100,6 @@ class CommandCore::Impl : private link::Wire {
   void dropWaiting(const std::string& why);
   /// Everything that is Busy is to end as CommandAborted, with a stop when it moves.
   void abortAll(const std::string& why, Instant now);
-  /// The same, with a stop whatever there is.
-  void stopAll(const std::string& why, Instant now);
   void abortRunning(const std::string& why, Instant now);
   void endAborted(Block block, GoalId id, const std::string& why);
   void dispatch(Instant now);
@@ -121,11 +120,17 @@ class CommandCore::Impl : private link::Wire {
   /// The node is left once its motion is done: until then the controller takes a stop, and a pause.
   void leaveNode(const CommandRun& done, Instant now);
   void finishCycle(Instant now);
-  void finishStop(Instant now);
   void tellPlaces();
   [[nodiscard]] std::string textOfPlace(int place) const;
-  /// Blended motions may still be under way though their goals are done.
-  [[nodiscard]] bool mayStillMove() const { return loose_since_.has_value(); }
+
+  // --- The stop (core_stop.cpp).
+  /// Everything that is Busy is to end as CommandAborted, with a stop whatever there is.
+  void stopAll(const std::string& why, Instant now);
+  /// For motions that no goal waits for any more.
+  void stopIfMoving(Instant now);
+  void finishStop(Instant now);
+  void stopConfirmed();
+  void stopFailed(const StopRun::Result& result, Instant now);
 
   // --- Events (core_events.cpp).
   void settle(Instant now);
@@ -171,7 +176,7 @@ class CommandCore::Impl : private link::Wire {
   std::list<CommandRun> direct_;  ///< program control: beside whatever else is on the wire
   std::optional<PickAndPlaceRun> cycle_;
   std::deque<Waiting> waiting_;
-  std::optional<Instant> loose_since_;
+  LooseMotion loose_;
   std::optional<ConnectGoal> kept_;  ///< the link to keep while no connect goal is Busy
   Life life_ = Life::Working;
   std::uint64_t late_events_ = 0;

@@ -81,7 +81,7 @@ void CommandCore::Impl::enqueue(GoalId id, const Goal& goal, BufferMode mode, In
   const Block block = blockOf(goal);
   if (mode == BufferMode::Aborting) {
     abortAll(fmt::format("taken over by {}", toString(block)), now);
-    if ((mayStillMove() || orphan_.mayMove()) && !stop_.busy()) stop_.ask(now);
+    if ((loose_.mayMove() || orphan_.mayMove()) && !stop_.busy()) stop_.ask(now);
   }
   Waiting waiting{id, goal, 0, std::nullopt};
   if (busyBlock()) {
@@ -105,12 +105,6 @@ void CommandCore::Impl::dropWaiting(const std::string& why) {
 void CommandCore::Impl::abortAll(const std::string& why, Instant now) {
   dropWaiting(why);
   abortRunning(why, now);
-}
-
-void CommandCore::Impl::stopAll(const std::string& why, Instant now) {
-  const bool stops_by_itself = run_ && run_->order().moves && run_->mayBeCancelled();
-  if (!stops_by_itself) stop_.ask(now);
-  abortAll(why, now);
 }
 
 void CommandCore::Impl::abortRunning(const std::string& why, Instant now) {
@@ -325,29 +319,10 @@ void CommandCore::Impl::finishCycle(Instant now) {
   if (!cycle_->ended()) return;
   const PickAndPlaceRun cycle = *std::exchange(cycle_, std::nullopt);
   if (cycle.outcome().ending == Ending::Aborted) {
-    if (mayStillMove() && !stop_.busy()) stop_.ask(now);
+    stopIfMoving(now);
     dropWaiting("the command in front of it, pick_and_place, failed");
   }
   board_.end(Block::PickAndPlace, cycle.goal(), cycle.outcome());
-}
-
-void CommandCore::Impl::finishStop(Instant now) {
-  const auto result = stop_.takeResult();
-  if (!result) return;
-  loose_since_.reset();
-  preflight_.forget();
-  frames_.stopped();
-  if (!result->failure) orphan_.fire(OrphanEvent::Stopped);
-  // Who executes the stop block answers for the robot; a cancel, or a stop of the layer's own, does not.
-  if (!result->failure && !stop_goals_.empty()) robot_.acknowledgeError();
-  if (run_) run_->stopEnded(*result, now);
-  for (const GoalId id : std::exchange(stop_goals_, {})) {
-    Outcome outcome;
-    if (result->failure) outcome = toOutcome(Block::Stop, Ending::Aborted, *result->failure);
-    if (!result->failure && !result->confirmed) outcome.error_description = StopRun::kNotSeen;
-    board_.end(Block::Stop, id, std::move(outcome));
-  }
-  if (result->failure) dropWaiting("the robot may still move: " + result->failure->found);
 }
 
 std::string CommandCore::Impl::textOfPlace(int place) const {

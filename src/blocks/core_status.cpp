@@ -43,6 +43,7 @@ void CommandCore::Impl::publishStatus() {
   status.diagnosis = diagnose(script_, robot_);
   if (orphan_.mayMove()) status.diagnosis += fmt::format("; {}", orphan_.text());
   if (const std::string text = strangers_.text(); !text.empty()) status.diagnosis += "; " + text;
+  if (!loose_.text().empty()) status.diagnosis += "; " + loose_.text();
   status.host = connect_.target().host;
   status.port = connect_.target().port;
   status.listen_node = script_.listenNode();

@@ -21,8 +21,10 @@ void StopRun::answered(const link::ScriptAnswered& answer, Instant now) {
     return;
   }
   std::string found = "the controller refused StopAndClearBuffer()";
+  refused_ = reply != nullptr;
   if (const auto* error = std::get_if<protocol::CommunicationError>(&answer.answer)) {
     found = protocol::describe(*error);
+    refused_ = error->code == protocol::CommunicationErrorCode::NotListening;
   } else if (reply == nullptr) {
     found = "no reply to StopAndClearBuffer()";
   }
@@ -65,6 +67,7 @@ void StopRun::fire(Event event, Instant now) {
       return;
     case StopAction::Send:
       deadline_.reset();
+      refused_ = false;
       told_ = robot_.tellsMotion();
       // Whatever was queued before is dropped, and its tags mean nothing any more.
       tags_.renewEpoch();
@@ -79,11 +82,11 @@ void StopRun::fire(Event event, Instant now) {
       return;
     case StopAction::EndStopped:
       deadline_.reset();
-      result_ = Result{std::nullopt, told_};
+      result_ = Result{std::nullopt, false, told_};
       return;
     case StopAction::EndFailed:
       deadline_.reset();
-      result_ = Result{failure_, false};
+      result_ = Result{failure_, refused_, false};
       return;
   }
 }

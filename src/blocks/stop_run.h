@@ -21,6 +21,7 @@ class StopRun {
   /// How a stop ended: the robot stands, or why that is not certain.
   struct Result {
     std::optional<Failure> failure;
+    bool refused = false;  ///< the controller said no: what it had queued goes on
     bool confirmed =
         true;  ///< it was seen to stand; false: the controller accepted the stop, and that is all
   };
@@ -58,6 +59,7 @@ class StopRun {
   std::optional<Instant> deadline_;  ///< of the standstill
   bool told_ = false;                ///< the status stream told whether the robot moves, when it was asked
   Failure failure_;
+  bool refused_ = false;
   std::optional<Result> result_;
 };
 

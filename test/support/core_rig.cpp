@@ -117,6 +117,13 @@ void CoreRig::status(const std::vector<protocol::StatusItem>& items) {
           link::Channel::Status);
 }
 
+void CoreRig::stream(const std::vector<protocol::StatusItem>& items, int count) {
+  for (int i = 0; i < count; ++i) {
+    if (i > 0) pass(kStreamPeriod);
+    status(items);
+  }
+}
+
 protocol::ScriptRequest CoreRig::takeScript() {
   if (sent_.empty() || !std::holds_alternative<protocol::ScriptRequest>(sent_.front())) {
     ADD_FAILURE() << "no script was sent";

@@ -27,6 +27,8 @@ using namespace std::chrono_literals;
 
 class CoreRig {
  public:
+  static constexpr Duration kStreamPeriod = 15ms;
+
   explicit CoreRig(std::optional<arm::ArmModel> arm = std::nullopt, link::LinkSettings settings = noStatus());
   ~CoreRig();
 
@@ -51,6 +53,9 @@ class CoreRig {
   void reply(const std::string& id, bool accepted = true, std::vector<int> lines = {});
   void tag(int number, protocol::TagState state = protocol::TagState::Complete);
   void status(const std::vector<protocol::StatusItem>& items);
+  /// Frames that all say this, a period of the stream apart: the first one behind an event may be of before
+  /// it.
+  void stream(const std::vector<protocol::StatusItem>& items, int count = 2);
 
   /// The oldest frame that was sent and not yet taken; fails when it is of another kind.
   protocol::ScriptRequest takeScript();

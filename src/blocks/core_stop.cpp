@@ -1,0 +1,62 @@
+// The stop in the arbiter: what is asked to stop, and what its end means for everything else.
+
+#include <utility>
+
+#include "core_impl.h"
+#include <fmt/format.h>
+
+namespace cobot_command::blocks {
+
+void CommandCore::Impl::stopAll(const std::string& why, Instant now) {
+  const bool stops_by_itself = run_ && run_->order().moves && run_->mayBeCancelled();
+  if (!stops_by_itself) stop_.ask(now);
+  abortAll(why, now);
+}
+
+void CommandCore::Impl::stopIfMoving(Instant now) {
+  if (loose_.mayMove() && !stop_.busy()) stop_.ask(now);
+}
+
+void CommandCore::Impl::finishStop(Instant now) {
+  const auto result = stop_.takeResult();
+  if (!result) return;
+  if (result->failure) {
+    stopFailed(*result, now);
+  } else {
+    stopConfirmed();
+  }
+  if (run_) run_->stopEnded(*result, now);
+  for (const GoalId id : std::exchange(stop_goals_, {})) {
+    Outcome outcome;
+    if (result->failure) outcome = toOutcome(Block::Stop, Ending::Aborted, *result->failure);
+    if (!result->failure && !result->confirmed) outcome.error_description = StopRun::kNotSeen;
+    board_.end(Block::Stop, id, std::move(outcome));
+  }
+  if (result->failure) {
+    dropWaiting(fmt::format("{}: {}", LooseMotion::kMayStillMove, result->failure->found));
+  }
+}
+
+void CommandCore::Impl::stopConfirmed() {
+  loose_.end();
+  preflight_.forget();
+  frames_.stopped();
+  orphan_.fire(OrphanEvent::Stopped);
+  // Who executes the stop block answers for the robot; a cancel, or a stop of the layer's own, does not.
+  if (!stop_goals_.empty()) robot_.acknowledgeError();
+}
+
+/// Who asked may be gone by now: so it is told to everybody, and the next reason to stop sends a stop again.
+void CommandCore::Impl::stopFailed(const StopRun::Result& result, Instant now) {
+  preflight_.forget();
+  if (!result.refused) frames_.stopped();
+  if (script_.connected()) {
+    loose_.stopFailed(result.failure->found, now);
+  } else {
+    loose_.end();  // whether it moves on is for the next connection to find (orphan_watch.h)
+  }
+  log(Severity::Warning,
+      fmt::format("a stop was not confirmed, {}: {}", LooseMotion::kMayStillMove, result.failure->found));
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,26 @@
+#include "loose_motion.h"
+
+#include <fmt/format.h>
+
+namespace cobot_command::blocks {
+namespace {
+
+/// A motion is seen in the stream a little after its acceptance.
+constexpr Duration kBegins = std::chrono::milliseconds(500);
+
+}  // namespace
+
+void LooseMotion::begin(Instant now) {
+  since_ = now;
+}
+
+void LooseMotion::stopFailed(const std::string& why, Instant now) {
+  since_ = now;
+  text_ = fmt::format("a stop was not confirmed ({}): {}", why, kMayStillMove);
+}
+
+void LooseMotion::see(const RobotWatch& robot, Instant now) {
+  if (since_ && now - *since_ > kBegins && robot.moving() == false && !robot.held()) end();
+}
+
+}  // namespace cobot_command::blocks
