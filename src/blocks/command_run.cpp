@@ -96,7 +96,7 @@ void CommandRun::robotChanged(Instant now) {
     return;
   }
   if (context_.robot.inError() && !order_.beside) {
-    fail({own_error::kRobotError, context_.robot.errorText(), ""}, Robot::Stop, now);
+    fail(robotError(context_.robot), Robot::Stop, now);
     return;
   }
   followHold(now);

@@ -96,7 +96,7 @@ void CommandRun::awaitReason(Instant now) {
 /// An error that was acknowledged, and is still there when the next motion fails, is the reason for that.
 void CommandRun::lookForReason(Instant now) {
   if (context_.robot.showsError() && !order_.beside) {
-    fail({own_error::kRobotError, context_.robot.errorText(), ""}, Robot::LeaveIt, now);
+    fail(robotError(context_.robot), Robot::LeaveIt, now);
     return;
   }
   if (!context_.robot.status() || reason_.endsWithFrame(now)) fire(Event::Overdue, now);

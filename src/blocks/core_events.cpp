@@ -169,6 +169,7 @@ void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   log(Severity::Warning, "link lost: " + event.reason);
   preflight_.forget();
   frames_.forget();
+  burden_.forget();
   loose_.end();
   dropWaiting("the link was lost: " + event.reason);
   if (run_) run_->linkLost(event.reason, now);
@@ -194,23 +195,27 @@ void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) 
   if (!order.commands) {
     frames_.forget();
     preflight_.forget();
+    burden_.forget();
   } else {
     for (const auto& command : *order.commands) {
       frames_.accepted(command, loose_.mayMove() || order.moves, now);
-      warnOfWeight(command);
+      takeBurden(command);
     }
   }
   if (order.moves && !order.tag) loose_.begin(now);
 }
 
 /// A controller may take a tool that the arm cannot carry, and fail in the first motion (FB section 5).
-void CommandCore::Impl::warnOfWeight(const protocol::ScriptCommand& command) {
-  const auto* tool = std::get_if<protocol::ChangeTcp>(&command);
-  if (!tool || !tool->weight || !preflight_.arm()) return;
-  const double payload = preflight_.arm()->ratings().payload;
-  if (*tool->weight <= payload) return;
-  log(Severity::Warning, fmt::format("the tool has {} kg, {} carries {} kg: check weight of change_tcp",
-                                     *tool->weight, preflight_.arm()->name(), payload));
+void CommandCore::Impl::takeBurden(const protocol::ScriptCommand& command) {
+  if (!burden_.accepted(command)) return;
+  weigh();
+  if (!robot_.tooMuch()) return;
+  log(Severity::Warning, robot_.tooMuch()->text + ": motions will fail; check weight of change_tcp");
+}
+
+void CommandCore::Impl::weigh() {
+  if (!preflight_.arm()) return;
+  robot_.carries(burden_.tooMuchFor(*preflight_.arm(), frames_.frames()));
 }
 
 void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
@@ -250,6 +255,7 @@ void CommandCore::Impl::handle(const link::RobotStatus& status, Instant now) {
 
 void CommandCore::Impl::robotChanged(Instant now) {
   frames_.robotChanged(robot_, now);
+  weigh();
   loose_.see(robot_, now);
   if (run_) run_->robotChanged(now);
   for (CommandRun& run : direct_) run.robotChanged(now);

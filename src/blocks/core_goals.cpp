@@ -209,7 +209,7 @@ CommandCore::Impl::Failures CommandCore::Impl::checkReadiness(BufferMode mode) c
     failures.push_back({own_error::kQueueFull, fmt::format("{} commands wait", waiting_.size()), ""});
   }
   if (robot_.emergencyStop()) failures.push_back({own_error::kEmergencyStop, "", ""});
-  if (robot_.inError()) failures.push_back({own_error::kRobotError, robot_.errorText(), ""});
+  if (robot_.inError()) failures.push_back(robotError(robot_));
   if (mode == BufferMode::Refuse && orphan_.mayMove() && !stop_.busy()) {
     failures.push_back({own_error::kOrphanMoves, "", ""});
   }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "block_rules.h"
+#include "burden.h"
 #include "command_run.h"
 #include "connect_run.h"
 #include "frame_watch.h"
@@ -145,7 +146,8 @@ class CommandCore::Impl : private link::Wire {
   void handle(const link::TagQueryFailed& event, Instant now);
   void handle(const link::RobotStatus& status, Instant now);
   void commandAccepted(const CommandOrder& order, Instant now);
-  void warnOfWeight(const protocol::ScriptCommand& command);
+  void takeBurden(const protocol::ScriptCommand& command);
+  void weigh();
   void robotChanged(Instant now);
 
   // --- What everyone may know (core_status.cpp).
@@ -163,6 +165,7 @@ class CommandCore::Impl : private link::Wire {
   link::TagLedger tags_;
   RobotWatch robot_;
   FrameWatch frames_;
+  Burden burden_;
   OrphanWatch orphan_;
   StrangerWatch strangers_;
   Preflight preflight_;

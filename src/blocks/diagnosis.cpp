@@ -8,8 +8,10 @@ std::string diagnose(const link::ScriptLink& link, const RobotWatch& robot) {
   if (robot.emergencyStop()) {
     add("the emergency stop is pressed: release it and start the project again");
   } else if (robot.inError()) {
-    add("the controller is in error, " + robot.errorText() +
-        ": execute stop, then the next motion clears it; if not, clear it on the controller");
+    const char* relief =
+        robot.tooMuch() ? "execute stop, then change_tcp with a lighter tool: " : "execute stop, then ";
+    add("the controller is in error, " + robot.errorText() + ": " + relief +
+        "the next motion clears it; if not, clear it on the controller");
   } else if (robot.showsError()) {
     add("the controller shows " + robot.errorText() + ", which was acknowledged: the next motion clears it");
   } else if (robot.paused()) {

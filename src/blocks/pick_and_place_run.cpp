@@ -124,7 +124,7 @@ void PickAndPlaceRun::robotChanged(const RobotWatch& robot, Instant now) {
     return;
   }
   if (robot.inError()) {
-    fail({own_error::kRobotError, robot.errorText(), ""}, now);
+    fail(robotError(robot), now);
     return;
   }
   if (state_ == State::Explaining) {

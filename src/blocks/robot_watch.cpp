@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/blocks/error_ids.h"
 
 namespace cobot_command::blocks {
 
@@ -26,6 +27,7 @@ std::string RobotWatch::errorText() const {
   if (!status_) return "";
   std::string text = fmt::format("error 0x{:X}", static_cast<unsigned>(status_->error_code.value_or(0)));
   if (status_->error_text && !status_->error_text->empty()) text += ": " + *status_->error_text;
+  if (too_much_) text += "; " + too_much_->text;
   return text;
 }
 
@@ -54,6 +56,18 @@ std::optional<std::array<double, 6>> RobotWatch::toolInBaseMmDeg() const {
   if (!status_ || !status_->tool) return std::nullopt;
   const arm::Pose base = status_->base.value_or(arm::Pose::Identity());
   return arm::toControllerPose(base.inverse() * *status_->tool);
+}
+
+Failure robotError(const RobotWatch& robot) {
+  const std::string way_out =
+      !robot.tooMuch()
+          ? ""
+          : fmt::format(
+                "Execute stop, then change_tcp with the tool that is there, and at most {} kg of tool "
+                "and load (ChangeLoad of run_script) together: the next motion then clears the error. "
+                "If it does not, clear it on the controller",
+                robot.tooMuch()->payload);
+  return {own_error::kRobotError, robot.errorText(), way_out};
 }
 
 }  // namespace cobot_command::blocks

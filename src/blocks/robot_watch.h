@@ -4,7 +4,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "burden.h"
+#include "failure.h"
 #include "standstill.h"
 
 #include "cobot_command/link/robot_status.h"
@@ -34,8 +37,11 @@ class RobotWatch {
   /// Somebody answers for the error that is shown: it counts no more, until it is gone or is another one.
   void acknowledgeError() { error_acknowledged_ = showsError(); }
   void takeBackAcknowledgement() { error_acknowledged_ = false; }
-  /// "error 0x14058: ..." as far as it is known.
+  /// "error 0x14058: ..." as far as it is known, and what it carries if that is too much.
   [[nodiscard]] std::string errorText() const;
+  /// Nothing: what the arm carries is not too much for it, as far as is known.
+  void carries(std::optional<TooMuch> too_much) { too_much_ = std::move(too_much); }
+  [[nodiscard]] const std::optional<TooMuch>& tooMuch() const { return too_much_; }
 
   [[nodiscard]] std::optional<arm::JointVector> joints() const;
   /// The active TCP in the flange, also from the poses of flange and tool; nothing when neither is told.
@@ -49,6 +55,11 @@ class RobotWatch {
   std::optional<link::RobotStatus> status_;
   Standstill standstill_;
   bool error_acknowledged_ = false;
+  std::optional<TooMuch> too_much_;
 };
+
+/// 16#222 with the error that the robot shows. The way out is another one when the arm carries too much: the
+/// next motion would only fail again.
+[[nodiscard]] Failure robotError(const RobotWatch& robot);
 
 }  // namespace cobot_command::blocks

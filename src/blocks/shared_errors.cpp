@@ -138,7 +138,9 @@ constexpr SharedError kRobotErrors[] = {
      "controller",
      "the status stream shows an error that no stop has acknowledged, when the command comes, or while it is "
      "Busy; "
-     "code and text are given"},
+     "code and text are given, and what the arm carries where change_tcp and ChangeLoad gave it more than "
+     "its "
+     "payload: the remedy names the way out then"},
     {own_error::kNotAtTarget, "Target not reached",
      "Make sure that no other client commands this controller, then execute again",
      "the tag came back as complete, but until ~evidence_timeout later the status stream showed the robot "

@@ -4,7 +4,7 @@ import math
 
 import rospy
 
-from cobot_command.msg import MomentOfInertia, Transformation
+from cobot_command.msg import MomentOfInertia, StopGoal, Transformation
 from cobot_goals import relative, tcp, turn
 from cobot_test import wait_until
 from motion_checks import MotionTestCase
@@ -47,6 +47,18 @@ class ChangeTcp(MotionTestCase):
 
     def test_leaves_the_listen_node_on_request(self):
         self.assert_done(self.robot.run_and_reenter(tcp(exit_node=True)))
+
+    # --- Too heavy.
+    def test_is_named_in_the_overload_that_follows_and_a_lighter_tool_leads_out(self):
+        self.assert_done(self.robot.run(tcp(weight=14)))
+        failed = self.robot.run(relative(0, 0, 20))
+        self.assert_aborted(failed, 0x222, "the active tool has 14 kg, tm5-900 carries 4 kg")
+        self.assertIn("Execute stop, then change_tcp", failed[1].remedy)
+        refused = self.robot.run(tcp(weight=2))
+        self.assert_rejected(refused, 0x222, "the active tool has 14 kg")
+        self.assert_done(self.robot.run(StopGoal()))
+        self.assert_done(self.robot.run(tcp(weight=2)))
+        self.assert_done(self.robot.run(relative(0, 0, 20)))
 
     # --- Inputs.
     def test_refuses_inputs_outside_their_range(self):

@@ -87,6 +87,70 @@ TEST_F(Planning, warnsOfAToolThatTheArmCannotCarry) {
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
 }
 
+/// The stop alone leads back into the same error: the way out has to be told.
+TEST_F(Planning, namesTheToolThatIsTooHeavyInTheErrorOfTheMotionAndHowToGetOut) {
+  using ::testing::AllOf;
+  using ::testing::HasSubstr;
+  const auto changeTo = [&](double weight) {
+    ChangeTcpGoal tool;
+    tool.weight = weight;
+    const GoalId goal = rig.submit(tool);
+    ASSERT_TRUE(rig.accepted(goal));
+    rig.reply(rig.takeScript().id);
+  };
+  const auto isExplained = [&](GoalId goal) {
+    ASSERT_NE(rig.outcome(goal), nullptr);
+    EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kRobotError);
+    EXPECT_THAT(
+        rig.outcome(goal)->error_description,
+        AllOf(HasSubstr("error 0x22"), HasSubstr("the active tool has 4.5 kg, tm5-900 carries 4 kg")));
+    EXPECT_THAT(rig.outcome(goal)->remedy,
+                AllOf(HasSubstr("Execute stop, then change_tcp"), HasSubstr("4 kg")));
+  };
+  const auto acknowledge = [&] {
+    rig.discardSent();  // the layer stops a motion that fails by itself
+    const GoalId stop = rig.submit(StopGoal{});
+    rig.reply(rig.takeScript().id);
+    rig.status(StatusFrames().error(0x22, "OVERLOAD"));
+    ASSERT_NE(rig.outcome(stop), nullptr);
+    EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
+  };
+  changeTo(4.5);
+  const GoalId first = rig.submit(toJoints(kAside));
+  rig.reply(rig.takeScript().id);
+  rig.status(StatusFrames().error(0x22, "OVERLOAD"));
+  isExplained(first);
+  acknowledge();
+  rig.status(StatusFrames());
+  rig.status(StatusFrames().error(0x22, "OVERLOAD"));
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the active tool has 4.5 kg"));
+  isExplained(rig.submit(toJoints(kAside)));
+  acknowledge();
+  changeTo(4);
+  rig.status(StatusFrames());
+  rig.status(StatusFrames().error(0x23, "another"));
+  const GoalId lighter = rig.submit(toJoints(kAside));
+  ASSERT_NE(rig.outcome(lighter), nullptr);
+  EXPECT_THAT(rig.outcome(lighter)->error_description, ::testing::Not(HasSubstr("change_tcp")));
+  EXPECT_THAT(rig.outcome(lighter)->remedy, ::testing::Not(HasSubstr("change_tcp")));
+}
+
+TEST_F(Planning, weighsTheToolOfTheStreamAndTheLoadOfAScript) {
+  using ::testing::HasSubstr;
+  rig.status(StatusFrames().with(item::ofFloat("TCP_Mass", 3)).with(item::ofString("TCP_Name", "grip")));
+  RunScriptGoal load;
+  load.script = "ChangeLoad(1.5)";
+  rig.submit(load);
+  rig.reply(rig.takeScript().id);
+  EXPECT_THAT(rig.warnings,
+              ::testing::ElementsAre(HasSubstr(
+                  "the active tool \"grip\" has 3 kg, its load (ChangeLoad) 1.5 kg, tm5-900 carries 4 kg")));
+  rig.status(StatusFrames().with(item::ofFloat("TCP_Mass", 2)).error(0x22, "OVERLOAD"));
+  EXPECT_THAT(rig.latest().diagnosis, ::testing::Not(HasSubstr("carries")));
+  rig.status(StatusFrames().with(item::ofFloat("TCP_Mass", 5)).error(0x22, "OVERLOAD"));
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the active tool has 5 kg, its load (ChangeLoad) 1.5 kg"));
+}
+
 TEST_F(Planning, countsTheProjectSpeed) {
   rig.status(StatusFrames().with(item::ofInt("Project_Speed", 50)));
   const GoalId goal = rig.submit(toJoints(kAside));

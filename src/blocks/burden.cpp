@@ -1,0 +1,30 @@
+#include "burden.h"
+
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "cobot_command/common/given.h"
+
+namespace cobot_command::blocks {
+
+bool Burden::accepted(const protocol::ScriptCommand& command) {
+  const auto* tool = std::get_if<protocol::ChangeTcp>(&command);
+  const auto* load = std::get_if<protocol::ChangeLoad>(&command);
+  if (tool != nullptr) tool_ = tool->weight;
+  if (load != nullptr) load_ = load->weight;
+  return tool != nullptr || load != nullptr;
+}
+
+std::optional<TooMuch> Burden::tooMuchFor(const arm::ArmModel& arm, const ActiveFrames& active) const {
+  const double payload = arm.ratings().payload;
+  const auto tool = active.tool_mass ? active.tool_mass : tool_;
+  if (tool.value_or(0) + load_.value_or(0) <= payload) return std::nullopt;
+  const std::string name = active.tcp_name.empty() ? "" : " " + quoted(active.tcp_name);
+  std::string carried;
+  if (tool) carried = fmt::format("the active tool{} has {} kg", name, *tool);
+  if (load_) carried += fmt::format("{}its load (ChangeLoad) {} kg", tool ? ", " : "", *load_);
+  return TooMuch{fmt::format("{}, {} carries {} kg", carried, arm.name(), payload), payload};
+}
+
+}  // namespace cobot_command::blocks
