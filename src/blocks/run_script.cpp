@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/language/open_end.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -62,6 +63,18 @@ bool endsWithScriptExit(const std::vector<Line>& lines) {
   return !lines.empty() && isScriptExit(lines.back());
 }
 
+/// The lines as they stood in the script, empty ones too; without what the layer sends behind them.
+std::string withoutExit(std::vector<Line> lines) {
+  if (endsWithScriptExit(lines)) lines.pop_back();
+  std::string text;
+  int number = 1;
+  for (const Line& line : lines) {
+    text.append(static_cast<std::size_t>(line.number - number), '\n').append(line.text);
+    number = line.number;
+  }
+  return text;
+}
+
 /// What is wrong with the script, at its first faulty line; empty: nothing.
 std::string faultOf(const std::string& script) {
   if (script.size() > kMaxScript) return fmt::format("it has {} bytes", script.size());
@@ -80,7 +93,8 @@ std::string faultOf(const std::string& script) {
       return fmt::format("the lines behind line {}, ScriptExit(), would never run", line.number);
     }
   }
-  return "";
+  // Else the controller would read the queue tag, or the exit, as part of it, and never report it.
+  return language::openEndOf(withoutExit(lines)).value_or("");
 }
 
 }  // namespace

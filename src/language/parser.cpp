@@ -36,7 +36,8 @@ bool isReservedWord(std::string_view word) {
 
 ParsedScript parse(std::string_view text) {
   ParsedScript script;
-  for (const SourceLine& line : splitLines(text)) {
+  const SourceLines source = splitLines(text);
+  for (const SourceLine& line : source.lines) {
     const std::string_view word = firstWord(line.text);
     if (isOfPrograms(word)) {
       script.faults.push_back(

@@ -8,10 +8,10 @@ namespace {
 
 class Splitter {
  public:
-  std::vector<SourceLine> split(std::string_view script) {
+  SourceLines split(std::string_view script) {
     lines_.push_back({1, ""});
     while (!script.empty()) script.remove_prefix(take(script));
-    return std::move(lines_);
+    return {std::move(lines_), comment_begin_};
   }
 
  private:
@@ -19,10 +19,10 @@ class Splitter {
   std::size_t take(std::string_view rest) {
     std::string& line = lines_.back().text;
     if (rest.front() == '\n') return endLine();
-    if (in_comment_) return rest.substr(0, 2) == "*/" ? leaveComment() : 1;
+    if (comment_begin_) return rest.substr(0, 2) == "*/" ? leaveComment() : 1;
     if (!in_quotes_ && rest.substr(0, 2) == "//") return std::min(rest.find('\n'), rest.size());
     if (!in_quotes_ && rest.substr(0, 2) == "/*") {
-      in_comment_ = true;
+      comment_begin_ = lines_.back().number;
       line += ' ';
       return 2;
     }
@@ -40,18 +40,18 @@ class Splitter {
   }
 
   std::size_t leaveComment() {
-    in_comment_ = false;
+    comment_begin_.reset();
     return 2;
   }
 
   std::vector<SourceLine> lines_;
   bool in_quotes_ = false;
-  bool in_comment_ = false;
+  std::optional<int> comment_begin_;  // its line, while in one
 };
 
 }  // namespace
 
-std::vector<SourceLine> splitLines(std::string_view script) {
+SourceLines splitLines(std::string_view script) {
   return Splitter().split(script);
 }
 

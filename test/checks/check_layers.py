@@ -13,7 +13,7 @@ ALLOWED = {
     "planning": {"common", "protocol", "arm", "motion"},
     "transport": {"common"},
     "link": {"common", "protocol", "arm"},
-    "blocks": {"common", "protocol", "arm", "motion", "planning", "link"},
+    "blocks": {"common", "language", "protocol", "arm", "motion", "planning", "link"},
     "simulator": {"common", "language", "protocol", "arm", "motion", "planning"},
     "runtime": {"common", "protocol", "arm", "motion", "planning", "transport", "link", "blocks", "simulator"},
 }
