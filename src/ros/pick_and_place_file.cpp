@@ -10,7 +10,7 @@
 
 #include "regular_file.h"
 #include <fmt/format.h>
-#include <ros/package.h>
+#include <rospack/rospack.h>
 #include <yaml-cpp/yaml.h>
 
 #include "cobot_command/RobotPose.h"
@@ -242,6 +242,22 @@ std::string wordsOf(const YAML::Exception& fault) {
   return "no YAML: " + fault.msg.substr(0, fault.msg.find(':'));
 }
 
+/// Empty when there is no such package. Not roslib's own way, which tells of it on standard error besides.
+std::string folderOf(const std::string& package) {
+  rospack::Rospack packages;
+  packages.setQuiet(true);
+  std::vector<std::string> places;
+  if (!packages.getSearchPathFromEnv(places)) return "";
+  packages.crawl(places, false);
+  std::string folder;
+  return packages.find(package, folder) ? folder : "";
+}
+
+/// Leads it out of the folder in which it is looked for? Links in there lead where whoever made them wants.
+bool leadsOut(const std::filesystem::path& path) {
+  return path.is_absolute() || *path.lexically_normal().begin() == "..";
+}
+
 /// The path on this machine; its error says what is wrong with the location.
 Result<std::filesystem::path, std::string> toPath(const std::string& location) {
   static const std::string kScheme = "package://";
@@ -256,12 +272,17 @@ Result<std::filesystem::path, std::string> toPath(const std::string& location) {
   const std::size_t slash = std::min(location.find('/', kScheme.size()), location.size());
   const std::string package = location.substr(kScheme.size(), slash - kScheme.size());
   const std::string path = location.substr(std::min(slash + 1, location.size()));
-  const std::string folder = ros::package::getPath(package);
+  const std::string folder = folderOf(package);
   if (folder.empty()) {
     return refuse(fmt::format("{}: package '{}' is not found", foreignText(location),
                               foreignText(package, kQuoteLimit)));
   }
   if (path.empty()) return refuse(foreignText(location) + ": the path in the package is missing");
+  if (leadsOut(path)) {
+    return refuse(
+        fmt::format("{}: the path leads out of the package; give an absolute path for what is elsewhere",
+                    foreignText(location)));
+  }
   return std::filesystem::path(folder) / path;
 }
 

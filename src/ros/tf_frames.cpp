@@ -4,8 +4,10 @@
 #include <chrono>
 #include <utility>
 
+#include <fmt/format.h>
 #include <tf2/exceptions.h>
 
+#include "cobot_command/common/given.h"
 #include "cobot_command/ros/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -34,9 +36,15 @@ Duration TfFrames::patience() const {
 }
 
 FramePlace TfFrames::find(const std_msgs::Header& header) {
+  const std::string& frame = header.frame_id;
+  // tf2 says so as well, but its text ends where the right name should stand.
+  if (frame.compare(0, 1, "/") == 0) {
+    return {std::nullopt,
+            fmt::format("frames of tf have no / in front; is {} meant?", quoted(frame.substr(1)))};
+  }
   if (!listener_) listen();
   try {
-    return {toPose(buffer_.lookupTransform(robot_base_, header.frame_id, header.stamp).transform), ""};
+    return {toPose(buffer_.lookupTransform(robot_base_, frame, header.stamp).transform), ""};
   } catch (const tf2::TransformException& fault) {
     return {std::nullopt, fault.what()};
   }

@@ -249,6 +249,26 @@ TEST(PickAndPlaceFile, aLocationThatIsNoneIsNamed) {
   EXPECT_THAT(locationError("/\xFF\n"), HasSubstr("/\\xFF\\n: there is no such file"));
 }
 
+TEST(PickAndPlaceFile, aPathInAPackageStaysInIt) {
+  for (const char* location :
+       {"package://roscpp/../../../etc/passwd", "package://roscpp/..", "package://roscpp//etc/passwd",
+        "package://roscpp/a/../../x.yaml", "package://roscpp/./../x.yaml"}) {
+    EXPECT_THAT(locationError(location), HasSubstr("leads out of the package; give an absolute path"))
+        << location;
+  }
+  for (const char* location :
+       {"package://roscpp/a/../x.yaml", "package://roscpp/..x.yaml", "package://roscpp/./x.yaml"}) {
+    EXPECT_THAT(locationError(location), HasSubstr("there is no such file")) << location;
+  }
+}
+
+TEST(PickAndPlaceFile, whatIsWrongWithALocationIsNotToldOnStandardErrorBesides) {
+  testing::internal::CaptureStderr();
+  const std::string error = locationError("package://no_such_package_at_all/a.yaml");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_THAT(error, HasSubstr("is not found"));
+}
+
 TEST(PickAndPlaceFile, whatIsNoRegularFileIsRefusedByItsKindAndNeverOpened) {
   const Folder folder;
   const auto fifo = folder.path() / "fifo";
