@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "motion_goals.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -45,19 +46,9 @@ Lie standsAtPose(const arm::ControllerPose& pose) {
   };
 }
 
-blocks::MoveAbsoluteGoal toJoints(const std::array<double, 6>& joints_deg, double speed_percent) {
-  blocks::MoveAbsoluteGoal goal;
-  goal.movement_command = static_cast<int>(blocks::Movement::Ptp);
-  goal.data_format = static_cast<int>(blocks::AbsoluteFormat::Jpp);
-  goal.target = joints_deg;
-  goal.speed = speed_percent;
-  goal.accel_time = 200;
-  return goal;
-}
-
 BlockCase moveAbsolute(Pace pace) {
   const std::array<double, 6> target{20, -10, 100, 5, 80, -15};
-  return {Block::MoveAbsolute, toJoints(target, percent(pace)), true, standsAtJoints(target)};
+  return {Block::MoveAbsolute, test::moveJoints(target, percent(pace)), true, standsAtJoints(target)};
 }
 
 BlockCase moveRelative(Pace pace) {
@@ -134,15 +125,15 @@ BlockCase runScript(Pace pace) {
 BlockCase checkSequence() {
   blocks::CheckSequenceGoal goal;
   goal.start_joints.assign(kStart.begin(), kStart.end());
-  goal.steps.assign(3, toJoints({10, 0, 90, 0, 90, 0}, 50));
+  goal.steps.assign(3, test::moveJoints({10, 0, 90, 0, 90, 0}, 50));
   return {Block::CheckSequence, goal, false, [](const RobotState&) { return std::string(); }};
 }
 
 BlockCase pickAndPlace(Pace pace) {
   blocks::PickAndPlaceGoal goal;
-  goal.steps.push_back(
-      {toJoints({10, -5, 95, 0, 90, 0}, percent(pace)), blocks::OutputAction{"EndModule", 0, true}, 0.05});
-  goal.steps.push_back({toJoints({-5, 5, 85, 0, 90, 0}, percent(pace)), std::nullopt, 0});
+  goal.steps.push_back({test::moveJoints({10, -5, 95, 0, 90, 0}, percent(pace)),
+                        blocks::OutputAction{"EndModule", 0, true}, 0.05});
+  goal.steps.push_back({test::moveJoints({-5, 5, 85, 0, 90, 0}, percent(pace)), std::nullopt, 0});
   const Lie moved = standsAtJoints({-5, 5, 85, 0, 90, 0});
   return {Block::PickAndPlace, goal, true, [moved](const RobotState& robot) -> std::string {
             if (!robot.outputs.end_module.at(0)) return "the output was not set";
@@ -168,7 +159,7 @@ std::vector<BlockCase> blockCases(Pace pace) {
 
 BlockCase proofOfWork() {
   const std::array<double, 6> target{-20, 10, 80, 10, 95, 30};
-  return {Block::MoveAbsolute, toJoints(target, 100), true, standsAtJoints(target)};
+  return {Block::MoveAbsolute, test::moveJoints(target, 100), true, standsAtJoints(target)};
 }
 
 }  // namespace cobot_command::hostile

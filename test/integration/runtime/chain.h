@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "event_log.h"
+#include "motion_goals.h"
 #include <gtest/gtest.h>
 
 #include "cobot_command/arm/controller_pose.h"
@@ -128,16 +129,7 @@ class Commander {
   CommandRuntime runtime_;
 };
 
-inline blocks::MoveAbsoluteGoal moveJoints(const std::array<double, 6>& joints_deg,
-                                           double speed_percent = 50) {
-  blocks::MoveAbsoluteGoal goal;
-  goal.movement_command = static_cast<int>(blocks::Movement::Ptp);
-  goal.data_format = static_cast<int>(blocks::AbsoluteFormat::Jpp);
-  goal.target = joints_deg;
-  goal.speed = speed_percent;
-  goal.accel_time = 200;
-  return goal;
-}
+using test::moveJoints;
 
 /// A line to where the flange would be at these joints, moved by `offset` [mm].
 inline blocks::MoveAbsoluteGoal moveLine(const std::array<double, 6>& joints_deg,
