@@ -7,11 +7,12 @@
 
 int main(int argc, char** argv) {
   namespace ros_adapter = cobot_command::ros_adapter;
-  ros::init(argc, argv, "command_node", ros::init_options::NoSigintHandler);
-  ros_adapter::NodeEnd end;
+  ros_adapter::NodeEnd end(argc, argv, "command_node");
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
-  auto parameters = ros_adapter::readCommandParameters(node, self);
+  if (!end.joined()) return 0;
+  auto parameters = ros_adapter::readCommandParameters(node, self, [&] { return end.isAskedFor(); });
+  if (end.isAskedFor()) return 0;  // whatever was read by then
   if (!parameters) {
     ROS_FATAL_STREAM(parameters.error().message);
     return 2;

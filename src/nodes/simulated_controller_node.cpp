@@ -9,10 +9,10 @@
 int main(int argc, char** argv) {
   using cobot_command::runtime::SimulatorError;
   namespace ros_adapter = cobot_command::ros_adapter;
-  ros::init(argc, argv, "simulated_controller", ros::init_options::NoSigintHandler);
-  ros_adapter::NodeEnd end;
+  ros_adapter::NodeEnd end(argc, argv, "simulated_controller");
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
+  if (!end.joined()) return 0;
   auto parameters = ros_adapter::readSimulatorParameters(node, self);
   if (!parameters) {
     ROS_FATAL_STREAM(parameters.error().message);

@@ -9,6 +9,7 @@
 #include "cobot_command/common/host_name.h"
 #include "cobot_command/common/setting_kinds.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/runtime/simulator_runtime.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 using namespace setting_kinds;
 
 constexpr double kAnnouncementTimeout = 30;  // [s]; a node starts in far less
+constexpr double kAnnouncementRetry = 0.05;  // [s]
 
 TextRule hostName() {
   return {fmt::format("a host without blanks, of at most {} characters", kMaxHostLength), isHostName};
@@ -51,33 +53,38 @@ std::optional<SettingFault> faultIn(const CommandParameters& p) {
   return std::nullopt;
 }
 
-/// The port that the node `controller` says it listens on; waits for it until `deadline`.
-std::optional<int> announcedPort(const ros::NodeHandle& node, const std::string& controller, const char* name,
-                                 const ros::SteadyTime& deadline) {
-  const std::string parameter = controller + "/listening/" + name;
-  int port = 0;
-  while (!node.getParam(parameter, port)) {
-    if (!ros::ok() || ros::SteadyTime::now() > deadline) return std::nullopt;
-    ros::WallDuration(0.05).sleep();
-  }
-  return port;
+/// The ports that the node `controller` says it listens on, as soon as it has told both.
+std::optional<runtime::SimulatorPorts> announcedPorts(const ros::NodeHandle& node,
+                                                      const std::string& controller) {
+  runtime::SimulatorPorts ports;
+  const bool told = node.getParam(controller + "/listening/script_port", ports.script) &&
+                    node.getParam(controller + "/listening/status_port", ports.status);
+  return told ? std::make_optional(ports) : std::nullopt;
+}
+
+SettingFault untold(const std::string& controller, const std::string& how_long) {
+  return {"simulated_controller", fmt::format("is {}, which has told no ports {}", controller, how_long),
+          "the name of a running simulated_controller_node, or empty"};
 }
 
 /// The ports of ~simulated_controller, if that is given, in place of ~script_port and ~status_port.
-std::optional<SettingFault> takeAnnouncedPorts(const ros::NodeHandle& node, CommandParameters& parameters) {
+std::optional<SettingFault> takeAnnouncedPorts(const ros::NodeHandle& node, CommandParameters& parameters,
+                                               const std::function<bool()>& given_up) {
   const std::string& controller = parameters.simulated_controller;
   if (controller.empty()) return std::nullopt;
   const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(kAnnouncementTimeout);
-  const auto script = announcedPort(node, controller, "script_port", deadline);
-  const auto status = announcedPort(node, controller, "status_port", deadline);
-  if (!script || !status) {
-    return SettingFault{
-        "simulated_controller",
-        fmt::format("is {}, which has told no ports within {} s", controller, kAnnouncementTimeout),
-        "the name of a running simulated_controller_node, or empty"};
+  auto ports = announcedPorts(node, controller);
+  if (!ports) ROS_INFO_STREAM("waiting for the ports of " << controller);
+  while (!ports) {
+    if (given_up()) return untold(controller, "before the end was asked for");
+    if (ros::SteadyTime::now() > deadline) {
+      return untold(controller, fmt::format("within {} s", kAnnouncementTimeout));
+    }
+    ros::WallDuration(kAnnouncementRetry).sleep();
+    ports = announcedPorts(node, controller);
   }
-  parameters.script_port = *script;
-  parameters.link.status_port = *status;
+  parameters.script_port = ports->script;
+  parameters.link.status_port = ports->status;
   return std::nullopt;
 }
 
@@ -161,12 +168,15 @@ Result<CommandParameters, ParameterError> readCommandParameters(const GivenParam
 }
 
 Result<CommandParameters, ParameterError> readCommandParameters(const ros::NodeHandle& node,
-                                                                const ros::NodeHandle& self) {
+                                                                const ros::NodeHandle& self,
+                                                                const std::function<bool()>& given_up) {
   const GivenParameters given = givenParameters(node, self);
   auto parameters = readCommandParameters(given);
   if (!parameters) return parameters;
   for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(warning);
-  if (const auto fault = takeAnnouncedPorts(node, *parameters)) return refuse(parameterError(given, *fault));
+  if (const auto fault = takeAnnouncedPorts(node, *parameters, given_up)) {
+    return refuse(parameterError(given, *fault));
+  }
   return parameters;
 }
 

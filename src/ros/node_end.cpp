@@ -4,7 +4,9 @@
 #include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -14,9 +16,11 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/make_shared.hpp>
+#include <fmt/format.h>
 #include <ros/callback_queue.h>
 #include <ros/console.h>
 #include <ros/init.h>
+#include <ros/master.h>
 #include <ros/poll_manager.h>
 #include <ros/xmlrpc_manager.h>
 
@@ -26,8 +30,28 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-/// How often the queue is looked at for ros::ok(); who asks for the end wakes it up.
-const ros::WallDuration kServePeriod(0.1);
+constexpr double kServePeriod = 0.1;  // [s]; who asks for the end wakes the queue up
+
+/// What a node is at, in the order of its life.
+enum class Stage { Beginning, Joining, Starting, Serving, Ending, Leaving };
+
+std::string describe(Stage stage) {
+  switch (stage) {
+    case Stage::Beginning:
+    case Stage::Joining:
+      return "joining the ROS master at " + ros::master::getURI();
+    case Stage::Starting:
+      return "starting, with what it asks the ROS master at " + ros::master::getURI();
+    case Stage::Serving:
+      return "the callback that is being served";
+    case Stage::Ending:
+      return "ending what was under way";
+    case Stage::Leaving:
+      return "taking its topics, services and parameters back from the ROS master at " +
+             ros::master::getURI();
+  }
+  return "";
+}
 
 struct WakeUp : ros::CallbackInterface {
   CallResult call() override { return Success; }
@@ -54,72 +78,102 @@ class PollRounds {
 
 }  // namespace
 
+/// The stage and `begin_` belong to its thread: whoever moves on waits for that.
 class NodeEnd::Impl {
  public:
-  Impl() {
+  Impl(int argc, char** argv, const std::string& name) {
     for (const int signal : runtime::endSignals()) signals_.add(signal);
     signals_.async_wait([this](const boost::system::error_code& cancelled, int) {
       if (!cancelled) ask();
     });
     thread_ = std::thread([this] { context_.run(); });
+    ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+    listenToMaster();
+    moveOn([this] { stage_ = Stage::Joining; });
   }
 
   ~Impl() {
+    ros::XMLRPCManager::instance()->unbind(kShutdown);
     context_.stop();
     thread_.join();
   }
 
+  [[nodiscard]] bool isAskedFor() const { return asked_; }
+
+  void joined() {
+    moveOn([this] { stage_ = Stage::Starting; });
+  }
+
   void serve(std::function<void()> begin) {
-    listenToMaster();
-    boost::asio::post(context_, [this, begin = std::move(begin)]() mutable {
+    moveOn([&] {
+      stage_ = Stage::Serving;
+      if (asked_) begin();
       begin_ = std::move(begin);
-      if (asked_) begin_();
     });
     ros::CallbackQueue& queue = *ros::getGlobalCallbackQueue();
-    while (!asked_ && ros::ok()) queue.callAvailable(kServePeriod);
-    unlistenToMaster();
+    while (!asked_ && ros::ok()) queue.callAvailable(ros::WallDuration(kServePeriod));
+    moveOn([this] {
+      stage_ = Stage::Ending;
+      begin_ = nullptr;
+    });
   }
 
   void leaveWithin(Duration patience) {
-    boost::asio::post(context_, [this, patience] { limitFarewell(patience); });
+    moveOn([this, patience] {
+      stage_ = Stage::Leaving;
+      limit(patience);
+    });
   }
 
  private:
+  /// Does it on the thread, behind whatever that does, and returns when it is done.
+  template <class Step>
+  void moveOn(const Step& step) {
+    std::promise<void> done;
+    boost::asio::post(context_, [&] {
+      step();
+      done.set_value();
+    });
+    done.get_future().wait();
+  }
+
   void ask() {
     if (asked_.exchange(true)) return;
-    if (begin_) {
-      begin_();
-    } else {
-      ros::requestShutdown();
-      limitFarewell(kFarewellPatience);
-    }
+    // In its first two stages ROS waits for a master for ever. In the first it has nothing yet to take back.
+    if (stage_ == Stage::Beginning) std::_Exit(0);
+    if (stage_ == Stage::Joining) ros::requestShutdown();
+    limit(kFarewellPatience);
+    if (stage_ != Stage::Serving) return;
+    begin_();
     ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<WakeUp>());
   }
 
-  void limitFarewell(Duration patience) {
+  void limit(Duration patience) {
     farewell_.expires_after(patience);
-    farewell_.async_wait([](const boost::system::error_code& cancelled) {
-      if (cancelled) return;
-      std::fputs("the ROS master does not answer: leaving without a goodbye\n", stderr);
+    farewell_.async_wait([this, patience](const boost::system::error_code& replaced) {
+      if (replaced) return;
+      fmt::print(stderr, "{} s were not enough for {}: leaving the process as it is\n", toSeconds(patience),
+                 describe(stage_));
       std::_Exit(0);
     });
   }
 
-  /// `rosnode kill`, or another node of this name: roscpp would take the topics away at once.
+  /// `rosnode kill`, or another node of this name: roscpp would take the topics away at once. Bound before
+  /// roscpp does so itself, which then leaves it as it is.
   void listenToMaster() {
-    const auto& xmlrpc = ros::XMLRPCManager::instance();
-    xmlrpc->unbind(kShutdown);
-    xmlrpc->bind(kShutdown, [this](XmlRpc::XmlRpcValue& parameters, XmlRpc::XmlRpcValue& result) {
-      using Value = XmlRpc::XmlRpcValue;
-      if (parameters.getType() == Value::TypeArray && parameters.size() > 1 &&
-          parameters[1].getType() == Value::TypeString) {
-        ROS_WARN_STREAM("asked to shut down: " << foreignText(static_cast<std::string&>(parameters[1])));
-      }
-      boost::asio::post(context_, [this] { ask(); });
-      result = ros::xmlrpc::responseInt(1, "", 0);
-    });
+    ros::XMLRPCManager::instance()->bind(
+        kShutdown, [this](XmlRpc::XmlRpcValue& parameters, XmlRpc::XmlRpcValue& result) {
+          using Value = XmlRpc::XmlRpcValue;
+          const bool says_why = parameters.getType() == Value::TypeArray && parameters.size() > 1 &&
+                                parameters[1].getType() == Value::TypeString;
+          const std::string why = says_why ? static_cast<std::string&>(parameters[1]) : "";
+          boost::asio::post(context_, [this, why] {
+            if (!asked_) ROS_WARN_STREAM("asked to shut down: " << foreignText(why));
+            ask();
+          });
+          result = ros::xmlrpc::responseInt(1, "", 0);
+        });
   }
-  static void unlistenToMaster() { ros::XMLRPCManager::instance()->unbind(kShutdown); }
 
   static constexpr const char* kShutdown = "shutdown";
 
@@ -127,13 +181,24 @@ class NodeEnd::Impl {
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{context_.get_executor()};
   boost::asio::signal_set signals_{context_};
   boost::asio::steady_timer farewell_{context_};
-  std::function<void()> begin_;  ///< of the thread
+  Stage stage_ = Stage::Beginning;
+  std::function<void()> begin_;  ///< while serving
   std::atomic<bool> asked_{false};
   std::thread thread_;
 };
 
-NodeEnd::NodeEnd() : impl_(std::make_unique<Impl>()) {}
+NodeEnd::NodeEnd(int argc, char** argv, const std::string& name)
+    : impl_(std::make_unique<Impl>(argc, argv, name)) {}
 NodeEnd::~NodeEnd() = default;
+
+bool NodeEnd::isAskedFor() const {
+  return impl_->isAskedFor();
+}
+
+bool NodeEnd::joined() {
+  impl_->joined();
+  return !isAskedFor();
+}
 
 void NodeEnd::serve(std::function<void()> begin) {
   impl_->serve(std::move(begin));

@@ -23,6 +23,9 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 100;
+constexpr const char* kPorts = "listening";
+constexpr const char* kScriptPort = "listening/script_port";
+constexpr const char* kStatusPort = "listening/status_port";
 
 runtime::SimulatorOptions optionsOf(const SimulatorParameters& parameters) {
   runtime::SimulatorOptions options = parameters.simulator.options;
@@ -81,12 +84,21 @@ SimulatedControllerNode::SimulatedControllerNode(const ros::NodeHandle& self, Si
   offerServices();
 }
 
+SimulatedControllerNode::~SimulatedControllerNode() {
+  int script = 0;
+  int status = 0;
+  const bool ours = told_ && self_.getParam(kScriptPort, script) && self_.getParam(kStatusPort, status) &&
+                    script == told_->script && status == told_->status;
+  if (ours) self_.deleteParam(kPorts);  // else they are those of a new node of this name
+}
+
 Result<void, runtime::SimulatorError> SimulatedControllerNode::start() {
-  self_.deleteParam("listening");  // of a run before this one, which nobody shall connect to
+  self_.deleteParam(kPorts);  // of a run that was killed, which nobody shall connect to
   const auto ports = runtime_.start();
   if (!ports) return refuse(ports.error());
-  self_.setParam("listening/script_port", ports->script);
-  self_.setParam("listening/status_port", ports->status);
+  told_ = *ports;
+  self_.setParam(kScriptPort, ports->script);
+  self_.setParam(kStatusPort, ports->status);
   ROS_INFO("simulated controller: listening script=%d status=%d", ports->script, ports->status);
   return {};
 }

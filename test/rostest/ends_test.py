@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """How nodes come to their end, in motion: by signals, by `rosnode kill`, by being killed or held up, and without a
 master. Whatever it is, the arm must not just go on, and each goal has one end."""
-import math
 import signal
 
 import rosnode
@@ -9,67 +8,19 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import CommandStatus, MoveRelativeActionResult
-from cobot_goals import HOME, relative, to_joints, turn
-from cobot_test import OutcomeTestCase, Robot, wait_until
-from own_nodes import Master, node
+from cobot_goals import relative
+from cobot_test import wait_until
+from own_nodes import Heard, Master, node
+from own_robot import FAR, PORTS, OwnRobotTestCase
 
-FAR = 150  # [deg], at 5 % of 180 deg/s: 17 s
 END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-SIMULATOR = {"robot_model": "tm5-900", "script_port": 0, "status_port": 0}
 
 
-def angle(joints):
-    return math.degrees(joints.position[0])
-
-
-class EndsTestCase(OutcomeTestCase):
-    """A simulated controller and a command node for each test."""
-
-    def setUp(self):
-        self.robot = Robot()
-        self.start_simulator()
-        self.robot.true_joints.wait_for(lambda m: True, "the arm")
-
-    def start_simulator(self):
-        if rospy.has_param("simulated_controller/listening"):
-            rospy.delete_param("simulated_controller/listening")  # of the one before
-        self.simulator = self.start("simulated_controller_node", "simulated_controller", **SIMULATOR)
-
-    def start(self, kind, name, **parameters):
-        process = node(kind, name, **parameters)
-        self.addCleanup(process.clear_away)
-        return process
-
-    def start_command_node(self, **parameters):
-        self.robot = Robot()  # its clients have to find the new node
-        return self.start("command_node", "command_node", robot_model="tm5-900", **parameters)
-
-    def go_home(self):
-        self.robot.establish()
-        self.assert_done(self.robot.run(to_joints(*HOME, speed=100)))
-
-    def start_far(self):
-        """A motion that takes long, on its way."""
-        sent = self.robot.send(turn(FAR, 0, 0, 0, 0, 0, speed=5)).wait_until_active()
-        self.wait_until_it_moves()
-        return sent
-
-    def wait_until_it_moves(self):
-        self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) > 0.05, "the motion of the arm")
-
-    def assert_stops_on_its_way(self):
-        last = self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill")
-        self.assertLess(angle(last), FAR - 20)
-
+class EndsTestCase(OwnRobotTestCase):
     def assert_ended_by_the_node(self, sent, words="the command layer is shutting down"):
         state, result = sent.finish()
         self.assertEqual(state, GoalStatus.PREEMPTED, result)
         self.assertIn(words, result.error_description)
-
-    def assert_works(self):
-        """A new link, and a motion over it."""
-        self.go_home()
-        self.assert_done(self.robot.run(relative(0, 0, 1, 0, 0, 0)))
 
 
 class AnEndThatIsAskedFor(EndsTestCase):
@@ -98,7 +49,9 @@ class AnEndThatIsAskedFor(EndsTestCase):
         self.go_home()
         sent = self.start_far()
         self.robot.fault("silence")
-        self.assertEqual(command_node.end(signal.SIGTERM)[0], 0)
+        status, seconds = command_node.end(signal.SIGTERM)
+        print(f"silent robot: gone after {seconds:.3f} s", flush=True)
+        self.assertEqual(status, 0)
         self.assert_ended_by_the_node(sent, "may still move")
 
     def test_of_the_simulated_controller_ends_goals_and_the_next_one_is_found(self):
@@ -111,6 +64,7 @@ class AnEndThatIsAskedFor(EndsTestCase):
                 self.assertEqual(status, -number if number == signal.SIGKILL else 0)
                 self.assert_aborted(sent.finish(), 0x99)
                 self.assert_aborted(self.robot.connect.finish(), 0x90)
+                self.assertEqual(rospy.has_param(PORTS), number == signal.SIGKILL, "the ports that it has told")
                 self.start_simulator()
                 self.assert_works()
                 self.assertEqual(command_node.end(signal.SIGTERM)[0], 0)
@@ -154,7 +108,7 @@ class WithoutAMaster(EndsTestCase):
         super().setUp()
         self.master = Master()
         self.addCleanup(lambda: self.master.clear_away())  # it may be another one then
-        self.command_node = node("command_node", "command_node", master=self.master.uri, robot_model="tm5-900",
+        self.command_node = node("command_node", "command_node", master=self.master.uri, process=Heard, robot_model="tm5-900",
                                  auto_connect="true", robot_ip="127.0.0.1", script_port=self.robot.port(),
                                  status_port=self.robot.port("status_port"))
         self.addCleanup(self.command_node.clear_away)
@@ -193,6 +147,8 @@ class WithoutAMaster(EndsTestCase):
     def test_the_node_does_not_wait_for_a_master_that_hangs(self):
         self.master.signal(signal.SIGSTOP)
         print(f"hanging master: gone after {self.assert_ends_orderly():.3f} s", flush=True)
+        self.assertIn("3 s were not enough for taking its topics, services and parameters back from the ROS master at "
+                      + self.master.uri, self.command_node.output())
 
 
 if __name__ == "__main__":

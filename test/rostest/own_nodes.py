@@ -9,20 +9,29 @@ import xmlrpc.client
 
 import rospy
 
-from cobot_test import DEADLINE, program
+from cobot_test import DEADLINE, program, wait_until
 
 
 class Process:
     """A program of this package, or another, that is gone at the end of the test."""
 
-    def __init__(self, *command, env=None, stdout=None):
-        self._process = subprocess.Popen(command, env=env, stdout=stdout)
+    def __init__(self, *command, env=None, stdout=None, stderr=None):
+        self._process = subprocess.Popen(command, env=env, stdout=stdout, stderr=stderr)
 
     def signal(self, number):
         self._process.send_signal(number)
 
     def is_alive(self):
         return self._process.poll() is None
+
+    def wait_until_it_catches(self, number):
+        """Until then a signal ends it as it ends every program."""
+        wait_until(lambda: not self.is_alive() or self._catches(number), "a process that catches the signal")
+
+    def _catches(self, number):
+        with open(f"/proc/{self._process.pid}/status", encoding="utf-8") as status:
+            caught = next(line for line in status if line.startswith("SigCgt:"))
+        return bool(int(caught.split()[1], 16) >> (number - 1) & 1)
 
     def end(self, number):
         """Sends the signal; returns (exit status, seconds until the process was gone)."""
@@ -39,11 +48,28 @@ class Process:
             self.end(signal.SIGKILL)
 
 
-def node(kind, name, master=None, **parameters):
+class Heard(Process):
+    """A program; what it has said, also of errors, can be read at any time."""
+
+    def __init__(self, *command, env=None):
+        self._output = tempfile.NamedTemporaryFile("w")
+        env = dict(env or os.environ, PYTHONUNBUFFERED="1", ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
+        super().__init__(*command, env=env, stdout=self._output, stderr=subprocess.STDOUT)
+
+    def output(self):
+        with open(self._output.name, encoding="utf-8") as text:
+            return text.read()
+
+    def clear_away(self):
+        super().clear_away()
+        self._output.close()
+
+
+def node(kind, name, master=None, process=Process, **parameters):
     """Starts a node; its parameters stay on the master."""
     private = [f"_{key}:={value}" for key, value in parameters.items()]
     env = dict(os.environ, ROS_MASTER_URI=master) if master else None
-    return Process(program(kind), f"__name:={name}", *private, env=env)
+    return process(program(kind), f"__name:={name}", *private, env=env)
 
 
 def free_port():
@@ -78,21 +104,5 @@ class Master(Process):
         return any(topic in connection for connection in connections)
 
     def client(self, *command):
-        return Client(self.uri, *command)
-
-
-class Client(Process):
-    """A program that uses a master; what it has said can be read at any time."""
-
-    def __init__(self, master, *command):
-        self._output = tempfile.NamedTemporaryFile("w")
-        super().__init__(*command, env=dict(os.environ, ROS_MASTER_URI=master, PYTHONUNBUFFERED="1"),
-                         stdout=self._output)
-
-    def output(self):
-        with open(self._output.name, encoding="utf-8") as text:
-            return text.read()
-
-    def clear_away(self):
-        super().clear_away()
-        self._output.close()
+        """A program that uses this master."""
+        return Heard(*command, env=dict(os.environ, ROS_MASTER_URI=self.uri))

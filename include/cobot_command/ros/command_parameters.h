@@ -1,6 +1,7 @@
 // The private parameters of the command node: one table, read and checked before anything else is made.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,8 +37,8 @@ struct CommandParameters {
 
 [[nodiscard]] Result<CommandParameters, ParameterError> readCommandParameters(const GivenParameters& given);
 /// The same from the parameter server, with its warnings in the log. With ~simulated_controller it waits
-/// until that node tells its ports.
-[[nodiscard]] Result<CommandParameters, ParameterError> readCommandParameters(const ros::NodeHandle& node,
-                                                                              const ros::NodeHandle& self);
+/// until that node tells its ports, or until `given_up`.
+[[nodiscard]] Result<CommandParameters, ParameterError> readCommandParameters(
+    const ros::NodeHandle& node, const ros::NodeHandle& self, const std::function<bool()>& given_up);
 
 }  // namespace cobot_command::ros_adapter

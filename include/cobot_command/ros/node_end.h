@@ -1,12 +1,14 @@
 // The orderly end of a node, alike for SIGINT, SIGTERM, SIGHUP and `rosnode kill`.
 //
-// roscpp knows of SIGINT only, and takes all topics away before anything can be said on them. Here the node
-// hears first: it has its topics until it has ended.
+// roscpp knows of SIGINT only, and takes all topics away before anything can be said on them, also from a
+// node that is still making them: what it then publishes on is none, which is an assertion. Here the node
+// hears first: it has its topics until it has ended, and comes to the end of its start before it ends.
 #pragma once
 
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "cobot_command/common/time.h"
 
@@ -14,20 +16,30 @@ namespace cobot_command::ros_adapter {
 
 class NodeEnd {
  public:
-  /// To be made behind ros::init() with NoSigintHandler, and before anything that it shall outlive. A SIGHUP
-  /// that is ignored stays ignored (nohup). Until serve() a signal ends ROS: ros::ok() becomes false.
-  NodeEnd();
+  /// Initializes ROS, for a node of that name, and from before that on hears who asks for the end. To be made
+  /// before anything that it shall outlive. A SIGHUP that is ignored stays ignored (nohup). Whenever the end
+  /// is asked for, and however often, the node has kFarewellPatience from the first time until it has come to
+  /// leaveWithin(), or has ended; then the process is left as it is, with status 0.
+  NodeEnd(int argc, char** argv, const std::string& name);
   ~NodeEnd();
   NodeEnd(const NodeEnd&) = delete;
   NodeEnd& operator=(const NodeEnd&) = delete;
 
-  /// Serves ROS's callbacks on the calling thread, until somebody asks for the end. `begin` is called then,
-  /// at once and on another thread: for what cannot wait until a callback has returned. Further signals
-  /// change nothing. To be called once, with a node handle alive.
+  /// The end has been asked for: by a signal, or by way of the master. From any thread.
+  [[nodiscard]] bool isAskedFor() const;
+
+  /// To be called when the first node handle is there. Until then asking ends ROS, as that waits for a master
+  /// for ever; from here on ROS stays, and the end waits for serve(). False: the end is asked for already,
+  /// and ROS may be gone; make nothing more of it.
+  [[nodiscard]] bool joined();
+
+  /// Serves ROS's callbacks on the calling thread, until somebody asks for the end; not at all if somebody
+  /// has. `begin` is called then, at once and on another thread, for what cannot wait until a callback has
+  /// returned; when this returns it is not used any more. To be called once, with a node handle alive.
   void serve(std::function<void()> begin);
 
-  /// Leaves the process as it is, with status 0, when it has not ended by itself in that time: to say goodbye
-  /// to a master that hangs would take for ever.
+  /// Leaves the process as it is, with status 0 and a line on stderr of what it was at, when it has not ended
+  /// by itself in that time: to say goodbye to a master that hangs would take for ever.
   void leaveWithin(Duration patience);
 
  private:

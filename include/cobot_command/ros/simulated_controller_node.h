@@ -3,6 +3,7 @@
 // Clients command it over TCP like a real one; ROS is only for watching and for the operator.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ class SimulatedControllerNode {
  public:
   /// Topics, services and parameters are relative to `self`, the node's private namespace.
   SimulatedControllerNode(const ros::NodeHandle& self, SimulatorParameters parameters);
+  ~SimulatedControllerNode();  ///< takes the ports back that start() has told
   SimulatedControllerNode(const SimulatedControllerNode&) = delete;
   SimulatedControllerNode& operator=(const SimulatedControllerNode&) = delete;
 
@@ -49,6 +51,7 @@ class SimulatedControllerNode {
   ros::Publisher tool_pose_;
   ros::Publisher status_;
   std::vector<ros::ServiceServer> services_;
+  std::optional<runtime::SimulatorPorts> told_;
   runtime::SimulatorRuntime runtime_;  // last: its thread uses the publishers
 };
 
