@@ -89,6 +89,7 @@ void CommandNode::retire() {
 }
 
 void CommandNode::stop() {
+  if (std::exchange(stopped_, true)) return;
   runtime_->retire();
   intake_.advance(Instant::max());  // so that the core ends those too
   runtime_->stop();

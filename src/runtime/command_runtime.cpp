@@ -63,13 +63,13 @@ class CommandRuntime::Impl {
     return thread_.post([this, event = std::move(event)] { handle(event); });
   }
 
-  void retire() {
-    post([](blocks::CommandCore& core, Instant now) { core.retire(now); });
+  /// False: it has ended already.
+  bool retire() {
+    return post([](blocks::CommandCore& core, Instant now) { core.retire(now); });
   }
 
   void stop() {
-    retire();
-    awaitRetirement();
+    if (retire()) awaitRetirement();
     thread_.finish([this] {
       core_.shutDown(now());
       carryOut();

@@ -60,6 +60,7 @@ class CommandNode {
   std::unique_ptr<runtime::CommandRuntime> runtime_;
   ros::SteadyTimer retry_;
   ros::ServiceServer finish_;
+  bool stopped_ = false;
 };
 
 }  // namespace cobot_command::ros_adapter

@@ -49,8 +49,9 @@ class CommandRuntime {
   /// Begins the end, and returns at once: no goal is taken any more, a robot that moves is told to stop.
   void retire();
   /// retire(), then ends all goals, closes all connections, ends the thread. The observer is not called any
-  /// more once this returns, whichever thread called it first. What moved gets kRetirement to stand still;
-  /// for anything else of the network it never waits. Not from the observer.
+  /// more once this returns, whichever thread called it first. What moved gets kRetirement to stand still,
+  /// once, however often this is called; for anything else of the network it never waits. Not from the
+  /// observer.
   void stop();
 
  private:

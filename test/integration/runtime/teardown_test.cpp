@@ -1,4 +1,5 @@
 // A commander can be ended in every state of its session, at once, and each of its goals has its one end.
+#include <algorithm>
 #include <thread>
 
 #include "figure.h"
@@ -28,6 +29,22 @@ TEST_P(Teardown, isQuickAndEndsEachGoal) {
     ASSERT_LT(stopping + destroying, kQuickEnough);
     figure.add(stopping + destroying);
   }
+}
+
+TEST(Stop, waitsOnceForARobotThatDoesNotConfirmItHoweverOftenItIsAskedFor) {
+  auto again = std::chrono::steady_clock::duration::max();
+  for (int i = 0; i < 3; ++i) {  // the best of these, as the machine may be busy
+    Session session;
+    session.beReady();
+    session.move();
+    session.fault("silence");
+    EXPECT_GE(test::timeOf([&] { session.commander->stop(); }), kRetirement);
+    again = std::min(again, test::timeOf([&] {
+                       session.commander->stop();
+                       session.commander.reset();
+                     }));
+  }
+  EXPECT_LT(again, kRetirement);
 }
 
 TEST(Stop, mayBeAskedForByManyAtOnce) {
