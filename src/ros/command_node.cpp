@@ -102,13 +102,13 @@ GoalSink CommandNode::sink() {
             intake_.submit(id, std::move(read), steadyNow());
             adjustRetrying();
           },
-          [this](blocks::GoalId id) { intake_.cancel(id); }};
+          [this](blocks::GoalId id, bool under_way) { intake_.cancel(id, under_way); }};
 }
 
 GoalIntake::Core CommandNode::intakeCore() {
   return {[this](blocks::GoalId id, blocks::Goal goal) { submit(id, std::move(goal)); },
           [this](blocks::GoalId id) { runtime_->cancel(id); },
-          [this](blocks::GoalId id) { endCancelled(id); }};
+          [this](blocks::GoalId id, const std::string& why) { endCancelled(id, why); }};
 }
 
 FileSource CommandNode::fileSource() {
@@ -117,10 +117,10 @@ FileSource CommandNode::fileSource() {
 }
 
 /// It has not come to its block, whose outputs show nothing of it.
-void CommandNode::endCancelled(blocks::GoalId id) {
+void CommandNode::endCancelled(blocks::GoalId id, const std::string& why) {
   blocks::Outcome outcome;
   outcome.ending = blocks::Ending::CommandAborted;
-  outcome.error_description = "cancelled while its frame or its file was looked up";
+  outcome.error_description = why;
   for (const auto& bridge : bridges_) bridge->ended(id, outcome, {ros::Time::now(), steadyNow()});
 }
 
@@ -148,6 +148,7 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
     response.message = fmt::format("after is {}; it must be 0 (MOVE) or 1 (CYCLE)", request.after);
     return true;
   }
+  intake_.withdraw("what is under way was to be finished, and nothing behind it");
   const auto after = request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
   const auto found = runtime_->finish(after);
   response.success = found && found->foundAny();

@@ -13,8 +13,9 @@ GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, FileSource fi
 
 void GoalIntake::submit(blocks::GoalId id, GoalReader read, Instant now) {
   Reading reading = readNow(id, read);
-  // A stop takes away what came before it: it must not overtake that, and cannot wait for it.
-  if (std::holds_alternative<blocks::StopGoal>(reading.goal)) flush();
+  // It must not overtake what came before it, and cannot wait for that; and handed on, that could begin to
+  // move.
+  if (std::holds_alternative<blocks::StopGoal>(reading.goal)) withdraw("stopped by the stop block");
   const bool never_waits = std::holds_alternative<blocks::ProgramControlGoal>(reading.goal);
   const bool complete = reading.has_frames && reading.has_file;
   if (never_waits || (complete && waiting_.empty())) {
@@ -24,16 +25,27 @@ void GoalIntake::submit(blocks::GoalId id, GoalReader read, Instant now) {
   }
 }
 
-void GoalIntake::cancel(blocks::GoalId id) {
+void GoalIntake::cancel(blocks::GoalId id, bool under_way) {
   const auto waiting =
       std::find_if(waiting_.begin(), waiting_.end(), [id](const Waiting& w) { return w.id == id; });
   if (waiting == waiting_.end()) {
+    if (under_way) withdraw("what was under way was cancelled");
     core_.cancel(id);
     return;
   }
   waiting_.erase(waiting);
-  files_.forget(id);
-  core_.end_cancelled(id);
+  endCancelled(id, "cancelled");
+}
+
+void GoalIntake::withdraw(const std::string& why) {
+  for (const Waiting& waiting : std::exchange(waiting_, {})) {
+    Reading reading = readNow(waiting.id, waiting.read);
+    if (std::holds_alternative<blocks::ConnectGoal>(reading.goal)) {
+      handOn(waiting.id, std::move(reading.goal));
+    } else {
+      endCancelled(waiting.id, why);
+    }
+  }
 }
 
 void GoalIntake::advance(Instant now) {
@@ -69,8 +81,9 @@ void GoalIntake::handOn(blocks::GoalId id, blocks::Goal goal) {
   core_.submit(id, std::move(goal));
 }
 
-void GoalIntake::flush() {
-  advance(Instant::max());
+void GoalIntake::endCancelled(blocks::GoalId id, const std::string& why) {
+  files_.forget(id);
+  core_.end_cancelled(id, why + " while a frame or a file was looked up for it, or for one in front of it");
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -96,6 +96,11 @@ class Sent:
     def state(self):
         return self.handle.get_goal_status()
 
+    def wait_until_known(self):
+        """The server has it."""
+        self._wait(lambda: self.handle.get_comm_state() != actionlib.CommState.WAITING_FOR_GOAL_ACK, "the known goal")
+        return self
+
     def wait_until_active(self):
         """A client that cancels before the server's first word on a goal takes the goal for lost."""
         self._wait(lambda: self.ended() or self.state() == GoalStatus.ACTIVE, "the active goal")

@@ -184,7 +184,7 @@ class GoalRulesTest(unittest.TestCase):
         self.assert_found("R4", plcopen_goals.shown_faults([ended], status(move_absolute=ERROR)))
         self.assert_found("", plcopen_goals.shown_faults([ended], status(move_absolute={"done": True})))
         looked_up = record("b", to_joints(*HOME), None, 3, GoalStatus.RECALLED,
-                           error_description=plcopen_goals.LOOKED_UP)
+                           error_description="cancelled" + plcopen_goals.LOOKED_UP)
         self.assert_found("", plcopen_goals.shown_faults([ended, looked_up], status(move_absolute={"done": True})))
 
 

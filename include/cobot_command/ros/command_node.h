@@ -43,7 +43,7 @@ class CommandNode {
   [[nodiscard]] GoalSink sink();
   [[nodiscard]] GoalIntake::Core intakeCore();
   [[nodiscard]] FileSource fileSource();
-  void endCancelled(blocks::GoalId id);
+  void endCancelled(blocks::GoalId id, const std::string& why);
   void submit(blocks::GoalId id, blocks::Goal goal);
   void adjustRetrying();
   bool finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response);

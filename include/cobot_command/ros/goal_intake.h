@@ -1,9 +1,9 @@
 // Goals on their way from the action servers to the core.
 //
 // A goal with a target in a tf frame that tf does not know yet waits for it, one with a file until that is
-// read, both for a short time; and all that came behind it waits too, so that the order stays. A stop ends
-// the waiting at once; a goal that is cancelled while it waits has come to its end. Not thread-safe: ROS's
-// spinner owns it. No clock: the time is handed in.
+// read, both for a short time; and all that came behind it waits too, so that the order stays. What takes
+// away the commands that wait in the core takes those that wait here, too; a goal that is cancelled while it
+// waits has come to its end. Not thread-safe: ROS's spinner owns it. No clock: the time is handed in.
 #pragma once
 
 #include <deque>
@@ -36,14 +36,18 @@ class GoalIntake {
   struct Core {
     std::function<void(blocks::GoalId, blocks::Goal)> submit;
     std::function<void(blocks::GoalId)> cancel;
-    /// Of a goal that was cancelled before the core heard of it.
-    std::function<void(blocks::GoalId)> end_cancelled;
+    /// Of a goal that was taken away before the core heard of it.
+    std::function<void(blocks::GoalId, const std::string& why)> end_cancelled;
   };
 
   GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core);
 
   void submit(blocks::GoalId id, GoalReader read, Instant now);
-  void cancel(blocks::GoalId id);
+  /// `under_way`: with the core it has had its turn, so that what waits falls with it.
+  void cancel(blocks::GoalId id, bool under_way);
+  /// Ends all commands that wait, as none shall begin any more that came until now. Connects are no commands:
+  /// they are handed on.
+  void withdraw(const std::string& why);
   /// Hands on what need not wait any more. To be called every now and then while isWaiting().
   void advance(Instant now);
   [[nodiscard]] bool isWaiting() const { return !waiting_.empty(); }
@@ -63,8 +67,7 @@ class GoalIntake {
 
   [[nodiscard]] Reading readNow(blocks::GoalId id, const GoalReader& read) const;
   void handOn(blocks::GoalId id, blocks::Goal goal);
-  /// Hands on all that wait, whether what they name is known or not: the core says what is missing.
-  void flush();
+  void endCancelled(blocks::GoalId id, const std::string& why);
 
   FrameLookup frames_;
   FramePatience patience_;

@@ -16,6 +16,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 constexpr auto kPatience = milliseconds(200);
+constexpr bool kUnderWay = true;
 
 /// A core that writes down what it is told, and a tf that knows the frames in `known`.
 class Intake : public testing::Test {
@@ -71,7 +72,9 @@ class Intake : public testing::Test {
                      [this](blocks::GoalId id) { forgotten.insert(id); }},
                     {[this](blocks::GoalId id, const blocks::Goal& goal) { note(id, goal); },
                      [this](blocks::GoalId id) { told.push_back(fmt::format("cancel {}", id)); },
-                     [this](blocks::GoalId id) { told.push_back(fmt::format("cancelled {}", id)); }}};
+                     [this](blocks::GoalId id, const std::string& why) {
+                       told.push_back(fmt::format("end {}: {}", id, why.substr(0, why.find(" while "))));
+                     }}};
   std::set<blocks::GoalId> forgotten;  ///< their files
 };
 
@@ -135,8 +138,36 @@ TEST_F(Intake, countsThePatienceOfEachGoalFromItsOwnArrival) {
 TEST_F(Intake, letsAStopTakeAwayWhatWaitsWithoutWaitingItself) {
   move(1, "table");
   give(2, blocks::StopGoal{});
-  EXPECT_THAT(told, ElementsAre("submit 1 without its frame", "submit 2"));
+  EXPECT_THAT(told, ElementsAre("end 1: stopped by the stop block", "submit 2"));
   EXPECT_FALSE(intake.isWaiting());
+}
+
+TEST_F(Intake, letsNothingMoveOnThatAStopTakesAway) {
+  move(1, "table");
+  move(2, "");
+  known = {"table"};
+  give(3, blocks::StopGoal{});
+  EXPECT_THAT(
+      told, ElementsAre("end 1: stopped by the stop block", "end 2: stopped by the stop block", "submit 3"));
+  EXPECT_THAT(forgotten, ElementsAre(1, 2, 3));
+}
+
+TEST_F(Intake, withdrawsAllCommandsThatWaitAndHandsOnAConnect) {
+  move(1, "table");
+  give(2, blocks::ConnectGoal{});
+  cycle(3, "hangs.yaml");
+  intake.withdraw("to be finished");
+  EXPECT_THAT(told, ElementsAre("end 1: to be finished", "submit 2", "end 3: to be finished"));
+  EXPECT_FALSE(intake.isWaiting());
+}
+
+TEST_F(Intake, letsTheCancelOfWhatIsUnderWayTakeAwayWhatWaits) {
+  move(1, "");
+  move(2, "table");
+  move(3, "");
+  intake.cancel(1, kUnderWay);
+  EXPECT_THAT(told, ElementsAre("submit 1", "end 2: what was under way was cancelled",
+                                "end 3: what was under way was cancelled", "cancel 1"));
 }
 
 TEST_F(Intake, letsAPauseOvertakeWhatWaits) {
@@ -149,13 +180,13 @@ TEST_F(Intake, letsAPauseOvertakeWhatWaits) {
 TEST_F(Intake, endsAGoalThatIsCancelledWhileItWaitsAndLeavesTheOthers) {
   move(1, "table");
   move(2, "shelf");
-  intake.cancel(1);
-  EXPECT_THAT(told, ElementsAre("cancelled 1"));
+  intake.cancel(1, !kUnderWay);
+  EXPECT_THAT(told, ElementsAre("end 1: cancelled"));
   EXPECT_THAT(forgotten, ElementsAre(1));
   EXPECT_TRUE(intake.isWaiting());
   known = {"shelf"};
   intake.advance(Instant(milliseconds(10)));
-  EXPECT_THAT(told, ElementsAre("cancelled 1", "submit 2"));
+  EXPECT_THAT(told, ElementsAre("end 1: cancelled", "submit 2"));
 }
 
 TEST_F(Intake, waitsUntilTheFileOfAGoalIsRead) {
@@ -177,21 +208,21 @@ TEST_F(Intake, handsOnAGoalWhoseFileIsNotReadInTime) {
 
 TEST_F(Intake, endsACycleThatIsCancelledWhileItsFileIsRead) {
   cycle(1, "hangs.yaml");
-  intake.cancel(1);
-  EXPECT_THAT(told, ElementsAre("cancelled 1"));
+  intake.cancel(1, !kUnderWay);
+  EXPECT_THAT(told, ElementsAre("end 1: cancelled"));
   EXPECT_FALSE(intake.isWaiting());
 }
 
 TEST_F(Intake, letsAStopTakeAwayACycleWhoseFileIsStillRead) {
   cycle(1, "hangs.yaml");
   give(2, blocks::StopGoal{});
-  EXPECT_THAT(told, ElementsAre("submit 1 without its file", "submit 2"));
+  EXPECT_THAT(told, ElementsAre("end 1: stopped by the stop block", "submit 2"));
 }
 
-TEST_F(Intake, handsOnACancelOfAnotherGoalWhileOneWaits) {
+TEST_F(Intake, handsOnACancelOfAGoalThatWaitsInTheCoreWhileOneWaitsHere) {
   move(1, "");
   move(2, "table");
-  intake.cancel(1);
+  intake.cancel(1, !kUnderWay);
   EXPECT_THAT(told, ElementsAre("submit 1", "cancel 1"));
   EXPECT_TRUE(intake.isWaiting());
 }

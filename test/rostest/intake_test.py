@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Goals that wait for a frame: what takes away the commands that wait takes those, too, and nothing else does."""
+from actionlib_msgs.msg import GoalStatus
+
+from cobot_command.msg import ProgramControlGoal, StopGoal
+from cobot_command.srv import FinishRequest
+from cobot_goals import BUFFERED, line_to, relative
+from own_robot import OwnRobotTestCase
+from tf_frames import pose_in
+
+
+class GoalsThatWaitForAFrame(OwnRobotTestCase):
+    """The node listens to tf from the first of them on, so that they wait for 3 s."""
+
+    def setUp(self):
+        super().setUp()
+        self.start_command_node(tf_from_start="false", supervision_period=60, reply_timeout=60)
+        self.go_home()
+        self.far = self.start_far()
+
+    def send_goals_that_wait(self):
+        """The first for a frame that does not come, the others behind it."""
+        goals = [line_to(0, 0, 0, target_pose=pose_in("nowhere", (0, 0, 0), (1, 0, 0, 0)), buffer_mode=BUFFERED),
+                 relative(0, 0, 10, buffer_mode=BUFFERED), relative(0, 0, 20, buffer_mode=BUFFERED)]
+        return [self.robot.send(goal).wait_until_known() for goal in goals]
+
+    def assert_taken_away(self, sent, words):
+        for goal in sent:
+            outcome = goal.finish()
+            self.assert_ended(GoalStatus.RECALLED, outcome)
+            self.assertIn(words, outcome[1].error_description)
+
+    def test_are_taken_away_by_a_stop(self):
+        sent = self.send_goals_that_wait()
+        self.assert_done(self.robot.run(StopGoal()))
+        self.assert_taken_away(sent, "stopped by the stop block while a frame")
+        self.assert_ended(GoalStatus.PREEMPTED, self.far.finish())
+
+    def test_are_taken_away_by_finish_and_what_is_under_way_goes_on(self):
+        sent = self.send_goals_that_wait()
+        self.robot.finish(FinishRequest.MOVE)
+        self.assert_taken_away(sent, "what is under way was to be finished")
+        self.assertEqual(self.far.state(), GoalStatus.ACTIVE)
+
+    def test_are_taken_away_by_the_cancel_of_what_is_under_way(self):
+        sent = self.send_goals_that_wait()
+        self.far.cancel()
+        self.assert_taken_away(sent, "what was under way was cancelled while a frame")
+        self.assert_ended(GoalStatus.PREEMPTED, self.far.finish())
+        self.assert_stops_on_its_way()
+
+    def test_are_taken_away_by_the_cancel_of_the_connection(self):
+        sent = self.send_goals_that_wait()
+        self.robot.connect.cancel()
+        self.assert_taken_away(sent, "what was under way was cancelled while a frame")
+        self.assert_ended(GoalStatus.PREEMPTED, self.far.finish())
+
+    def assert_stay(self, sent):
+        """Until their time is over."""
+        self.assert_rejected(sent[0].finish(), 0x217, "nowhere")
+        for goal in sent[1:]:
+            goal.wait_until_queued()
+
+    def test_stay_when_one_is_cancelled_that_waits_for_its_turn(self):
+        queued = self.robot.send(relative(0, 0, 1, buffer_mode=BUFFERED)).wait_until_queued()
+        sent = self.send_goals_that_wait()
+        queued.cancel()
+        self.assert_ended(GoalStatus.RECALLED, queued.finish())
+        self.assert_stay(sent)
+
+    def test_stay_when_a_pause_is_cancelled_that_goes_past_them(self):
+        self.robot.fault("silence")  # it waits for its answer
+        sent = self.send_goals_that_wait()
+        self.robot.send(ProgramControlGoal(command=ProgramControlGoal.PAUSE)).wait_until_active().cancel()
+        self.assert_stay(sent)
+
+
+if __name__ == "__main__":
+    import rospy
+    import rostest
+
+    rospy.init_node("intake_test")
+    rostest.rosrun("cobot_command", "intake", GoalsThatWaitForAFrame)
