@@ -4,8 +4,10 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <memory>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -30,11 +32,22 @@ std::optional<StepsAnswer> awaited(StepsFiles& files, blocks::GoalId id, const s
 struct Hanging {
   std::promise<void> promise;
   std::shared_future<void> released = promise.get_future().share();
-  StepsFiles files{[released = released](const std::string& location) -> StepsAnswer {
+  std::shared_ptr<std::atomic<int>> count = std::make_shared<std::atomic<int>>(0);  ///< that have begun
+  StepsFiles files{[released = released, count = count](const std::string& location) -> StepsAnswer {
+    ++*count;
     if (location == "hangs") released.wait();
     return StepsAnswer(std::vector<blocks::PickAndPlaceStep>(location.size()));
   }};
-  ~Hanging() { promise.set_value(); }
+  [[nodiscard]] bool haveBegun(int number) const {
+    const auto give_up = std::chrono::steady_clock::now() + kDeadline;
+    while (*count < number && std::chrono::steady_clock::now() < give_up) std::this_thread::yield();
+    return *count == number;
+  }
+  void release() {
+    if (!std::exchange(is_released, true)) promise.set_value();
+  }
+  ~Hanging() { release(); }
+  bool is_released = false;
 };
 
 TEST(StepsFiles, areReadBesideWhoAsks) {
@@ -60,15 +73,53 @@ TEST(StepsFiles, areReadOnceForAGoalUntilItForgetsThem) {
   EXPECT_EQ(reads, 2);
 }
 
-TEST(StepsFiles, thatDoNotComeToTheirEndAreNotReadWithoutNumber) {
-  Hanging hanging;
-  for (blocks::GoalId id = 1; id <= 4; ++id) {
-    EXPECT_FALSE(hanging.files.find(id, "hangs").has_value());
-    hanging.files.forget(id);  // cancelled; the reading goes on
+TEST(StepsFiles, ofOneMomentAreAllRead) {
+  StepsFiles files([](const std::string& location) -> StepsAnswer {
+    return StepsAnswer(std::vector<blocks::PickAndPlaceStep>(location.size()));
+  });
+  constexpr blocks::GoalId kMany = 200;
+  for (blocks::GoalId id = 1; id <= kMany; ++id) static_cast<void>(files.find(id, "abc"));
+  for (blocks::GoalId id = 1; id <= kMany; ++id) {
+    const auto answer = awaited(files, id, "abc");
+    ASSERT_TRUE(answer && *answer) << "of goal " << id;
+    EXPECT_EQ((*answer)->size(), 3U);
   }
-  const auto answer = hanging.files.find(5, "abc");
+}
+
+/// Files that hang, one for each reader, all of which have begun.
+struct AllHang {
+  Hanging hanging;
+  AllHang() {
+    for (blocks::GoalId id = 1; id <= StepsFiles::kReaders; ++id) {
+      EXPECT_FALSE(hanging.files.find(id, "hangs").has_value());
+    }
+    EXPECT_TRUE(hanging.haveBegun(StepsFiles::kReaders));
+    for (blocks::GoalId id = 1; id <= StepsFiles::kReaders; ++id) hanging.files.forget(id);  // it goes on
+  }
+};
+
+TEST(StepsFiles, beyondABoundAreRefused) {
+  AllHang all;
+  StepsFiles& files = all.hanging.files;
+  constexpr auto kFirst = static_cast<blocks::GoalId>(StepsFiles::kReaders) + 1;
+  constexpr auto kLast = kFirst + static_cast<blocks::GoalId>(StepsFiles::kMostWaiting) - 1;
+  for (blocks::GoalId id = kFirst; id <= kLast; ++id) ASSERT_FALSE(files.find(id, "abc").has_value());
+  const auto answer = files.find(kLast + 1, "abc");
   ASSERT_TRUE(answer && !*answer);
-  EXPECT_THAT(answer->error(), HasSubstr("abc: 4 other files are being read"));
+  EXPECT_THAT(answer->error(), HasSubstr("abc: 1000 files wait to be read already; send the goal again"));
+  files.forget(kFirst);
+  EXPECT_FALSE(files.find(kLast + 2, "abc").has_value()) << "there is a place again";
+}
+
+TEST(StepsFiles, thatNobodyNeedsAnyMoreAreNotRead) {
+  AllHang all;
+  StepsFiles& files = all.hanging.files;
+  EXPECT_FALSE(files.find(100, "never").has_value());
+  files.forget(100);
+  EXPECT_FALSE(files.find(101, "abc").has_value());
+  all.hanging.release();
+  ASSERT_TRUE(awaited(files, 101, "abc"));
+  EXPECT_TRUE(all.hanging.haveBegun(StepsFiles::kReaders + 1));
 }
 
 TEST(StepsFiles, thatMakeALibraryThrowEndThisGoalOnly) {
@@ -79,15 +130,19 @@ TEST(StepsFiles, thatMakeALibraryThrowEndThisGoalOnly) {
 }
 
 TEST(StepsFiles, mayBeLeftBehind) {
+  std::promise<void> begun;
   std::promise<void> promise;
   std::promise<void> done;
   {
-    StepsFiles files([released = promise.get_future().share(), &done](const std::string&) -> StepsAnswer {
-      released.wait();
-      done.set_value();
-      return refuse(std::string("late"));
-    });
+    StepsFiles files(
+        [released = promise.get_future().share(), &begun, &done](const std::string&) -> StepsAnswer {
+          begun.set_value();
+          released.wait();
+          done.set_value();
+          return refuse(std::string("late"));
+        });
     EXPECT_FALSE(files.find(1, "hangs").has_value());
+    ASSERT_EQ(begun.get_future().wait_for(kDeadline), std::future_status::ready);
   }
   promise.set_value();
   EXPECT_EQ(done.get_future().wait_for(kDeadline), std::future_status::ready);
