@@ -12,13 +12,12 @@
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/goal_limits.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/planning/script_planner.h"
 
 namespace cobot_command::blocks {
 namespace {
-
-constexpr std::size_t kMaxSteps = 200;
 
 using Start = planning::ScriptPlanner::Start;
 
@@ -61,7 +60,7 @@ std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, bo
   if (!has_model) failures.push_back({own_error::kNoModel, "", ""});
   if (!goal.steps_fault.empty()) {
     failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, ""});
-  } else if (goal.steps.empty() || goal.steps.size() > kMaxSteps) {
+  } else if (goal.steps.empty() || goal.steps.size() > kMostSequenceSteps) {
     failures.push_back({own_error::kStepCount, fmt::format("{} steps", goal.steps.size()), ""});
   }
   return failures;

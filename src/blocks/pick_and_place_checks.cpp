@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/goal_limits.h"
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::blocks {
 namespace {
 
-constexpr std::size_t kMaxSteps = 50;
 constexpr int kMaxCycles = 1000000;
 constexpr double kMaxDwell = 3600;
 
@@ -70,7 +70,7 @@ std::vector<Failure> checkPickAndPlace(const PickAndPlaceGoal& goal) {
   std::vector<Failure> failures;
   if (!goal.steps_fault.empty()) {
     failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, ""});
-  } else if (goal.steps.empty() || goal.steps.size() > kMaxSteps) {
+  } else if (goal.steps.empty() || goal.steps.size() > kMostCycleSteps) {
     failures.push_back({own_error::kStepCount, fmt::format("{} steps", goal.steps.size()), ""});
   }
   if (goal.cycles < 0 || goal.cycles > kMaxCycles) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/blocks/goal_limits.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/conversions.h"
 
@@ -83,6 +84,15 @@ std::optional<blocks::SequenceStep> toStep(const cobot_command::SequenceStep& me
     default:
       return std::nullopt;
   }
+}
+
+/// More steps than there may be: nothing is looked up for them. The core refuses the goal by their number
+/// alone.
+template <class Goal, class Steps>
+bool hasTooMany(Goal& goal, const Steps& steps, std::size_t most) {
+  if (steps.size() <= most) return false;
+  goal.steps.resize(steps.size());
+  return true;
 }
 
 }  // namespace
@@ -166,6 +176,7 @@ blocks::RunScriptGoal toGoal(const cobot_command::RunScriptGoal& message, const 
 blocks::CheckSequenceGoal toGoal(const cobot_command::CheckSequenceGoal& message, const Lookups& lookups) {
   blocks::CheckSequenceGoal goal;
   goal.start_joints = message.start_joints;
+  if (hasTooMany(goal, message.steps, blocks::kMostSequenceSteps)) return goal;
   for (std::size_t i = 0; i < message.steps.size(); ++i) {
     if (auto step = toStep(message.steps[i], lookups)) {
       goal.steps.push_back(std::move(*step));
@@ -182,8 +193,11 @@ blocks::PickAndPlaceGoal toGoal(const cobot_command::PickAndPlaceGoal& message, 
   goal.cycles = message.cycles;
   goal.buffer_mode = message.buffer_mode;
   goal.check_only = message.check_only != 0;
-  for (const auto& step : message.steps) goal.steps.push_back(toStep(step, lookups));
-  if (message.steps_file.empty()) return goal;
+  if (message.steps_file.empty()) {
+    if (hasTooMany(goal, message.steps, blocks::kMostCycleSteps)) return goal;
+    for (const auto& step : message.steps) goal.steps.push_back(toStep(step, lookups));
+    return goal;
+  }
   if (!message.steps.empty()) {
     goal.steps_fault = "both steps_file and steps are given; give one of them";
     return goal;

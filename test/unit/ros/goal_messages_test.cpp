@@ -7,6 +7,8 @@
 #include "source_tree.h"
 #include <gmock/gmock.h>
 
+#include "cobot_command/blocks/goal_limits.h"
+
 namespace cobot_command::ros_adapter {
 namespace {
 
@@ -288,6 +290,26 @@ TEST(GoalMessages, aStepOfAKindThatThereIsNotIsNamed) {
   message.steps[1].kind = 5;
   message.steps[2].kind = 255;
   EXPECT_THAT(toGoal(message, noTf).steps_fault, HasSubstr("step 1: kind is 5"));
+}
+
+TEST(GoalMessages, aSequenceOfMoreStepsThanThereMayBeIsToldByTheirNumberAndNothingIsLookedUpForThem) {
+  cobot_command::CheckSequenceGoal message;
+  message.steps.resize(blocks::kMostSequenceSteps + 1);
+  for (auto& step : message.steps) step.move_absolute.target_pose.header.frame_id = "table";
+  const auto goal = toGoal(message, noTf);
+  EXPECT_EQ(goal.steps.size(), blocks::kMostSequenceSteps + 1);
+  message.steps.pop_back();
+  EXPECT_EQ(std::get<blocks::MoveAbsoluteGoal>(toGoal(message, onlyTheTable).steps.back()).target_pose->frame,
+            "table");
+}
+
+TEST(GoalMessages, aCycleOfMoreStepsThanThereMayBeIsToldByTheirNumberAndNothingIsLookedUpForThem) {
+  cobot_command::PickAndPlaceGoal message;
+  message.steps.resize(blocks::kMostCycleSteps + 1);
+  for (auto& step : message.steps) step.move.target_pose.header.frame_id = "table";
+  EXPECT_EQ(toGoal(message, noTf).steps.size(), blocks::kMostCycleSteps + 1);
+  message.steps.pop_back();
+  EXPECT_EQ(toGoal(message, onlyTheTable).steps.back().move.target_pose->frame, "table");
 }
 
 TEST(GoalMessages, everyFieldOfPickAndPlaceArrives) {
