@@ -5,9 +5,9 @@
 //   after the stamp of the cancel: for ever when the stamp is zero, as that of every usual cancel. The list
 //   that each status message carries would never end to grow.
 // - A cancel with a stamp in the future, from a machine whose clock is ahead, would cancel on arrival all
-//   goals until then.
+//   goals until then. Here it counts until it came.
 //
-// Threads: as actionlib's server.
+// Threads: as actionlib's server; one thread spins.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,9 @@
 #include <utility>
 
 #include <actionlib/server/action_server.h>
+#include <actionlib_msgs/GoalID.h>
 #include <ros/node_handle.h>
+#include <ros/subscriber.h>
 
 namespace cobot_command::ros_adapter {
 
@@ -28,9 +30,17 @@ class TidyActionServer : public actionlib::ActionServer<Action> {
   template <class OnGoal, class OnCancel>
   TidyActionServer(const ros::NodeHandle& node, const std::string& name, OnGoal onGoal, OnCancel onCancel)
       : Base(node, name, std::move(onGoal), std::move(onCancel), false),
+        action_(node, name),
         tidying_(node.createSteadyTimer(ros::WallDuration(kTidyPeriod),
                                         [this](const ros::SteadyTimerEvent&) { tidy(); })) {
-    widenQueues(ros::NodeHandle(node, name));
+    widenQueues(action_);
+  }
+
+  void start() {
+    Base::start();
+    // Behind actionlib's own subscriber, so that it is called next, before any goal.
+    cancels_ = action_.subscribe<actionlib_msgs::GoalID>(
+        "cancel", kQueueSize, [this](const actionlib_msgs::GoalID::ConstPtr&) { forgetTheFuture(); });
   }
 
  private:
@@ -53,9 +63,17 @@ class TidyActionServer : public actionlib::ActionServer<Action> {
       ros::Time& since = tracker.handle_destruction_time_;
       if (since.isZero() || since > now) since = now;  // from here on actionlib's own five seconds
     }
-    this->last_cancel_ = std::min(this->last_cancel_, now);
+    forgetTheFuture();  // a clock may have been set back
   }
 
+  /// Cancels count until now, whatever their stamps say.
+  void forgetTheFuture() {
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    this->last_cancel_ = std::min(this->last_cancel_, ros::Time::now());
+  }
+
+  ros::NodeHandle action_;
+  ros::Subscriber cancels_;
   ros::SteadyTimer tidying_;
 };
 
