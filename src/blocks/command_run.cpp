@@ -69,7 +69,7 @@ void CommandRun::tagCompleted(Instant now) {
 }
 
 void CommandRun::stopEnded(const StopRun::Result& result, Instant now) {
-  if (state_ != State::Stopping) return;
+  if (state_ != State::Stopping || result.number != stop_) return;
   if (result.failure) {
     fail(*result.failure, Robot::LeaveIt, now);
   } else {
@@ -237,6 +237,7 @@ void CommandRun::askForStop(Instant now) {
   active_at_.reset();
   held_since_.reset();
   context_.stop.ask(now);
+  stop_ = context_.stop.last();
 }
 
 void CommandRun::report(Phase phase, std::string text, Instant now) {

@@ -113,6 +113,7 @@ class CommandRun {
   StallWatch stall_;
   Failure failure_;
   Robot robot_on_failure_ = Robot::LeaveIt;
+  StopRun::Number stop_ = 0;  ///< that it has asked for
   std::string cancelled_why_;
   std::string stopped_how_;
   Phase phase_ = Phase::Sent;

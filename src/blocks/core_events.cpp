@@ -131,7 +131,7 @@ void CommandCore::Impl::settle(Instant now) {
 /// A stop or a pause that was tried on a connection which never was more than that: its end is no LinkLost.
 void CommandCore::Impl::tellOfClosedConnection(Instant now) {
   if (script_.connected()) return;
-  if (stop_.busy()) stop_.linkLost(script_.diagnosis(), now);
+  if (stop_.busy()) stop_.linkLost(script_.diagnosis());
   for (CommandRun& run : direct_) run.linkLost(script_.diagnosis(), now);
 }
 
@@ -156,7 +156,7 @@ void CommandCore::Impl::watchStrangers(Instant now) {
 }
 
 void CommandCore::Impl::finish(Instant now) {
-  finishStop(now);
+  finishStops(now);
   finishRuns(now);
   finishCycle(now);
 }
@@ -176,7 +176,7 @@ void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   for (CommandRun& run : direct_) run.linkLost(event.reason, now);
   const auto patience = robot_.status() ? std::optional(settings_.evidence_timeout) : std::nullopt;
   if (cycle_) cycle_->linkLost(event.reason, patience, now);
-  stop_.linkLost(event.reason, now);
+  stop_.linkLost(event.reason);
   tags_.renewEpoch();
   finish(now);
   connect_.linkLost(event.reason, now);
@@ -260,7 +260,7 @@ void CommandCore::Impl::robotChanged(Instant now) {
   if (run_) run_->robotChanged(now);
   for (CommandRun& run : direct_) run.robotChanged(now);
   if (cycle_) cycle_->robotChanged(robot_, now);
-  stop_.robotChanged(now);
+  stop_.robotChanged();
 }
 
 }  // namespace cobot_command::blocks

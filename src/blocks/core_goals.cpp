@@ -130,8 +130,8 @@ void CommandCore::Impl::execute(GoalId id, const StopGoal& /*goal*/, Instant now
   progress.phase = Phase::Stopping;
   progress.text = "stopping the robot";
   board_.progress(Block::Stop, id, std::move(progress));
-  stop_goals_.push_back(id);
   stopAll("stopped by the stop block", now);
+  stop_goals_.push_back({id, stop_.last()});
 }
 
 void CommandCore::Impl::execute(GoalId id, const CheckSequenceGoal& goal, Instant now) {
@@ -289,7 +289,7 @@ void CommandCore::Impl::shutDown(Instant now) {
   for (CommandRun& run : direct_) run.abandon(why, now);
   finishRuns(now);
   finishCycle(now);
-  for (const GoalId id : std::exchange(stop_goals_, {})) endAborted(Block::Stop, id, why);
+  for (const StopWish& wish : std::exchange(stop_goals_, {})) endAborted(Block::Stop, wish.id, why);
   connect_.abandon(why, now);
   settle(now);
 }

@@ -60,6 +60,11 @@ class CommandCore::Impl : private link::Wire {
     int told_place = 0;         ///< in the queue, as last reported; 0: not yet
     std::optional<Origin> end;  ///< where it will leave the robot, as far as that can be foreseen
   };
+  /// A goal of the stop block, and which stop answers it.
+  struct StopWish {
+    GoalId id = 0;
+    StopRun::Number stop = 0;
+  };
   enum class Life { Working, Retiring, Over };
   static constexpr std::size_t kMaxWaiting = 64;
   using Failures = std::vector<Failure>;
@@ -129,8 +134,10 @@ class CommandCore::Impl : private link::Wire {
   void stopAll(const std::string& why, Instant now);
   /// For motions that no goal waits for any more.
   void stopIfMoving(Instant now);
-  void finishStop(Instant now);
-  void stopConfirmed();
+  void finishStops(Instant now);
+  void endStopGoals(const StopRun::Result& result);
+  [[nodiscard]] std::vector<StopWish>::const_iterator wishFor(const StopRun::Result& result) const;
+  void stopConfirmed(const StopRun::Result& result);
   void stopFailed(const StopRun::Result& result, Instant now);
 
   // --- Events (core_events.cpp).
@@ -172,7 +179,7 @@ class CommandCore::Impl : private link::Wire {
   OutputBoard board_;
   ConnectRun connect_;
   StopRun stop_;
-  std::vector<GoalId> stop_goals_;
+  std::vector<StopWish> stop_goals_;
   std::optional<CommandRun> run_;
   std::optional<Outcome>
       before_exit_;               ///< of a motion that is done, while the ScriptExit() behind it is under way

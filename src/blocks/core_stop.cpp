@@ -1,5 +1,6 @@
 // The stop in the arbiter: what is asked to stop, and what its end means for everything else.
 
+#include <algorithm>
 #include <utility>
 
 #include "core_impl.h"
@@ -17,33 +18,44 @@ void CommandCore::Impl::stopIfMoving(Instant now) {
   if (loose_.mayMove() && !stop_.busy()) stop_.ask(now);
 }
 
-void CommandCore::Impl::finishStop(Instant now) {
-  const auto result = stop_.takeResult();
-  if (!result) return;
-  if (result->failure) {
-    stopFailed(*result, now);
-  } else {
-    stopConfirmed();
-  }
-  if (run_) run_->stopEnded(*result, now);
-  for (const GoalId id : std::exchange(stop_goals_, {})) {
-    Outcome outcome;
-    if (result->failure) outcome = toOutcome(Block::Stop, Ending::Aborted, *result->failure);
-    if (!result->failure && !result->confirmed) outcome.error_description = StopRun::kNotSeen;
-    board_.end(Block::Stop, id, std::move(outcome));
-  }
-  if (result->failure) {
-    dropWaiting(fmt::format("{}: {}", LooseMotion::kMayStillMove, result->failure->found));
+void CommandCore::Impl::finishStops(Instant now) {
+  while (const auto result = stop_.takeResult()) {
+    if (result->failure) {
+      stopFailed(*result, now);
+    } else {
+      stopConfirmed(*result);
+    }
+    if (run_) run_->stopEnded(*result, now);
+    endStopGoals(*result);
+    if (result->failure) {
+      dropWaiting(fmt::format("{}: {}", LooseMotion::kMayStillMove, result->failure->found));
+    }
   }
 }
 
-void CommandCore::Impl::stopConfirmed() {
+void CommandCore::Impl::endStopGoals(const StopRun::Result& result) {
+  const auto wish = wishFor(result);
+  if (wish == stop_goals_.end()) return;
+  Outcome outcome;
+  if (result.failure) outcome = toOutcome(Block::Stop, Ending::Aborted, *result.failure);
+  if (!result.failure && !result.confirmed) outcome.error_description = StopRun::kNotSeen;
+  board_.end(Block::Stop, wish->id, std::move(outcome));
+  stop_goals_.erase(wish);
+}
+
+std::vector<CommandCore::Impl::StopWish>::const_iterator CommandCore::Impl::wishFor(
+    const StopRun::Result& result) const {
+  return std::find_if(stop_goals_.begin(), stop_goals_.end(),
+                      [&](const StopWish& wish) { return wish.stop == result.number; });
+}
+
+void CommandCore::Impl::stopConfirmed(const StopRun::Result& result) {
   loose_.end();
   preflight_.forget();
   frames_.stopped();
   orphan_.fire(OrphanEvent::Stopped);
   // Who executes the stop block answers for the robot; a cancel, or a stop of the layer's own, does not.
-  if (!stop_goals_.empty()) robot_.acknowledgeError();
+  if (wishFor(result) != stop_goals_.end()) robot_.acknowledgeError();
 }
 
 /// Who asked may be gone by now: so it is told to everybody, and the next reason to stop sends a stop again.

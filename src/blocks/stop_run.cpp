@@ -1,5 +1,7 @@
 #include "stop_run.h"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "cobot_command/blocks/error_ids.h"
@@ -8,87 +10,136 @@
 namespace cobot_command::blocks {
 
 using Event = StopEvent;
+using State = StopState;
+
+namespace {
+
+/// Why a stop was not accepted, and whether the controller said that it drops nothing.
+std::pair<std::string, bool> refusalIn(const link::ScriptAnswered& answer) {
+  if (std::holds_alternative<protocol::ScriptReply>(answer.answer)) {
+    return {"the controller refused StopAndClearBuffer()", true};
+  }
+  if (const auto* error = std::get_if<protocol::CommunicationError>(&answer.answer)) {
+    return {protocol::describe(*error), error->code == protocol::CommunicationErrorCode::NotListening};
+  }
+  return {"no reply to StopAndClearBuffer()", false};
+}
+
+}  // namespace
 
 void StopRun::ask(Instant now) {
-  if (link_.connected()) fire(Event::Ask, now);
+  if (!link_.connected()) return;
+  // Whatever was queued before is dropped, and its tags mean nothing any more.
+  tags_.renewEpoch();
+  Stop stop;
+  stop.result.number = ++last_;
+  stop.deadline = now + settings_.reply_timeout + settings_.stop_timeout;
+  stop.told = robot_.tellsMotion();
+  stop.script_id =
+      link_.sendScript(protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})), now);
+  stops_.push_back(std::move(stop));
 }
 
 void StopRun::answered(const link::ScriptAnswered& answer, Instant now) {
-  if (answer.id != script_id_) return;
+  const auto stop =
+      std::find_if(stops_.begin(), stops_.end(), [&](const Stop& s) { return s.script_id == answer.id; });
+  if (stop == stops_.end()) return;
   const auto* reply = std::get_if<protocol::ScriptReply>(&answer.answer);
   if (reply != nullptr && reply->accepted) {
-    fire(Event::Accepted, now);
-    return;
+    stop->deadline = now + settings_.stop_timeout;
+    fire(*stop, Event::Accepted);
+  } else {
+    auto [found, refused] = refusalIn(answer);
+    stop->result.failure = Failure{own_error::kStopNotConfirmed, std::move(found), ""};
+    stop->result.refused = refused;
+    fire(*stop, Event::Refused);
   }
-  std::string found = "the controller refused StopAndClearBuffer()";
-  refused_ = reply != nullptr;
-  if (const auto* error = std::get_if<protocol::CommunicationError>(&answer.answer)) {
-    found = protocol::describe(*error);
-    refused_ = error->code == protocol::CommunicationErrorCode::NotListening;
-  } else if (reply == nullptr) {
-    found = "no reply to StopAndClearBuffer()";
-  }
-  fail({own_error::kStopNotConfirmed, std::move(found), ""}, now);
+  settle();
 }
 
-void StopRun::linkLost(const std::string& reason, Instant now) {
-  fail({motion_error::kLinkDropped, reason, ""}, now);
+void StopRun::linkLost(const std::string& reason) {
+  for (Stop& stop : stops_) giveUp(stop, {motion_error::kLinkDropped, reason, ""});
+  settle();
 }
 
-void StopRun::robotChanged(Instant now) {
-  if (state_ == StopState::Settling && robot_.moving() == false) fire(Event::Standing, now);
+void StopRun::robotChanged() {
+  for (Stop& stop : stops_) {
+    if (stop.state == State::Settling && robot_.moving() == false) stop.stands = true;
+  }
+  settle();
 }
 
 void StopRun::advance(Instant now) {
-  if (!deadline_ || now < *deadline_) return;
-  fail({own_error::kStopNotConfirmed,
+  for (Stop& stop : stops_) {
+    if (now < stop.deadline) continue;
+    const char* found =
         robot_.moving() == true
             ? "the robot still moves after the accepted stop"
-            : "the stop was accepted, but the status stream did not go on to show the robot standing",
-        ""},
-       now);
+            : "the stop was accepted, but the status stream did not go on to show the robot standing";
+    giveUp(stop, stop.result.failure.value_or(Failure{own_error::kStopNotConfirmed, found, ""}));
+  }
+  settle();
 }
 
-std::optional<StopRun::Result> StopRun::takeResult() {
-  return std::exchange(result_, std::nullopt);
+void StopRun::giveUp(Stop& stop, const Failure& failure) {
+  stop.result.failure = failure;
+  fire(stop, Event::GiveUp);
 }
 
-void StopRun::fail(Failure failure, Instant now) {
-  failure_ = std::move(failure);
-  fire(Event::Failed, now);
-}
-
-void StopRun::fire(Event event, Instant now) {
-  const auto row = link::findTransition<StopTable>(state_, event);
+void StopRun::fire(Stop& stop, StopEvent event) {
+  const auto row = link::findTransition<StopTable>(stop.state, event);
   if (!row) return;
-  state_ = row->to;
+  stop.state = row->to;
   switch (row->action) {
     case StopAction::None:
       return;
-    case StopAction::Send:
-      deadline_.reset();
-      refused_ = false;
-      told_ = robot_.tellsMotion();
-      // Whatever was queued before is dropped, and its tags mean nothing any more.
-      tags_.renewEpoch();
-      script_id_ =
-          link_.sendScript(protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})), now);
-      return;
     case StopAction::AwaitStandstill:
-      deadline_ = now + settings_.stop_timeout;
       // Where there never was a stream that tells, the accepted stop is all that can be known.
-      told_ = told_ || robot_.tellsMotion();
-      if (!told_) fire(Event::Standing, now);
+      stop.told = stop.told || robot_.tellsMotion();
+      stop.stands = !stop.told;
       return;
     case StopAction::EndStopped:
-      deadline_.reset();
-      result_ = Result{std::nullopt, false, told_};
+      stop.result.failure.reset();
+      stop.result.refused = false;
+      stop.result.confirmed = stop.told;
       return;
     case StopAction::EndFailed:
-      deadline_.reset();
-      result_ = Result{failure_, refused_, false};
+      stop.result.confirmed = false;
       return;
   }
+}
+
+void StopRun::settle() {
+  std::optional<bool> told_by_later;  // one that stands; it is good for all before it
+  bool later_may_stand = false;
+  for (auto stop = stops_.rbegin(); stop != stops_.rend(); ++stop) {
+    if (stop->stands && !told_by_later) told_by_later = stop->told;
+    if (told_by_later) {
+      stop->told = *told_by_later;
+      fire(*stop, Event::Standing);
+    } else if (!later_may_stand && stop->state == State::Failing) {
+      fire(*stop, Event::GiveUp);
+    }
+    later_may_stand = later_may_stand || stop->state == State::Asked || stop->state == State::Settling;
+  }
+  const auto goes_on = [](const Stop& stop) { return stop.state != State::Ended; };
+  for (const Stop& stop : stops_) {
+    if (!goes_on(stop)) results_.push_back(stop.result);
+  }
+  stops_.erase(std::remove_if(stops_.begin(), stops_.end(), std::not_fn(goes_on)), stops_.end());
+}
+
+std::optional<Instant> StopRun::nextDeadline() const {
+  const auto first = std::min_element(stops_.begin(), stops_.end(),
+                                      [](const Stop& a, const Stop& b) { return a.deadline < b.deadline; });
+  return first == stops_.end() ? std::nullopt : std::make_optional(first->deadline);
+}
+
+std::optional<StopRun::Result> StopRun::takeResult() {
+  if (results_.empty()) return std::nullopt;
+  Result result = std::move(results_.front());
+  results_.pop_front();
+  return result;
 }
 
 }  // namespace cobot_command::blocks

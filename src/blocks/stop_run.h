@@ -1,9 +1,13 @@
 // Stops the robot and empties its queue, whoever wants that: a cancel, a failed command, the stop block, a
-// command that takes over (states: stop_run_states.h).
+// command that takes over (states of each stop: stop_run_states.h).
 //
-// It has a path of its own to the wire: the frame goes out in the same event, whatever waits or runs.
+// It has a path of its own to the wire: the frame goes out in the same event, whatever waits or runs, also
+// when another stop is under way. Each ends in its own time, so that who asks again and again takes no answer
+// from those in front; a later one that is confirmed is good for all before it.
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -18,8 +22,11 @@ namespace cobot_command::blocks {
 
 class StopRun {
  public:
+  using Number = std::uint64_t;  ///< of a stop, increasing; 0: none
+
   /// How a stop ended: the robot stands, or why that is not certain.
   struct Result {
+    Number number = 0;
     std::optional<Failure> failure;
     bool refused = false;  ///< the controller said no: what it had queued goes on
     bool confirmed =
@@ -35,32 +42,40 @@ class StopRun {
   /// Whatever the state of the link: a stop is worth a try. Does nothing without a connection: then nobody
   /// can be told.
   void ask(Instant now);
-  [[nodiscard]] bool busy() const { return state_ != StopState::Idle; }
+  /// The stop that was sent last.
+  [[nodiscard]] Number last() const { return last_; }
+  [[nodiscard]] bool busy() const { return !stops_.empty(); }
 
   void answered(const link::ScriptAnswered& answer, Instant now);
-  void linkLost(const std::string& reason, Instant now);
-  void robotChanged(Instant now);
+  void linkLost(const std::string& reason);
+  void robotChanged();
   void advance(Instant now);
-  [[nodiscard]] std::optional<Instant> nextDeadline() const { return deadline_; }
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
-  /// Once for each end.
+  /// Once for each stop, in their order.
   [[nodiscard]] std::optional<Result> takeResult();
 
  private:
-  void fire(StopEvent event, Instant now);
-  void fail(Failure failure, Instant now);
+  struct Stop {
+    std::string script_id;
+    Instant deadline;     ///< until then it is answered, and the robot stands
+    bool told = false;    ///< the status stream tells whether the robot moves, or did when it was asked
+    bool stands = false;  ///< the robot was seen to stand behind it, or nobody can see that
+    StopState state = StopState::Asked;
+    Result result;  ///< as it will be
+  };
+  void fire(Stop& stop, StopEvent event);
+  void giveUp(Stop& stop, const Failure& failure);
+  /// What became of one is told to those in front of it, and what has ended is taken out.
+  void settle();
 
   const link::LinkSettings& settings_;
   link::ScriptLink& link_;
   link::TagLedger& tags_;
   const RobotWatch& robot_;
-  StopState state_ = StopState::Idle;
-  std::string script_id_;
-  std::optional<Instant> deadline_;  ///< of the standstill
-  bool told_ = false;                ///< the status stream told whether the robot moves, when it was asked
-  Failure failure_;
-  bool refused_ = false;
-  std::optional<Result> result_;
+  Number last_ = 0;
+  std::deque<Stop> stops_;  ///< that have not ended, in the order of sending
+  std::deque<Result> results_;
 };
 
 }  // namespace cobot_command::blocks

@@ -1,4 +1,5 @@
-// How a robot is stopped and its queue emptied, as a table.
+// How one StopAndClearBuffer() goes on, from its frame to its one end, as a table. Each wish to stop sends
+// one of its own: who asks twice has a reason.
 //
 // An unlisted pair changes nothing (link/transition_table.h): it came too late for its state.
 #pragma once
@@ -8,19 +9,20 @@
 namespace cobot_command::blocks {
 
 enum class StopState {
-  Idle,
-  Asked,    ///< StopAndClearBuffer() was sent, no reply yet
-  Settling  ///< it was accepted; the robot comes to rest
+  Asked,     ///< it was sent, no reply yet
+  Settling,  ///< it was accepted; the robot comes to rest
+  Failing,   ///< refused, or not answered; one that was sent behind it may still be confirmed
+  Ended
 };
 
 enum class StopEvent {
-  Ask,
   Accepted,
-  Failed,  ///< refused, not answered, or the robot does not come to rest; the cause comes with it
-  Standing
+  Refused,   ///< or not answered
+  Standing,  ///< the robot was seen to stand behind it, or behind a later one
+  GiveUp     ///< its time is over, the link is lost, or there is no later one; the cause comes with it
 };
 
-enum class StopAction { None, Send, AwaitStandstill, EndStopped, EndFailed };
+enum class StopAction { None, AwaitStandstill, EndStopped, EndFailed };
 
 struct StopTable {
   using S = StopState;
@@ -31,16 +33,16 @@ struct StopTable {
   // clang-format off
   static constexpr Row kRows[] = {
     // from        event         to            action
-    {S::Idle,     E::Ask,       S::Asked,     A::Send},
-
-    // A second wish to stop goes out like the first: who asks twice has a reason. The last reply counts.
-    {S::Asked,    E::Ask,       S::Asked,     A::Send},
     {S::Asked,    E::Accepted,  S::Settling,  A::AwaitStandstill},
-    {S::Asked,    E::Failed,    S::Idle,      A::EndFailed},
+    {S::Asked,    E::Refused,   S::Failing,   A::None},
+    {S::Asked,    E::Standing,  S::Ended,     A::EndStopped},
+    {S::Asked,    E::GiveUp,    S::Ended,     A::EndFailed},
 
-    {S::Settling, E::Ask,       S::Asked,     A::Send},
-    {S::Settling, E::Standing,  S::Idle,      A::EndStopped},
-    {S::Settling, E::Failed,    S::Idle,      A::EndFailed},
+    {S::Settling, E::Standing,  S::Ended,     A::EndStopped},
+    {S::Settling, E::GiveUp,    S::Ended,     A::EndFailed},
+
+    {S::Failing,  E::Standing,  S::Ended,     A::EndStopped},
+    {S::Failing,  E::GiveUp,    S::Ended,     A::EndFailed},
   };
   // clang-format on
 };

@@ -45,14 +45,17 @@ TEST(OrphanTable, endsAMotionOnlyWhenTheRobotIsSeenToStandOrStopped) {
 }
 
 TEST(StopTable, isSound) {
-  expectSoundTable<StopTable>(StopState::Settling, StopEvent::Standing, StopState::Idle);
+  expectSoundTable<StopTable>(StopState::Ended, StopEvent::GiveUp, StopState::Asked, {StopState::Ended});
 }
 
-TEST(StopTable, sendsTheFrameInEveryState) {
-  for (const auto state : allUpTo(StopState::Settling)) {
-    const auto row = link::findTransition<StopTable>(state, StopEvent::Ask);
-    ASSERT_TRUE(row) << static_cast<int>(state);
-    EXPECT_EQ(row->action, StopAction::Send);
+TEST(StopTable, endsWithALaterOneAndByItsTimeInEveryState) {
+  for (const auto state : allUpTo(StopState::Failing)) {
+    const auto stands = link::findTransition<StopTable>(state, StopEvent::Standing);
+    ASSERT_TRUE(stands) << static_cast<int>(state);
+    EXPECT_EQ(stands->action, StopAction::EndStopped);
+    const auto over = link::findTransition<StopTable>(state, StopEvent::GiveUp);
+    ASSERT_TRUE(over) << static_cast<int>(state);
+    EXPECT_EQ(over->action, StopAction::EndFailed);
   }
 }
 
