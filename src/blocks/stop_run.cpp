@@ -14,6 +14,11 @@ using State = StopState;
 
 namespace {
 
+/// The status stream is a connection of its own: a frame that comes behind the controller's OK may have been
+/// on its way before. So the first one proves nothing, nor what comes so soon behind it that they may have
+/// waited together. Below the period of the stream, 15 ms.
+constexpr Duration kApart = std::chrono::milliseconds(10);
+
 /// Why a stop was not accepted, and whether the controller said that it drops nothing.
 std::pair<std::string, bool> refusalIn(const link::ScriptAnswered& answer) {
   if (std::holds_alternative<protocol::ScriptReply>(answer.answer)) {
@@ -46,6 +51,7 @@ void StopRun::answered(const link::ScriptAnswered& answer, Instant now) {
   if (stop == stops_.end()) return;
   const auto* reply = std::get_if<protocol::ScriptReply>(&answer.answer);
   if (reply != nullptr && reply->accepted) {
+    stop->accepted_at = now;
     stop->deadline = now + settings_.stop_timeout;
     fire(*stop, Event::Accepted);
   } else {
@@ -63,22 +69,35 @@ void StopRun::linkLost(const std::string& reason) {
 }
 
 void StopRun::robotChanged() {
+  if (!robot_.status()) return;
+  const Instant frame = robot_.status()->received;
   for (Stop& stop : stops_) {
-    if (stop.state == State::Settling && robot_.moving() == false) stop.stands = true;
+    if (stop.state != State::Settling) continue;
+    if (!stop.first_frame) stop.first_frame = frame;
+    stop.stands = robot_.moving() == false && frame - *stop.first_frame >= kApart;
   }
   settle();
 }
 
 void StopRun::advance(Instant now) {
   for (Stop& stop : stops_) {
-    if (now < stop.deadline) continue;
-    const char* found =
-        robot_.moving() == true
-            ? "the robot still moves after the accepted stop"
-            : "the stop was accepted, but the status stream did not go on to show the robot standing";
-    giveUp(stop, stop.result.failure.value_or(Failure{own_error::kStopNotConfirmed, found, ""}));
+    if (now >= stop.deadline) judge(stop);
   }
   settle();
+}
+
+/// One frame alone is enough now, if it came late enough: a stream may be as slow as that.
+void StopRun::judge(Stop& stop) {
+  const bool stands = robot_.moving() == false;
+  if (stop.state == State::Settling && stands && robot_.status()->received - stop.accepted_at >= kApart) {
+    stop.stands = true;
+    return;
+  }
+  const char* found =
+      robot_.moving() == true
+          ? "the robot still moves after the accepted stop"
+          : "the stop was accepted, but the status stream did not go on to show the robot standing";
+  giveUp(stop, stop.result.failure.value_or(Failure{own_error::kStopNotConfirmed, found, ""}));
 }
 
 void StopRun::giveUp(Stop& stop, const Failure& failure) {

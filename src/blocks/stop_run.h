@@ -58,12 +58,16 @@ class StopRun {
  private:
   struct Stop {
     std::string script_id;
-    Instant deadline;     ///< until then it is answered, and the robot stands
+    Instant deadline;  ///< until then it is answered, and the robot stands
+    Instant accepted_at;
+    std::optional<Instant> first_frame;  ///< behind its acceptance
     bool told = false;    ///< the status stream tells whether the robot moves, or did when it was asked
     bool stands = false;  ///< the robot was seen to stand behind it, or nobody can see that
     StopState state = StopState::Asked;
     Result result;  ///< as it will be
   };
+  /// By what the status stream has shown, at the end of its time.
+  void judge(Stop& stop);
   void fire(Stop& stop, StopEvent event);
   void giveUp(Stop& stop, const Failure& failure);
   /// What became of one is told to those in front of it, and what has ended is taken out.

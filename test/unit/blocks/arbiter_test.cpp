@@ -184,7 +184,7 @@ TEST(Arbiter, waitsForStandstillBeforeATakeOver) {
   rig.status(StatusFrames().moving());
   EXPECT_TRUE(rig.nothingSent());
   EXPECT_EQ(rig.outcome(first), nullptr);
-  rig.status(StatusFrames());
+  rig.stream(StatusFrames());
   expectFallen(rig, first, "taken over");
   EXPECT_TRUE(rig.accepted(second));
   rig.discardSent();

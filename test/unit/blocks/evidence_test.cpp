@@ -156,7 +156,7 @@ TEST_F(Evidence, againstItTheMotionCanBeCancelled) {
   const auto stop = rig.takeScript();
   EXPECT_EQ(stop.script, "StopAndClearBuffer()");
   rig.reply(stop.id);
-  rig.status(at({3, 0, 90, 0, 90, 0}));
+  rig.stream(at({3, 0, 90, 0, 90, 0}));
   EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
 }
 

@@ -90,7 +90,7 @@ TEST_F(Fault, communicationErrorGoesToTheOldestFrameAndStopsTheRobot) {
     const auto stop = rig.takeScript();
     EXPECT_EQ(stop.script, "StopAndClearBuffer()");
     rig.reply(stop.id);
-    rig.status(StatusFrames());
+    rig.stream(StatusFrames());
   }
 }
 

@@ -150,7 +150,7 @@ TEST_F(MovedFrames, areFoundWhenAGoalTakesOverAndHasToWaitForTheStop) {
   const GoalId id = rig.submit(goal);
   pushTable(0.1);
   rig.reply(rig.takeScript().id);
-  rig.status(standing());
+  rig.stream(standing());
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->error_id, own_error::kFrameMoved);
 }

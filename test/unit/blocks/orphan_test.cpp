@@ -44,7 +44,7 @@ TEST(OrphanedMotion, isToldAndStoppedWhenTheLinkIsMade) {
   const auto stop = rig.takeScript();
   EXPECT_EQ(stop.script, "StopAndClearBuffer()");
   rig.reply(stop.id);
-  rig.status(StatusFrames());
+  rig.stream(StatusFrames());
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr(kWords)));
   rig.submit(CoreRig::move());
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
@@ -60,7 +60,7 @@ TEST(OrphanedMotion, isStoppedBeforeTheNextGoalIsSent) {
   rig.reply(stop.id);
   rig.status(StatusFrames().moving());
   EXPECT_TRUE(rig.nothingSent());
-  rig.status(StatusFrames());
+  rig.stream(StatusFrames());
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
 }
 
@@ -102,7 +102,7 @@ TEST(OrphanedMotion, isTakenOverWithAStop) {
   const auto stop = rig.takeScript();
   EXPECT_EQ(stop.script, "StopAndClearBuffer()");
   rig.reply(stop.id);
-  rig.status(StatusFrames());
+  rig.stream(StatusFrames());
   EXPECT_TRUE(rig.accepted(goal));
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
 }

@@ -214,7 +214,11 @@ class Chaos {
       default:
         break;
     }
-    rig_.status(frame);
+    const std::size_t count = pick(4) == 0 ? 40 : 1 + pick(3);
+    for (std::size_t i = 0; i < count && open(link::Channel::Status); ++i) {
+      rig_.status(frame);
+      rig_.pass(CoreRig::kStreamPeriod);
+    }
   }
   void shortTime() { rig_.pass(std::chrono::milliseconds(pick(400))); }
   void longTime() {

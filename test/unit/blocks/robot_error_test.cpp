@@ -21,7 +21,7 @@ struct Rig : CoreRig {
   void acknowledge(int code = 0x13) {
     const GoalId stop = submit(StopGoal{});
     reply(takeScript().id);
-    status(StatusFrames().error(code, "PTP"));
+    stream(StatusFrames().error(code, "PTP"));
     ASSERT_NE(outcome(stop), nullptr);
     EXPECT_EQ(outcome(stop)->ending, Ending::Done);
   }
@@ -101,7 +101,7 @@ TEST(RobotError, isNotAcknowledgedByACancelOrByTheStopBehindAFailure) {
   rig.reply(rig.takeScript().id);
   rig.status(StatusFrames().error(0x13, "PTP"));
   rig.reply(rig.takeScript().id);
-  rig.status(StatusFrames().error(0x13, "PTP"));
+  rig.stream(StatusFrames().error(0x13, "PTP"));
   expectRefused(rig);
 }
 

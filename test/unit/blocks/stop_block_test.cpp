@@ -26,7 +26,7 @@ TEST(StopBlock, sendsTheStopAtOnceAndIsDoneWhenTheRobotStands) {
   rig.reply(frame.id);
   EXPECT_EQ(rig.outcome(stop), nullptr);
   EXPECT_TRUE(rig.outputs(Block::Stop).busy);
-  rig.status(StatusFrames());
+  rig.stream(StatusFrames());
   ASSERT_NE(rig.outcome(stop), nullptr);
   EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
   ASSERT_NE(rig.outcome(move), nullptr);

@@ -43,7 +43,7 @@ TEST(Cancel, waitsUntilTheRobotStands) {
   EXPECT_EQ(rig.outcome(goal), nullptr);
   rig.status(StatusFrames().moving());
   EXPECT_EQ(rig.outcome(goal), nullptr);
-  rig.status(StatusFrames());
+  rig.stream(StatusFrames());
   ASSERT_NE(rig.outcome(goal), nullptr);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::CommandAborted);
 }
@@ -109,7 +109,7 @@ TEST(Cancel, waitsForAStreamThatComesBack) {
   rig.open(link::Channel::Status);
   rig.status(StatusFrames().moving());
   EXPECT_EQ(rig.outcome(goal), nullptr);
-  rig.status(StatusFrames());
+  rig.stream(StatusFrames());
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::CommandAborted);
   EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("the robot was stopped"));
 }
