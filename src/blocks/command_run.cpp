@@ -73,7 +73,7 @@ void CommandRun::stopEnded(const StopRun::Result& result, Instant now) {
   if (result.failure) {
     fail(*result.failure, Robot::LeaveIt, now);
   } else {
-    stopped_how_ = result.confirmed ? "the robot was stopped" : StopRun::kNotSeen;
+    stopped_how_ = result.words();
     fire(Event::Stopped, now);
   }
 }
@@ -236,7 +236,7 @@ void CommandRun::askForStop(Instant now) {
   deadline_.reset();
   active_at_.reset();
   held_since_.reset();
-  context_.stop.ask(now);
+  context_.stop.ask(order_.target, now);
   stop_ = context_.stop.last();
 }
 

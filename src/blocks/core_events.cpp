@@ -15,7 +15,7 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       preflight_(std::move(arm)),
       board_(actions_),
       connect_(settings_, script_, status_, robot_, board_),
-      stop_(settings_, script_, tags_, robot_) {}
+      stop_(settings_, script_, tags_, robot_, preflight_.arm()) {}
 
 void CommandCore::Impl::opened(link::ConnectionId id, Instant now) {
   if (script_.owns(id)) {
@@ -145,7 +145,7 @@ void CommandCore::Impl::watchOrphan(Instant now) {
   if (!orphan_.takeFound()) return;
   log(Severity::Warning,
       fmt::format("{}{}", orphan_.text(), settings_.stop_orphaned_motion ? ": it is stopped" : ""));
-  if (settings_.stop_orphaned_motion && !stop_.busy()) stop_.ask(now);
+  if (settings_.stop_orphaned_motion && !stop_.busy()) askForStop(now);
 }
 
 void CommandCore::Impl::watchStrangers(Instant now) {
@@ -202,7 +202,7 @@ void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) 
       takeBurden(command);
     }
   }
-  if (order.moves && !order.tag) loose_.begin(now);
+  if (order.moves && !order.tag) loose_.begin(order.target, now);
 }
 
 /// A controller may take a tool that the arm cannot carry, and fail in the first motion (FB section 5).
@@ -232,7 +232,7 @@ void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
     if (!open) return;
     preflight_.arrive(run_->order().plan, now);
     loose_.end();  // tags complete in the order of the queue
-    if (!run_->order().stands_at_end) loose_.begin(now);
+    if (!run_->order().stands_at_end) loose_.begin(std::nullopt, now);
     run_->tagCompleted(now);
   } else if (event.asked) {
     run_->tagIncomplete(event.state, now);

@@ -104,6 +104,7 @@ class CommandCore::Impl : private link::Wire {
   void forgetForecasts();
   void enqueue(GoalId id, const Goal& goal, BufferMode mode, Instant now);
   void dropWaiting(const std::string& why);
+  void askForStop(Instant now);
   /// Everything that is Busy is to end as CommandAborted, with a stop when it moves.
   void abortAll(const std::string& why, Instant now);
   void abortRunning(const std::string& why, Instant now);

@@ -81,7 +81,7 @@ void CommandCore::Impl::enqueue(GoalId id, const Goal& goal, BufferMode mode, In
   const Block block = blockOf(goal);
   if (mode == BufferMode::Aborting) {
     abortAll(fmt::format("taken over by {}", toString(block)), now);
-    if ((loose_.mayMove() || orphan_.mayMove()) && !stop_.busy()) stop_.ask(now);
+    if ((loose_.mayMove() || orphan_.mayMove()) && !stop_.busy()) askForStop(now);
   }
   Waiting waiting{id, goal, 0, std::nullopt};
   if (busyBlock()) {

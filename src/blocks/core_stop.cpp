@@ -8,14 +8,18 @@
 
 namespace cobot_command::blocks {
 
+void CommandCore::Impl::askForStop(Instant now) {
+  stop_.ask(run_ && run_->order().moves ? run_->order().target : loose_.target(), now);
+}
+
 void CommandCore::Impl::stopAll(const std::string& why, Instant now) {
   const bool stops_by_itself = run_ && run_->order().moves && run_->mayBeCancelled();
-  if (!stops_by_itself) stop_.ask(now);
+  if (!stops_by_itself) askForStop(now);
   abortAll(why, now);
 }
 
 void CommandCore::Impl::stopIfMoving(Instant now) {
-  if (loose_.mayMove() && !stop_.busy()) stop_.ask(now);
+  if (loose_.mayMove() && !stop_.busy()) askForStop(now);
 }
 
 void CommandCore::Impl::finishStops(Instant now) {
@@ -38,7 +42,8 @@ void CommandCore::Impl::endStopGoals(const StopRun::Result& result) {
   if (wish == stop_goals_.end()) return;
   Outcome outcome;
   if (result.failure) outcome = toOutcome(Block::Stop, Ending::Aborted, *result.failure);
-  if (!result.failure && !result.confirmed) outcome.error_description = StopRun::kNotSeen;
+  const bool is_plain = result.confirmed && !result.at_target;
+  if (!result.failure && !is_plain) outcome.error_description = result.words();
   board_.end(Block::Stop, wish->id, std::move(outcome));
   stop_goals_.erase(wish);
 }
@@ -63,7 +68,7 @@ void CommandCore::Impl::stopFailed(const StopRun::Result& result, Instant now) {
   preflight_.forget();
   if (!result.refused) frames_.stopped();
   if (script_.connected()) {
-    loose_.stopFailed(result.failure->found, now);
+    loose_.stopFailed(result.failure->found, result.target, now);
   } else {
     loose_.end();  // whether it moves on is for the next connection to find (orphan_watch.h)
   }

@@ -10,12 +10,14 @@ constexpr Duration kBegins = std::chrono::milliseconds(500);
 
 }  // namespace
 
-void LooseMotion::begin(Instant now) {
+void LooseMotion::begin(const std::optional<Target>& target, Instant now) {
   since_ = now;
+  target_ = target;
 }
 
-void LooseMotion::stopFailed(const std::string& why, Instant now) {
+void LooseMotion::stopFailed(const std::string& why, const std::optional<Target>& target, Instant now) {
   since_ = now;
+  target_ = target;
   text_ = fmt::format("a stop was not confirmed ({}): {}", why, kMayStillMove);
 }
 

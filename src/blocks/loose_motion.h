@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "arrival.h"
 #include "robot_watch.h"
 
 #include "cobot_command/common/time.h"
@@ -15,21 +16,23 @@ class LooseMotion {
  public:
   static constexpr const char* kMayStillMove = "the robot may still move";
 
-  /// The controller has a motion whose end no tag will tell.
-  void begin(Instant now);
-  /// Nobody knows what the robot does; `why`: what was found.
-  void stopFailed(const std::string& why, Instant now);
+  /// The controller has a motion whose end no tag will tell; `target`: where that leaves the robot, if known.
+  void begin(const std::optional<Target>& target, Instant now);
+  /// Nobody knows what the robot does; `why`: what was found. `target`: of what was to be stopped.
+  void stopFailed(const std::string& why, const std::optional<Target>& target, Instant now);
   /// It was stopped, is done, or nobody can be told any more.
   void end() { *this = LooseMotion(); }
   /// A robot that is seen to stand has none, once a motion had the time to be seen.
   void see(const RobotWatch& robot, Instant now);
 
   [[nodiscard]] bool mayMove() const { return since_.has_value(); }
+  [[nodiscard]] const std::optional<Target>& target() const { return target_; }
   /// Of a stop that failed, for people; empty: none did.
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
   std::optional<Instant> since_;
+  std::optional<Target> target_;
   std::string text_;
 };
 

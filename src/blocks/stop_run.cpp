@@ -32,12 +32,21 @@ std::pair<std::string, bool> refusalIn(const link::ScriptAnswered& answer) {
 
 }  // namespace
 
-void StopRun::ask(Instant now) {
+const char* StopRun::Result::words() const {
+  if (!confirmed) {
+    return "the controller accepted the stop, but no status stream tells whether the robot stands";
+  }
+  return at_target ? "the robot stands at the target of the motion: nothing shows that the stop took effect"
+                   : "the robot was stopped";
+}
+
+void StopRun::ask(const std::optional<Target>& target, Instant now) {
   if (!link_.connected()) return;
   // Whatever was queued before is dropped, and its tags mean nothing any more.
   tags_.renewEpoch();
   Stop stop;
   stop.result.number = ++last_;
+  stop.result.target = target;
   stop.deadline = now + settings_.reply_timeout + settings_.stop_timeout;
   stop.told = robot_.tellsMotion();
   stop.script_id =
@@ -105,6 +114,13 @@ void StopRun::giveUp(Stop& stop, const Failure& failure) {
   fire(stop, Event::GiveUp);
 }
 
+bool StopRun::isAt(const std::optional<Target>& target) const {
+  if (!target || !robot_.status()) return false;
+  const auto gap =
+      gapTo(*target, *robot_.status(), arm_, {settings_.position_tolerance, settings_.angle_tolerance});
+  return gap && gap->closed;
+}
+
 void StopRun::fire(Stop& stop, StopEvent event) {
   const auto row = link::findTransition<StopTable>(stop.state, event);
   if (!row) return;
@@ -121,6 +137,7 @@ void StopRun::fire(Stop& stop, StopEvent event) {
       stop.result.failure.reset();
       stop.result.refused = false;
       stop.result.confirmed = stop.told;
+      stop.result.at_target = stop.told && isAt(stop.result.target);
       return;
     case StopAction::EndFailed:
       stop.result.confirmed = false;

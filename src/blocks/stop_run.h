@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "arrival.h"
 #include "failure.h"
 #include "robot_watch.h"
 
@@ -31,17 +32,21 @@ class StopRun {
     bool refused = false;  ///< the controller said no: what it had queued goes on
     bool confirmed =
         true;  ///< it was seen to stand; false: the controller accepted the stop, and that is all
+    /// It stands where the motion that was to be stopped should end: a controller that took no notice of the
+    /// stop would have it there, too.
+    bool at_target = false;
+    std::optional<Target> target;  ///< of that motion
+    /// How it stands, for people. Precondition: no failure.
+    [[nodiscard]] const char* words() const;
   };
-  static constexpr const char* kNotSeen =
-      "the controller accepted the stop, but no status stream tells whether the robot stands";
 
   StopRun(const link::LinkSettings& settings, link::ScriptLink& link, link::TagLedger& tags,
-          const RobotWatch& robot)
-      : settings_(settings), link_(link), tags_(tags), robot_(robot) {}
+          const RobotWatch& robot, const std::optional<arm::ArmModel>& arm)
+      : settings_(settings), link_(link), tags_(tags), robot_(robot), arm_(arm) {}
 
   /// Whatever the state of the link: a stop is worth a try. Does nothing without a connection: then nobody
-  /// can be told.
-  void ask(Instant now);
+  /// can be told. `target`: where the robot was to go, if that is known.
+  void ask(const std::optional<Target>& target, Instant now);
   /// The stop that was sent last.
   [[nodiscard]] Number last() const { return last_; }
   [[nodiscard]] bool busy() const { return !stops_.empty(); }
@@ -70,6 +75,7 @@ class StopRun {
   void judge(Stop& stop);
   void fire(Stop& stop, StopEvent event);
   void giveUp(Stop& stop, const Failure& failure);
+  [[nodiscard]] bool isAt(const std::optional<Target>& target) const;
   /// What became of one is told to those in front of it, and what has ended is taken out.
   void settle();
 
@@ -77,6 +83,7 @@ class StopRun {
   link::ScriptLink& link_;
   link::TagLedger& tags_;
   const RobotWatch& robot_;
+  const std::optional<arm::ArmModel>& arm_;
   Number last_ = 0;
   std::deque<Stop> stops_;  ///< that have not ended, in the order of sending
   std::deque<Result> results_;

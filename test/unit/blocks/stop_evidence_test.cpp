@@ -1,13 +1,20 @@
-// What shows that a stop has stopped the robot: frames of the status stream of behind it.
+// What shows that a stop has stopped the robot: frames of the status stream of behind it, and where it stands
+// then.
 
+#include "block_goals.h"
 #include "core_rig.h"
 #include "status_frames.h"
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace cobot_command::testing {
 namespace {
 
 using namespace blocks;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* kNoEffect = "nothing shows that the stop took effect";
 
 MoveAbsoluteGoal toJoints(const std::array<double, 6>& joints_deg) {
   MoveAbsoluteGoal goal = CoreRig::move();
@@ -105,6 +112,58 @@ TEST_F(StopWithASlowStream, isNotConfirmedByTheOneFrameThatMayHaveBeenOnItsWay) 
   rig.pass(2s);
   ASSERT_NE(rig.outcome(stop), nullptr);
   EXPECT_EQ(rig.outcome(stop)->error_id, own_error::kStopNotConfirmed);
+}
+
+/// As of a controller that says OK and drives on.
+TEST_F(StopEvidence, ofARobotAtItsTargetIsNoneOfAnEffect) {
+  stopMotion();
+  rig.stream(StatusFrames().moving(), 20);
+  rig.stream(StatusFrames().at({60, 0, 90, 0, 90, 0}));
+  expectStopped();
+  EXPECT_THAT(rig.outcome(stop)->error_description, HasSubstr(kNoEffect));
+  EXPECT_EQ(rig.outcome(move)->ending, Ending::CommandAborted);
+  EXPECT_THAT(rig.outcome(move)->error_description, HasSubstr("stop block"));
+  EXPECT_THAT(rig.outcome(move)->error_description, HasSubstr(kNoEffect));
+}
+
+TEST_F(StopEvidence, ofARobotOnItsWayIsOne) {
+  stopMotion();
+  rig.stream(StatusFrames().at({59.8F, 0, 90, 0, 90, 0}));
+  expectStopped();
+  EXPECT_EQ(rig.outcome(stop)->error_description, "");
+  EXPECT_THAT(rig.outcome(move)->error_description, HasSubstr("the robot was stopped"));
+}
+
+TEST_F(StopEvidence, ofABlendedMotionAtItsTargetIsNoneOfAnEffect) {
+  MoveAbsoluteGoal blended = toJoints({60, 0, 90, 0, 90, 0});
+  blended.blending_enable = true;
+  stopMotion(blended);
+  rig.stream(StatusFrames().at({60, 0, 90, 0, 90, 0}));
+  expectStopped();
+  EXPECT_THAT(rig.outcome(stop)->error_description, HasSubstr(kNoEffect));
+}
+
+TEST_F(StopEvidence, ofACancelledCycleIsToldInItsResult) {
+  PickAndPlaceGoal cycle = good<PickAndPlaceGoal>();
+  cycle.steps[0].move = toJoints({60, 0, 90, 0, 90, 0});
+  for (const float j1 : {60.0F, 30.0F}) {
+    stopMotion(cycle);
+    rig.stream(StatusFrames().at({j1, 0, 90, 0, 90, 0}));
+    expectStopped();
+    EXPECT_THAT(rig.outcome(move)->error_description,
+                HasSubstr(j1 == 60.0F ? kNoEffect : "the robot was stopped"));
+  }
+}
+
+/// Once it stands, a further stop finds nothing that might have ended by itself.
+TEST_F(StopEvidence, ofAStopWithoutAMotionSaysNothingOfOne) {
+  stopMotion();
+  rig.stream(StatusFrames().at({60, 0, 90, 0, 90, 0}));
+  const GoalId again = rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  rig.stream(StatusFrames().at({60, 0, 90, 0, 90, 0}));
+  ASSERT_NE(rig.outcome(again), nullptr);
+  EXPECT_THAT(rig.outcome(again)->error_description, Not(HasSubstr(kNoEffect)));
 }
 
 }  // namespace
