@@ -3,8 +3,11 @@
 # The rooms that read what a peer sent, and those that decide what becomes of it: the quick form, run with every change.
 readonly core_tests=(test_protocol test_language test_link test_blocks test_peers test_simulator fuzz_corpora)
 readonly core_tests_pattern='^(protocol|language|link|blocks|peers|simulator|fuzz)\.'
-readonly threaded_targets=(test_transport test_runtime test_runtime_clock test_ros command_node simulated_controller_node)
-readonly threaded_tests_pattern='^(transport|runtime|runtime_clock|ros)\.'
+# Both nodes as processes: goals and cancels of four clients at once, connections made and lost, ends and kills.
+readonly node_tests_pattern='^rostest\.(load|ends)$'
+readonly threaded_targets=(test_transport test_runtime test_runtime_clock test_ros command_node simulated_controller_node
+  cobot_command_generate_messages_py)
+readonly threaded_tests_pattern="^(transport|runtime|runtime_clock|ros)\\.|$node_tests_pattern"
 
 # build_sanitized address|thread [target...]
 build_sanitized() {
