@@ -131,9 +131,9 @@ void CommandRun::followHold(Instant now) {
 
 std::string CommandRun::holdText() const {
   constexpr const char* kResume = "program_control with RESUME, or the pendant, continues it";
-  if (!context_.robot.paused()) return "a safeguard holds the robot: it goes on when that is released";
-  return fmt::format("{}: {}", order_.pauses ? "held by a Pause() in the script" : "the project is paused",
-                     kResume);
+  if (!context_.robot.paused()) return "held by a safeguard: it goes on when that is released";
+  return fmt::format(
+      "{}: {}", order_.pauses ? "held by a Pause() in the script" : "held, the project is paused", kResume);
 }
 
 void CommandRun::fire(Event event, Instant now) {

@@ -6,7 +6,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import CommandStatus, StopGoal
-from cobot_goals import HOME, SLOWLY, to_joints, turn
+from cobot_goals import HOME, SLOWLY, motions, to_joints, turn
 from cobot_test import CobotTestCase, Latest
 
 OTHER = "other/"
@@ -51,9 +51,15 @@ class TwoClients(CobotTestCase):
         self.assertIn("J1 is ", result.error_description)
 
     def test_are_told_that_the_other_has_stopped_the_robot(self):
-        first = self.robot.start_slowly()
-        self.assert_done(self.robot.run(StopGoal(), OTHER))
-        self.assert_aborted(first.finish(), 0x228, "J1 is ")
+        goals = motions(**SLOWLY)
+        goals[2].speed = 15
+        for goal in goals:
+            with self.subTest(type(goal).__name__):
+                first = self.robot.start_slowly(goal)
+                self.assert_done(self.robot.run(StopGoal(), OTHER))
+                self.assert_aborted(first.finish(), 0x228, "from its target")
+                self.robot.wait_for_standstill()
+                self.assert_done(self.robot.run(to_joints(*HOME)))
 
     def test_notice_each_other(self):
         own = self.robot.send(turn(60, 0, 0, 0, 0, 0, command_id=5, **SLOWLY), OTHER)

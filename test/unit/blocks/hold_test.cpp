@@ -62,7 +62,7 @@ TEST_F(Hold, byAPauseThatTheScriptDoesNotHaveIsTheProjects) {
   const GoalId id = rig.submit(script);
   rig.reply(rig.takeScript().id);
   rig.status(StatusFrames().paused());
-  expectHeld(id, AllOf(HasSubstr("the project is paused"), HasSubstr("program_control"),
+  expectHeld(id, AllOf(HasSubstr("held, the project is paused"), HasSubstr("program_control"),
                        Not(HasSubstr("in the script"))));
   endIt(id);
 }
@@ -71,7 +71,7 @@ TEST_F(Hold, byASafeguardTellsSo) {
   const GoalId id = rig.submit(pausing());
   rig.reply(rig.takeScript().id);
   rig.status(StatusFrames().with(protocol::item::ofBool("Safeguard_A", true)));
-  expectHeld(id, HasSubstr("a safeguard holds the robot"));
+  expectHeld(id, HasSubstr("held by a safeguard"));
   endIt(id);
 }
 
