@@ -248,7 +248,7 @@ void CommandCore::Impl::cancel(GoalId id, Instant now) {
 FinishReport CommandCore::Impl::finish(FinishAfter after, Instant now) {
   FinishReport found;
   found.dropped = static_cast<int>(waiting_.size());
-  found.moves_on = mayStillMove();
+  found.moves_on = loose_.mayMove();
   dropWaiting("what is under way was to be finished, and nothing behind it");
   found.under_way = busyBlock();
   if (cycle_) cycle_->finish(after, now);

@@ -9,7 +9,7 @@ std::string toText(const FinishReport& report) {
   if (report.under_way) {
     text = fmt::format("{} comes to its end; its own result tells of it", toString(*report.under_way));
   } else if (report.moves_on) {
-    text += "; blended motions whose goals are done come to their end by themselves";
+    text += "; motions whose goals have ended may still move the robot";
   }
   if (report.dropped == 0) return text;
   return fmt::format("{}; {} waited, and {} ended", text,

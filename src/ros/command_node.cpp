@@ -148,9 +148,10 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
     response.message = fmt::format("after is {}; it must be 0 (MOVE) or 1 (CYCLE)", request.after);
     return true;
   }
-  intake_.withdraw("what is under way was to be finished, and nothing behind it");
+  const int withdrawn = intake_.withdraw("what is under way was to be finished, and nothing behind it");
   const auto after = request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
-  const auto found = runtime_->finish(after);
+  auto found = runtime_->finish(after);
+  if (found) found->dropped += withdrawn;
   response.success = found && found->foundAny();
   response.message = found ? blocks::toText(*found) : "the command layer is shutting down";
   return true;

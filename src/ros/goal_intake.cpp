@@ -37,15 +37,18 @@ void GoalIntake::cancel(blocks::GoalId id, bool under_way) {
   endCancelled(id, "cancelled");
 }
 
-void GoalIntake::withdraw(const std::string& why) {
+int GoalIntake::withdraw(const std::string& why) {
+  int ended = 0;
   for (const Waiting& waiting : std::exchange(waiting_, {})) {
     Reading reading = readNow(waiting.id, waiting.read);
     if (std::holds_alternative<blocks::ConnectGoal>(reading.goal)) {
       handOn(waiting.id, std::move(reading.goal));
     } else {
       endCancelled(waiting.id, why);
+      ++ended;
     }
   }
+  return ended;
 }
 
 void GoalIntake::advance(Instant now) {

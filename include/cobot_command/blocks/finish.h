@@ -18,7 +18,7 @@ enum class FinishAfter {
 struct FinishReport {
   std::optional<Block> under_way;  ///< comes to its end in its own time; its result tells of it
   int dropped = 0;                 ///< goals that waited behind it, and have ended
-  bool moves_on = false;           ///< blended motions, done for their goals, come to their end by themselves
+  bool moves_on = false;  ///< what nobody waits for: blended motions, say, that are done for their goals
 
   /// There was something to finish.
   [[nodiscard]] bool foundAny() const { return under_way || dropped > 0; }

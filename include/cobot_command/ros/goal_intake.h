@@ -46,8 +46,8 @@ class GoalIntake {
   /// `under_way`: with the core it has had its turn, so that what waits falls with it.
   void cancel(blocks::GoalId id, bool under_way);
   /// Ends all commands that wait, as none shall begin any more that came until now. Connects are no commands:
-  /// they are handed on.
-  void withdraw(const std::string& why);
+  /// they are handed on. Returns how many have ended.
+  int withdraw(const std::string& why);
   /// Hands on what need not wait any more. To be called every now and then while isWaiting().
   void advance(Instant now);
   [[nodiscard]] bool isWaiting() const { return !waiting_.empty(); }

@@ -132,7 +132,8 @@ TEST(Finish, tellsWhatItHasFound) {
   rig.reply(rig.takeScript().id);
   const FinishReport loose = finish(rig, FinishAfter::Move);
   EXPECT_FALSE(loose.foundAny());
-  EXPECT_THAT(toText(loose), HasSubstr("nothing is under way; blended motions"));
+  EXPECT_THAT(toText(loose),
+              HasSubstr("nothing is under way; motions whose goals have ended may still move"));
 
   rig.submit(CoreRig::move());
   MoveAbsoluteGoal behind = CoreRig::move();

@@ -171,7 +171,8 @@ TEST_F(Stall, canBeCancelledWhileTheControllerIsAsked) {
   expectQuestion();
   rig.cancel(id);
   rig.reply(rig.takeScript().id);
-  rig.status(at(20));
+  stream(30ms, at(20));
+  ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
 }
 

@@ -156,7 +156,7 @@ TEST_F(Intake, withdrawsAllCommandsThatWaitAndHandsOnAConnect) {
   move(1, "table");
   give(2, blocks::ConnectGoal{});
   cycle(3, "hangs.yaml");
-  intake.withdraw("to be finished");
+  EXPECT_EQ(intake.withdraw("to be finished"), 2);
   EXPECT_THAT(told, ElementsAre("end 1: to be finished", "submit 2", "end 3: to be finished"));
   EXPECT_FALSE(intake.isWaiting());
 }
