@@ -43,7 +43,7 @@ std::vector<Given> badFor(const SettingKind& kind) {
     for (const char* text : {"", "x"}) bad.push_back({text});
     bad.push_back({true});
   } else if (kind.form == Form::Flag) {
-    bad.insert(bad.end(), {{1}, {0.0}, {"yes"}, {""}, {kNan}});
+    bad.insert(bad.end(), {{2}, {-1}, {0.0}, {"yes"}, {""}, {kNan}});
   } else if (kind.form == Form::Text) {
     bad.insert(bad.end(), {{true}, {5}, {GivenList{}}});
   } else {
