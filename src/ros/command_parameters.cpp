@@ -9,7 +9,6 @@
 #include "cobot_command/common/host_name.h"
 #include "cobot_command/common/setting_kinds.h"
 #include "cobot_command/common/units.h"
-#include "cobot_command/runtime/simulator_runtime.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -53,13 +52,15 @@ std::optional<SettingFault> faultIn(const CommandParameters& p) {
   return std::nullopt;
 }
 
-/// The ports that the node `controller` says it listens on, as soon as it has told both.
-std::optional<runtime::SimulatorPorts> announcedPorts(const ros::NodeHandle& node,
-                                                      const std::string& controller) {
-  runtime::SimulatorPorts ports;
-  const bool told = node.getParam(controller + "/listening/script_port", ports.script) &&
-                    node.getParam(controller + "/listening/status_port", ports.status);
-  return told ? std::make_optional(ports) : std::nullopt;
+/// What the node `controller` says of its ports, as soon as it has told of both.
+std::optional<GivenValues> announcedPorts(const ros::NodeHandle& node, const std::string& controller) {
+  GivenValues told;
+  for (const char* name : {"script_port", "status_port"}) {
+    XmlRpc::XmlRpcValue value;
+    if (!node.getParam(controller + "/listening/" + name, value)) return std::nullopt;
+    told.emplace(name, toGiven(value));
+  }
+  return told;
 }
 
 SettingFault untold(const std::string& controller, const std::string& how_long) {
@@ -83,9 +84,7 @@ std::optional<SettingFault> takeAnnouncedPorts(const ros::NodeHandle& node, Comm
     ros::WallDuration(kAnnouncementRetry).sleep();
     ports = announcedPorts(node, controller);
   }
-  parameters.script_port = ports->script;
-  parameters.link.status_port = ports->status;
-  return std::nullopt;
+  return takeAnnounced(*ports, parameters);
 }
 
 SettingTable robotTable(CommandParameters& p) {
@@ -165,6 +164,23 @@ Result<CommandParameters, ParameterError> readCommandParameters(const GivenParam
   if (!arm) return refuse(parameterError(given, arm.error()));
   if (*arm) parameters.arm = (*arm)->turning(parameters.turn_speed);
   return parameters;
+}
+
+std::optional<SettingFault> takeAnnounced(const GivenValues& told, CommandParameters& parameters) {
+  // Somebody listens there already: no 0 for any free one.
+  const SettingTable table{{"script_port", whole(parameters.script_port, 1, 65535), ""},
+                           {"status_port", whole(parameters.link.status_port, 1, 65535), ""}};
+  auto fault = take(table, told);
+  if (!fault && parameters.script_port == parameters.link.status_port) {
+    fault =
+        SettingFault{"status_port", fmt::format("is {}, which script_port is, too", parameters.script_port),
+                     "a port of its own"};
+  }
+  if (!fault) return std::nullopt;
+  return SettingFault{"simulated_controller",
+                      fmt::format("is {}, whose listening/{} {}", parameters.simulated_controller,
+                                  fault->setting, fault->found),
+                      fault->allowed + "; delete what another node has left there"};
 }
 
 Result<CommandParameters, ParameterError> readCommandParameters(const ros::NodeHandle& node,

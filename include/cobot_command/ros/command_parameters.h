@@ -36,6 +36,10 @@ struct CommandParameters {
 [[nodiscard]] SettingTable settingsTable(CommandParameters& parameters);
 
 [[nodiscard]] Result<CommandParameters, ParameterError> readCommandParameters(const GivenParameters& given);
+/// Puts the ports that ~simulated_controller tells, as it told them, in place of ~script_port and
+/// ~status_port. Nothing when something can listen on both; else the parameters are of no use.
+[[nodiscard]] std::optional<SettingFault> takeAnnounced(const GivenValues& told,
+                                                        CommandParameters& parameters);
 /// The same from the parameter server, with its warnings in the log. With ~simulated_controller it waits
 /// until that node tells its ports, or until `given_up`.
 [[nodiscard]] Result<CommandParameters, ParameterError> readCommandParameters(

@@ -264,6 +264,32 @@ TEST_F(Described, mustBeUsableWhenItIsNot) {
   }
 }
 
+TEST(ParametersOfTheCommandNode, areThePortsThatASimulatedControllerTells) {
+  CommandParameters parameters;
+  EXPECT_EQ(takeAnnounced({{"script_port", {40001}}, {"status_port", {40002}}}, parameters), std::nullopt);
+  EXPECT_EQ(parameters.script_port, 40001);
+  EXPECT_EQ(parameters.link.status_port, 40002);
+}
+
+TEST(ParametersOfTheCommandNode, areNoPortsOnWhichNobodyCanListen) {
+  const auto refusal = [](const Given& script, const Given& status) {
+    CommandParameters parameters;
+    parameters.simulated_controller = "/sim";
+    const auto fault = takeAnnounced({{"script_port", script}, {"status_port", status}}, parameters);
+    return fault ? fault->setting + ' ' + describe(*fault) : "";
+  };
+  EXPECT_THAT(
+      refusal({70000}, {40002}),
+      HasSubstr("simulated_controller is /sim, whose listening/script_port is 70000; allowed: a whole "
+                "number, 1 to 65535"));
+  EXPECT_THAT(refusal({40001}, {0}), HasSubstr("listening/status_port is 0"));
+  EXPECT_THAT(refusal({-1}, {40002}), HasSubstr("listening/script_port is -1"));
+  EXPECT_THAT(refusal({"40001"}, {40002}), HasSubstr("listening/script_port is the text \"40001\""));
+  EXPECT_THAT(refusal({40001}, {40002.5}), HasSubstr("listening/status_port is 40002.5"));
+  EXPECT_THAT(refusal({40001}, {40001}),
+              HasSubstr("listening/status_port is 40001, which script_port is, too"));
+}
+
 TEST(ParameterServer, hasValuesOfAllTypes) {
   XmlRpc::XmlRpcValue list;
   list[0] = 1;
