@@ -207,10 +207,7 @@ TEST(PickAndPlace, tellsAtTheEndOfTheLayerWhatBecameOfTheRobot) {
   rig.core.retire(rig.now);
   rig.pump();
   rig.reply(rig.takeScript().id);
-  for (int frame = 0; frame < 2; ++frame) {
-    rig.pass(15ms);
-    rig.status(StatusFrames());
-  }
+  rig.stream(StatusFrames());
   ASSERT_NE(rig.outcome(goal), nullptr);
   EXPECT_THAT(rig.outcome(goal)->error_description,
               ::testing::AllOf(HasSubstr("shutting down"), HasSubstr("the robot was stopped")));

@@ -111,10 +111,7 @@ TEST_F(Planning, namesTheToolThatIsTooHeavyInTheErrorOfTheMotionAndHowToGetOut) 
     rig.discardSent();  // the layer stops a motion that fails by itself
     const GoalId stop = rig.submit(StopGoal{});
     rig.reply(rig.takeScript().id);
-    for (int frame = 0; frame < 2; ++frame) {
-      rig.pass(15ms);
-      rig.status(StatusFrames().error(0x22, "OVERLOAD"));
-    }
+    rig.stream(StatusFrames().error(0x22, "OVERLOAD"));
     ASSERT_NE(rig.outcome(stop), nullptr);
     EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
   };
