@@ -135,6 +135,8 @@ std::vector<Ending> tell(const FailingAllocation& failing, const std::optional<a
   story.cancel(4);
   story.accept();
   story.stream(standingAt(20));
+  story.pass(std::chrono::milliseconds(15));
+  story.stream(standingAt(20));
   story.pass(std::chrono::seconds(1));
   story.say(protocol::ListenNodeState{true, "Listen1"});
   story.receive("noise$TMSTA,3,01,*00\r\n");
