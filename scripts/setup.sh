@@ -89,10 +89,16 @@ free_port() {
   /usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
 
-# run_rostest <name> [argument:=value...]: test/rostest/<name>.test, with all that it prints.
+# run_rostest <name> [argument:=value...]: test/rostest/<name>.test, with all that it prints. rostest itself ends with 0
+# whatever came out when it prints (--text): the verdict of the test program counts, and there has to be one.
 run_rostest() {
-  local name=$1
+  local name=$1 log
   shift
+  log=$(mktemp)
   ROS_LOG_DIR=$build/$name/log ROS_HOME=$build/$name/home ROS_HOSTNAME=localhost \
-    rostest --text "$root/test/rostest/$name.test" "$@"
+    rostest --text "$root/test/rostest/$name.test" "$@" 2>&1 | tee "$log" || true
+  local verdict=1
+  grep -q '^ \* RESULT: SUCCESS' "$log" && ! grep -q '^ \* RESULT: FAIL' "$log" && verdict=0
+  rm -f "$log"
+  return $verdict
 }

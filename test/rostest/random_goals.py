@@ -20,6 +20,7 @@ WEIGHTS = {"move_absolute": 26, "move_relative": 14, "move_circle": 8, "change_b
            "run_script": 12, "pick_and_place": 8, "check_sequence": 5, "program_control": 6, "exit_listen_node": 3,
            "stop": 3, "connect": 2}
 WRONG = 0.2  # of the goals
+WAITED_FOR = (1, 2)  # cycles that end by themselves before anybody's patience does
 DOWNWARDS = (180, 0)
 
 
@@ -34,7 +35,7 @@ class RandomGoals:
             goal, errors = wrong_goals.draw(r, block, self._good(block))
             return Drawn(goal, frozenset(errors), False, None)
         goal = self._good(block)
-        endless = block == "connect" or getattr(goal, "cycles", 1) == 0
+        endless = block == "connect" or getattr(goal, "cycles", 1) not in WAITED_FOR
         paused = block == "program_control" and goal.command == ProgramControlGoal.PAUSE
         return Drawn(goal, None, endless, ProgramControlGoal(command=ProgramControlGoal.RESUME) if paused else None)
 
@@ -143,7 +144,7 @@ class RandomGoals:
 
     def pick_and_place(self):
         r = self._random
-        changes = {"cycles": r.choices((1, 2, 0, 1000000), (70, 20, 5, 5))[0],
+        changes = {"cycles": r.choices((*WAITED_FOR, 0, 1000000), (70, 20, 5, 5))[0],
                    "buffer_mode": self._common()["buffer_mode"], "check_only": r.random() < 0.1}
         if r.random() < 0.1:
             return PickAndPlaceGoal(steps_file="package://cobot_command/config/pick_and_place.yaml", **changes)
