@@ -98,7 +98,7 @@ run_rostest() {
   ROS_LOG_DIR=$build/$name/log ROS_HOME=$build/$name/home ROS_HOSTNAME=localhost \
     rostest --text "$root/test/rostest/$name.test" "$@" 2>&1 | tee "$log" || true
   local verdict=1
-  grep -q '^ \* RESULT: SUCCESS' "$log" && ! grep -q '^ \* RESULT: FAIL' "$log" && verdict=0
+  grep -q ' \* RESULT: SUCCESS' "$log" && ! grep -q ' \* RESULT: FAIL' "$log" && verdict=0
   rm -f "$log"
   return $verdict
 }

@@ -24,9 +24,11 @@ def verdict(printed, status=0):
 class VerdictTest(unittest.TestCase):
     def test_is_0_when_the_test_program_succeeds(self):
         self.assertEqual(verdict(" * RESULT: SUCCESS"), 0)
+        self.assertEqual(verdict("\x1b[32m * RESULT: SUCCESS\x1b[0m"), 0)
 
     def test_is_1_when_the_test_program_fails(self):
         self.assertEqual(verdict(" * RESULT: FAIL"), 1)
+        self.assertEqual(verdict("\x1b[31m * RESULT: FAIL\x1b[0m"), 1)
         self.assertEqual(verdict(" * RESULT: SUCCESS\n * RESULT: FAIL"), 1)
 
     def test_is_1_when_the_test_program_says_nothing(self):
