@@ -43,9 +43,10 @@ def ports():
 class Load:
     """Everything stands and is heard when it has been made."""
 
-    def __init__(self, seed, where=ports):
-        """`where`: the ports that goals of connect are to use, or None."""
+    def __init__(self, seed, where=ports, stream_breaks=False):
+        """`where`: the ports that goals of connect are to use, or None. `stream_breaks`: the status stream does."""
         self.seed = seed
+        self._stream_breaks = stream_breaks
         self._table = error_table()
         self._rules = StatusRules(self._table)
         self.watch = Watch(self._rules)
@@ -108,7 +109,7 @@ class Load:
         records, truth = self.watch.take_round()
         ended = [r for r in records if r.results]
         for record in ended:
-            faults += plcopen_goals.faults_of(record, self._table)
+            faults += plcopen_goals.faults_of(record, self._table, self._stream_breaks)
             if record.end[1] == GoalStatus.SUCCEEDED:
                 self.succeeded.add(record.block)
         whole = plcopen_goals.Round(ended, truth)

@@ -23,13 +23,13 @@ AROUND = rospy.Duration(0.1)
 AT_TARGET = 1e-4  # [rad]
 
 
-def faults_of(record, table):
-    """Of one goal that has ended: (words)."""
+def faults_of(record, table, stream_breaks=False):
+    """Of one goal that has ended: (words). `stream_breaks`: the status stream does, so that an end may not know its place."""
     _, state, result = record.end
     faults = list(_end_faults(record, state, result, table)) + list(_verdict_faults(record, state, result))
     faults += _feedback_faults(record)
     if state == GoalStatus.SUCCEEDED:
-        faults += _success_faults(record, result)
+        faults += _success_faults(record, result, stream_breaks)
     goal = " ".join(str(record.goal).split())
     end = f"{record}, state {state}, 16#{result.error_id:X} '{result.error_description}'"
     return [f"{end}: {fault}; goal: {goal[:3000]}" for fault in faults]
@@ -77,7 +77,7 @@ def _feedback_faults(record):
         yield "REFUSE, and it waits behind another goal"
 
 
-def _success_faults(record, result):
+def _success_faults(record, result, stream_breaks):
     goal = record.goal
     command_id = getattr(goal, "command_id", 0)
     if command_id and not getattr(goal, "check_only", False) and result.command_id_ack != command_id:
@@ -87,8 +87,12 @@ def _success_faults(record, result):
     if goal.check_only:
         if not result.joint_path.points or result.planned_duration.to_sec() < 0:
             yield "checked, and no path is told"
-    elif not goal.blending_enable:
+    elif not goal.blending_enable and not (stream_breaks and _place_is_unknown(result)):
         yield from _place_faults(goal, result)
+
+
+def _place_is_unknown(result):
+    return not result.final_joints and not any(_six(result.final_pose))
 
 
 def _place_faults(goal, result):

@@ -123,6 +123,13 @@ class GoalRulesTest(unittest.TestCase):
             away = record("a", to_joints(*HOME), 1, 2, GoalStatus.SUCCEEDED, final_joints=joints)
             self.assert_found("succeeded at", plcopen_goals.faults_of(away, TABLE))
 
+    def test_takes_a_success_that_does_not_know_its_place_only_where_the_stream_breaks(self):
+        blind = record("a", to_joints(*HOME), 1, 2, GoalStatus.SUCCEEDED)
+        self.assert_found("succeeded at", plcopen_goals.faults_of(blind, TABLE))
+        self.assert_found("", plcopen_goals.faults_of(blind, TABLE, stream_breaks=True))
+        away = record("a", to_joints(*HOME), 1, 2, GoalStatus.SUCCEEDED, final_joints=(1, *HOME[1:]))
+        self.assert_found("succeeded at", plcopen_goals.faults_of(away, TABLE, stream_breaks=True))
+
     def test_finds_ends_without_or_with_a_wrong_error(self):
         for words, state, result in (("error_id 0", GoalStatus.REJECTED, {}),
                                      ("error_id 17", GoalStatus.SUCCEEDED, FAILED),

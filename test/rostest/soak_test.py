@@ -25,7 +25,7 @@ class SoakTest(unittest.TestCase):
     def test_of_hours_of_goals_and_faults_ends_each_goal_and_leaves_the_node_as_it_was(self):
         wait_until(ports, "the ports of the controller")
         wire = Wire(rospy.get_param("~proxy"), *ports())
-        load = Load(rospy.get_param("~seed") or random.randrange(1, 10**6), lambda: wire.ports)
+        load = Load(rospy.get_param("~seed") or random.randrange(1, 10**6), lambda: wire.ports, stream_breaks=True)
         faults = Faults(load.seed, rospy.get_param("~fault_period"), load.pid, load.watch.complain, wire)
         start, samples, broken = time.monotonic(), [], []
         seconds = 60 * rospy.get_param("~minutes")
