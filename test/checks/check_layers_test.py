@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""check_layers.py finds what it is for."""
+import pathlib
+import tempfile
+import unittest
+
+import check_layers
+
+ROS = ("ros/ros.h", "rospack/rospack.h", "xmlrpcpp/XmlRpc.h", "diagnostic_updater/diagnostic_updater.h",
+       "dynamic_reconfigure/server.h", "tf/tf.h", "tf2_ros/buffer.h", "actionlib/server/action_server.h", "std_msgs/Header.h",
+       "std_srvs/Trigger.h", "eigen_conversions/eigen_msg.h", "cobot_command/RobotStatus.h")
+CORE = ("string", "sys/stat.h", "boost/asio/post.hpp", "kdl/frames.hpp", "tinyxml2.h", "other.h", "cobot_command/common/time.h")
+
+
+def faults_of(line, room="link"):
+    with tempfile.TemporaryDirectory() as root:
+        folder = pathlib.Path(root, "src", room)
+        folder.mkdir(parents=True)
+        (folder / "some.cpp").write_text(f"// words\n{line}\n", encoding="utf-8")
+        return list(check_layers.faults(pathlib.Path(root)))
+
+
+class CheckLayers(unittest.TestCase):
+    def test_finds_ros_in_the_core(self):
+        for header in ROS:
+            for line in (f"#include <{header}>", f'#include "{header}"', f"  # include <{header}>"):
+                with self.subTest(line):
+                    self.assertEqual(len(faults_of(line)), 1)
+                    self.assertIn("some.cpp:2: link/ is core and must not include ROS", faults_of(line)[0])
+
+    def test_finds_rooms_above(self):
+        for line in ('#include "cobot_command/blocks/goal.h"', "#include <cobot_command/blocks/goal.h>"):
+            self.assertIn("link/ may not use blocks/", "".join(faults_of(line)))
+
+    def test_finds_nothing_else(self):
+        for header in CORE:
+            for line in (f"#include <{header}>", f'#include "{header}"', f"// as in {header}"):
+                with self.subTest(line):
+                    self.assertEqual(faults_of(line), [])
+        self.assertEqual(faults_of("#include <ros/ros.h>", "ros"), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
