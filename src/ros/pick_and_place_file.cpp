@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <locale>
+#include <mutex>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -243,7 +244,11 @@ std::string wordsOf(const YAML::Exception& fault) {
 }
 
 /// Empty when there is no such package. Not roslib's own way, which tells of it on standard error besides.
+/// One at a time, as there: librospack is not made for threads (getpwuid(), for one, has one answer for all),
+/// and files are read by several. Only the crawl waits here, for another crawl.
 std::string folderOf(const std::string& package) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
   rospack::Rospack packages;
   packages.setQuiet(true);
   std::vector<std::string> places;

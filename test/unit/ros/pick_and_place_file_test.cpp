@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "source_tree.h"
 #include <fmt/format.h>
@@ -259,6 +262,20 @@ TEST(PickAndPlaceFile, aPathInAPackageStaysInIt) {
   for (const char* location :
        {"package://roscpp/a/../x.yaml", "package://roscpp/..x.yaml", "package://roscpp/./x.yaml"}) {
     EXPECT_THAT(locationError(location), HasSubstr("there is no such file")) << location;
+  }
+}
+
+TEST(PickAndPlaceFile, packagesAreFoundByManyThreadsAtOnce) {
+  constexpr int kThreads = 8;
+  std::vector<std::future<std::string>> errors;
+  for (int i = 0; i < kThreads; ++i) {
+    errors.push_back(std::async(std::launch::async, [i] {
+      return locationError(i % 2 == 0 ? "package://roscpp/no/such.yaml" : "package://no_such_package/a.yaml");
+    }));
+  }
+  for (int i = 0; i < kThreads; ++i) {
+    EXPECT_THAT(errors[static_cast<std::size_t>(i)].get(),
+                HasSubstr(i % 2 == 0 ? "there is no such file" : "is not found"));
   }
 }
 
