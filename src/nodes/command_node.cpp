@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   ros_adapter::CommandNode command_node(node, self, std::move(*parameters));
-  end.serve([&] { command_node.retire(); });
+  end.serve([&](const auto& begun) { command_node.retire(begun); });
   command_node.stop();
   end.leaveWithin(ros_adapter::kFarewellPatience);
   return 0;

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
     ROS_FATAL_STREAM(started.error().message);
     return started.error().kind == SimulatorError::Kind::BadOption ? 2 : 1;
   }
-  end.serve([] {});
+  end.serve([](const auto& begun) { begun(); });
   end.leaveWithin(ros_adapter::kFarewellPatience);
   return 0;
 }

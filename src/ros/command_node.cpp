@@ -1,6 +1,7 @@
 #include "cobot_command/ros/command_node.h"
 
 #include <chrono>
+#include <future>
 #include <random>
 #include <utility>
 
@@ -16,6 +17,11 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr double kFrameRetryPeriod = 0.01;  // [s]
+/// Far more than any but a planning takes. Meanwhile no other callback is served.
+constexpr Duration kFinishPatience = std::chrono::milliseconds(500);
+constexpr const char* kNotAnsweredYet =
+    "asked for; the command layer is busy, planning say, and has not answered yet: it does so as soon as it "
+    "has done, and the results tell what became of the goals";
 
 Instant steadyNow() {
   return Instant(std::chrono::steady_clock::now().time_since_epoch());
@@ -84,8 +90,8 @@ CommandNode::~CommandNode() {
   stop();
 }
 
-void CommandNode::retire() {
-  runtime_->retire();
+void CommandNode::retire(const std::function<void()>& begun) {
+  runtime_->retire(begun);
 }
 
 void CommandNode::stop() {
@@ -150,10 +156,18 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
   }
   const int withdrawn = intake_.withdraw("what is under way was to be finished, and nothing behind it");
   const auto after = request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
-  auto found = runtime_->finish(after);
-  if (found) found->dropped += withdrawn;
-  response.success = found && found->foundAny();
-  response.message = found ? blocks::toText(*found) : "the command layer is shutting down";
+  auto report = runtime_->finish(after);
+  if (!report) {
+    response.message = "the command layer is shutting down";
+  } else if (report->wait_for(kFinishPatience) != std::future_status::ready) {
+    response.success = true;
+    response.message = kNotAnsweredYet;
+  } else {
+    auto found = report->get();
+    found.dropped += withdrawn;
+    response.success = found.foundAny();
+    response.message = blocks::toText(found);
+  }
   return true;
 }
 

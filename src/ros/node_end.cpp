@@ -31,6 +31,8 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr double kServePeriod = 0.1;  // [s]; who asks for the end wakes the queue up
+/// From here on whoever has asked for the end, and sees nothing of it, wants to know why.
+constexpr Duration kPatienceWithoutWords = std::chrono::seconds(1);
 
 /// What a node is at, in the order of its life.
 enum class Stage { Beginning, Joining, Starting, Serving, Ending, Leaving };
@@ -104,17 +106,17 @@ class NodeEnd::Impl {
     moveOn([this] { stage_ = Stage::Starting; });
   }
 
-  void serve(std::function<void()> begin) {
+  void serve(std::function<void(Begun)> begin) {
     moveOn([&] {
       stage_ = Stage::Serving;
-      if (asked_) begin();
       begin_ = std::move(begin);
+      if (asked_) beginEnd();
     });
     ros::CallbackQueue& queue = *ros::getGlobalCallbackQueue();
     while (!asked_ && ros::ok()) queue.callAvailable(ros::WallDuration(kServePeriod));
     moveOn([this] {
       stage_ = Stage::Ending;
-      begin_ = nullptr;
+      beginEnd();  // if nobody has asked: roscpp can be shut down from within
     });
   }
 
@@ -142,10 +144,27 @@ class NodeEnd::Impl {
     // In its first two stages ROS waits for a master for ever. In the first it has nothing yet to take back.
     if (stage_ == Stage::Beginning) std::_Exit(0);
     if (stage_ == Stage::Joining) ros::requestShutdown();
-    limit(kFarewellPatience);
-    if (stage_ != Stage::Serving) return;
-    begin_();
-    ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<WakeUp>());
+    if (stage_ == Stage::Serving) {
+      beginEnd();
+      ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<WakeUp>());
+    } else if (stage_ != Stage::Ending) {
+      limit(kFarewellPatience);
+    }
+  }
+
+  /// Once. The time that is left runs from when the end has begun: the command layer may be planning, and the
+  /// stop of the robot waits behind that.
+  void beginEnd() {
+    const auto begin = std::exchange(begin_, nullptr);
+    if (!begin) return;
+    farewell_.expires_after(kPatienceWithoutWords);
+    farewell_.async_wait([](const boost::system::error_code& replaced) {
+      if (replaced) return;
+      ROS_WARN(
+          "the end is asked for, and the robot is not told to stop yet: the command layer is busy, planning "
+          "say; waiting until it has done");
+    });
+    begin([this] { boost::asio::post(context_, [this] { limit(kFarewellPatience); }); });
   }
 
   void limit(Duration patience) {
@@ -182,7 +201,7 @@ class NodeEnd::Impl {
   boost::asio::signal_set signals_{context_};
   boost::asio::steady_timer farewell_{context_};
   Stage stage_ = Stage::Beginning;
-  std::function<void()> begin_;  ///< while serving
+  std::function<void(Begun)> begin_;  ///< while serving, until it is called
   std::atomic<bool> asked_{false};
   std::thread thread_;
 };
@@ -200,7 +219,7 @@ bool NodeEnd::joined() {
   return !isAskedFor();
 }
 
-void NodeEnd::serve(std::function<void()> begin) {
+void NodeEnd::serve(std::function<void(Begun)> begin) {
   impl_->serve(std::move(begin));
 }
 

@@ -64,8 +64,12 @@ class CommandRuntime::Impl {
   }
 
   /// False: it has ended already.
-  bool retire() {
-    return post([](blocks::CommandCore& core, Instant now) { core.retire(now); });
+  bool retire(const std::function<void()>& begun = {}) {
+    return thread_.post([this, begun] {
+      handle([](blocks::CommandCore& core, Instant now) { core.retire(now); });
+      noteBegin();
+      if (begun) begun();
+    });
   }
 
   void stop() {
@@ -84,7 +88,15 @@ class CommandRuntime::Impl {
   /// and some systems then drop what came before.
   void awaitRetirement() {
     std::unique_lock<std::mutex> lock(retiring_);
+    retired_changed_.wait(lock, [this] { return begun_; });
     retired_changed_.wait_for(lock, kRetirement, [this] { return retired_; });
+  }
+
+  /// The stop is out, if one was due.
+  void noteBegin() {
+    const std::lock_guard<std::mutex> lock(retiring_);
+    begun_ = true;
+    retired_changed_.notify_all();
   }
 
   void noteRetirement() {
@@ -163,6 +175,7 @@ class CommandRuntime::Impl {
   std::map<link::ConnectionId, transport::TcpConnection> connections_;
   std::mutex retiring_;
   std::condition_variable retired_changed_;
+  bool begun_ = false;
   bool retired_ = false;
 };
 
@@ -184,15 +197,16 @@ void CommandRuntime::cancel(blocks::GoalId id) {
   impl_->post([id](auto& core, Instant now) { core.cancel(id, now); });
 }
 
-std::optional<blocks::FinishReport> CommandRuntime::finish(blocks::FinishAfter after) {
+std::optional<std::future<blocks::FinishReport>> CommandRuntime::finish(blocks::FinishAfter after) {
   const auto report = std::make_shared<std::promise<blocks::FinishReport>>();
+  auto reported = report->get_future();
   const bool posted =
       impl_->post([=](auto& core, Instant now) { report->set_value(core.finish(after, now)); });
-  return posted ? std::optional(report->get_future().get()) : std::nullopt;
+  return posted ? std::optional(std::move(reported)) : std::nullopt;
 }
 
-void CommandRuntime::retire() {
-  impl_->retire();
+void CommandRuntime::retire(const std::function<void()>& begun) {
+  if (!impl_->retire(begun) && begun) begun();
 }
 
 void CommandRuntime::stop() {

@@ -42,14 +42,14 @@ class OwnRobotTestCase(OutcomeTestCase):
         self.robot.establish()
         self.assert_done(self.robot.run(to_joints(*HOME, speed=100)))
 
-    def start_far(self):
+    def start_far(self, speed=5):
         """A motion that takes long, on its way."""
-        sent = self.robot.send(turn(FAR, 0, 0, 0, 0, 0, speed=5)).wait_until_active()
+        sent = self.robot.send(turn(FAR, 0, 0, 0, 0, 0, speed=speed)).wait_until_active()
         self.wait_until_it_moves()
         return sent
 
     def wait_until_it_moves(self):
-        self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) > 0.05, "the motion of the arm")
+        self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) > 0.02, "the motion of the arm")
 
     def assert_stops_on_its_way(self):
         last = self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill")

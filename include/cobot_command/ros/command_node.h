@@ -4,6 +4,7 @@
 // spun by one thread.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,10 +33,12 @@ class CommandNode {
   CommandNode(const CommandNode&) = delete;
   CommandNode& operator=(const CommandNode&) = delete;
 
-  /// Begins the end, and returns at once: the robot is told to stop. From any thread.
-  void retire();
+  /// Begins the end, and returns at once: the robot is told to stop, behind what the core is at, which may be
+  /// a long planning; then `begun` is called, on the core's thread. From any thread.
+  void retire(const std::function<void()>& begun);
   /// Ends every open goal, closes the connections and joins the core's thread. When it returns the results
-  /// are on their way. It takes at most 0.4 s, whatever the robot, the master and the clients do.
+  /// are on their way. Once the end has begun (retire()), which it waits for, it takes at most 0.4 s,
+  /// whatever the robot, the master and the clients do.
   void stop();
 
  private:

@@ -16,10 +16,13 @@ namespace cobot_command::ros_adapter {
 
 class NodeEnd {
  public:
+  using Begun = std::function<void()>;
+
   /// Initializes ROS, for a node of that name, and from before that on hears who asks for the end. To be made
   /// before anything that it shall outlive. A SIGHUP that is ignored stays ignored (nohup). Whenever the end
   /// is asked for, and however often, the node has kFarewellPatience from the first time until it has come to
-  /// leaveWithin(), or has ended; then the process is left as it is, with status 0.
+  /// leaveWithin(), or has ended; while it serves, from when its end has begun. Then the process is left as
+  /// it is, with status 0.
   NodeEnd(int argc, char** argv, const std::string& name);
   ~NodeEnd();
   NodeEnd(const NodeEnd&) = delete;
@@ -35,8 +38,11 @@ class NodeEnd {
 
   /// Serves ROS's callbacks on the calling thread, until somebody asks for the end; not at all if somebody
   /// has. `begin` is called then, at once and on another thread, for what cannot wait until a callback has
-  /// returned; when this returns it is not used any more. To be called once, with a node handle alive.
-  void serve(std::function<void()> begin);
+  /// returned; when this returns it is not used any more. It has to see to it that what it is given is
+  /// called, from any thread, when the end has begun: a robot has been told to stop. Until then the process
+  /// is not left, however long it takes, as nobody else would stop that robot; a line in the log says so. To
+  /// be called once, with a node handle alive.
+  void serve(std::function<void(Begun)> begin);
 
   /// Leaves the process as it is, with status 0 and a line on stderr of what it was at, when it has not ended
   /// by itself in that time: to say goodbye to a master that hangs would take for ever.

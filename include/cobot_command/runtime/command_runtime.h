@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -17,7 +18,7 @@
 
 namespace cobot_command::runtime {
 
-/// How long stop() waits at most until the robot has confirmed that it stands.
+/// How long stop() waits at most, once the stop is out, until the robot has confirmed that it stands.
 inline constexpr Duration kRetirement = std::chrono::milliseconds(300);
 
 /// Thread-safe, but for what is said of stop().
@@ -41,17 +42,21 @@ class CommandRuntime {
   [[nodiscard]] bool submit(blocks::GoalId id, blocks::Goal goal);
   /// The falling edge of Execute. After stop() all goals have ended, so there is nothing to cancel.
   void cancel(blocks::GoalId id);
-  /// See CommandCore; waits for the core's thread, so not from the observer. Nothing once stop() has begun.
-  std::optional<blocks::FinishReport> finish(blocks::FinishAfter after);
+  /// See CommandCore. The report comes when the core's thread has come to it, so it is not to be waited for
+  /// in the observer, and behind a long planning for long. Nothing once stop() has closed the core.
+  std::optional<std::future<blocks::FinishReport>> finish(blocks::FinishAfter after);
   /// See CommandCore.
   void keepConnected(blocks::ConnectGoal target);
 
-  /// Begins the end, and returns at once: no goal is taken any more, a robot that moves is told to stop.
-  void retire();
+  /// Begins the end, and returns at once: no goal is taken any more, a robot that moves is told to stop. The
+  /// core does so when it has done what it is at, which may be a long planning; then it calls `begun`, on its
+  /// thread. Once stop() has closed the core that is long done, and `begun` is called at once.
+  void retire(const std::function<void()>& begun = {});
   /// retire(), then ends all goals, closes all connections, ends the thread. The observer is not called any
-  /// more once this returns, whichever thread called it first. What moved gets kRetirement to stand still,
-  /// once, however often this is called; for anything else of the network it never waits. Not from the
-  /// observer.
+  /// more once this returns, whichever thread called it first. It waits for what the core is at, however long
+  /// that takes: a stop that is not sent leaves the robot in motion. From then on what moved gets kRetirement
+  /// to stand still, once, however often this is called; for anything else of the network it never waits. Not
+  /// from the observer.
   void stop();
 
  private:

@@ -1,5 +1,7 @@
 // A commander can be ended in every state of its session, at once, and each of its goals has its one end.
 #include <algorithm>
+#include <future>
+#include <string>
 #include <thread>
 
 #include "figure.h"
@@ -12,6 +14,20 @@ namespace {
 /// Far above the 500 ms that it may take, and far below the minutes that a wait for the network would.
 constexpr auto kQuickEnough = std::chrono::seconds(10);
 constexpr double kLimitMs = 500;
+
+/// Far more than kRetirement to plan, on the core's thread, and no motion.
+blocks::CheckSequenceGoal longPlanning() {
+  blocks::CheckSequenceGoal check;
+  for (int i = 0; i < 20; ++i) {
+    check.steps.emplace_back(moveLine(kStartJoints, {0, 0, i % 2 == 0 ? -300.0 : 0.0}, 1));
+  }
+  check.start_joints.assign(kStartJoints.begin(), kStartJoints.end());
+  return check;
+}
+
+double speedOf(Session& session) {
+  return session.robot->state().velocities.cwiseAbs().maxCoeff();
+}
 
 class Teardown : public testing::TestWithParam<SessionState> {};
 INSTANTIATE_TEST_SUITE_P(Session, Teardown, testing::ValuesIn(sessionStates()),
@@ -45,6 +61,58 @@ TEST(Stop, waitsOnceForARobotThatDoesNotConfirmItHoweverOftenItIsAskedFor) {
                      }));
   }
   EXPECT_LT(again, kRetirement);
+}
+
+TEST(Stop, givesTheRobotItsTimeAlsoWhenItHadToWaitForAPlanning) {
+  Session session;
+  session.beReady();
+  const auto move = session.move();
+  const auto check = session.commander->submit(longPlanning());
+  const auto stopping = test::timeOf([&] { session.commander->stop(); });
+  ASSERT_GT(stopping, 2 * kRetirement) << "no longer a long planning";
+  const auto checked = session.commander->outcomeOf(check);
+  ASSERT_TRUE(checked && checked->ending == blocks::Ending::Done) << checked->error_description;
+  const auto outcome = session.commander->outcomeOf(move);
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(outcome->error_description.find("may still move"), std::string::npos)
+      << outcome->error_description;
+  EXPECT_LT(speedOf(session), degToRad(0.1));
+}
+
+TEST(Stop, ofTheRobotIsOutWhenTheEndIsToldToHaveBegun) {
+  Session session;
+  session.beReady();
+  const auto move = session.move();
+  const auto check = session.commander->submit(longPlanning());
+  std::promise<bool> begun;
+  auto is_planned = begun.get_future();
+  session.commander->runtime().retire([&] {
+    const auto ended = session.commander->told<blocks::GoalEnded>();
+    begun.set_value(
+        std::any_of(ended.begin(), ended.end(), [&](const auto& goal) { return goal.goal == check; }));
+  });
+  EXPECT_EQ(is_planned.wait_for(kRetirement), std::future_status::timeout) << "it is planning";
+  EXPECT_TRUE(is_planned.get());
+  EXPECT_TRUE(session.commander->outcomeOf(move).has_value());
+  EXPECT_LT(speedOf(session), degToRad(0.1));
+  session.commander->stop();
+  bool is_called = false;
+  session.commander->runtime().retire([&] { is_called = true; });
+  EXPECT_TRUE(is_called);
+}
+
+TEST(Finish, isAnsweredBehindAPlanningOrNotAtAllOnceAllHasEnded) {
+  Session session;
+  session.beReady();
+  const auto move = session.move();
+  (void)session.commander->submit(longPlanning());
+  auto report = session.commander->runtime().finish(blocks::FinishAfter::Move);
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(report->wait_for(std::chrono::milliseconds(0)), std::future_status::timeout);
+  EXPECT_EQ(report->get().under_way, blocks::Block::MoveAbsolute);
+  session.commander->cancel(move);
+  session.commander->stop();
+  EXPECT_FALSE(session.commander->runtime().finish(blocks::FinishAfter::Move).has_value());
 }
 
 TEST(Stop, mayBeAskedForByManyAtOnce) {
