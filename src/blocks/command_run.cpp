@@ -70,8 +70,8 @@ void CommandRun::tagCompleted(Instant now) {
 
 void CommandRun::stopEnded(const StopRun::Result& result, Instant now) {
   if (state_ != State::Stopping || result.number != stop_) return;
-  if (result.failure) {
-    fail(*result.failure, Robot::LeaveIt, now);
+  if (result.failed()) {
+    fail(result.failure, Robot::LeaveIt, now);
   } else {
     stopped_how_ = result.words();
     fire(Event::Stopped, now);

@@ -24,15 +24,15 @@ void CommandCore::Impl::stopIfMoving(Instant now) {
 
 void CommandCore::Impl::finishStops(Instant now) {
   while (const auto result = stop_.takeResult()) {
-    if (result->failure) {
+    if (result->failed()) {
       stopFailed(*result, now);
     } else {
       stopConfirmed(*result);
     }
     if (run_) run_->stopEnded(*result, now);
     endStopGoals(*result);
-    if (result->failure) {
-      dropWaiting(fmt::format("{}: {}", LooseMotion::kMayStillMove, result->failure->found));
+    if (result->failed()) {
+      dropWaiting(fmt::format("{}: {}", LooseMotion::kMayStillMove, result->failure.found));
     }
   }
 }
@@ -41,9 +41,11 @@ void CommandCore::Impl::endStopGoals(const StopRun::Result& result) {
   const auto wish = wishFor(result);
   if (wish == stop_goals_.end()) return;
   Outcome outcome;
-  if (result.failure) outcome = toOutcome(Block::Stop, Ending::Aborted, *result.failure);
-  const bool is_plain = result.confirmed && !result.at_target;
-  if (!result.failure && !is_plain) outcome.error_description = result.words();
+  if (result.failed()) {
+    outcome = toOutcome(Block::Stop, Ending::Aborted, result.failure);
+  } else if (result.end != StopEnd::Stopped) {
+    outcome.error_description = result.words();
+  }
   board_.end(Block::Stop, wish->id, std::move(outcome));
   stop_goals_.erase(wish);
 }
@@ -66,14 +68,14 @@ void CommandCore::Impl::stopConfirmed(const StopRun::Result& result) {
 /// Who asked may be gone by now: so it is told to everybody, and the next reason to stop sends a stop again.
 void CommandCore::Impl::stopFailed(const StopRun::Result& result, Instant now) {
   preflight_.forget();
-  if (!result.refused) frames_.stopped();
+  if (result.end != StopEnd::Refused) frames_.stopped();
   if (script_.connected()) {
-    loose_.stopFailed(result.failure->found, result.target, now);
+    loose_.stopFailed(result.failure.found, result.target, now);
   } else {
     loose_.end();  // whether it moves on is for the next connection to find (orphan_watch.h)
   }
   log(Severity::Warning,
-      fmt::format("a stop was not confirmed, {}: {}", LooseMotion::kMayStillMove, result.failure->found));
+      fmt::format("a stop was not confirmed, {}: {}", LooseMotion::kMayStillMove, result.failure.found));
 }
 
 }  // namespace cobot_command::blocks

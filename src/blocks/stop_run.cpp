@@ -20,24 +20,26 @@ namespace {
 constexpr Duration kApart = std::chrono::milliseconds(10);
 
 /// Why a stop was not accepted, and whether the controller said that it drops nothing.
-std::pair<std::string, bool> refusalIn(const link::ScriptAnswered& answer) {
+std::pair<std::string, StopEnd> refusalIn(const link::ScriptAnswered& answer) {
   if (std::holds_alternative<protocol::ScriptReply>(answer.answer)) {
-    return {"the controller refused StopAndClearBuffer()", true};
+    return {"the controller refused StopAndClearBuffer()", StopEnd::Refused};
   }
   if (const auto* error = std::get_if<protocol::CommunicationError>(&answer.answer)) {
-    return {protocol::describe(*error), error->code == protocol::CommunicationErrorCode::NotListening};
+    const bool refused = error->code == protocol::CommunicationErrorCode::NotListening;
+    return {protocol::describe(*error), refused ? StopEnd::Refused : StopEnd::Failed};
   }
-  return {"no reply to StopAndClearBuffer()", false};
+  return {"no reply to StopAndClearBuffer()", StopEnd::Failed};
 }
 
 }  // namespace
 
 const char* StopRun::Result::words() const {
-  if (!confirmed) {
+  if (end == StopEnd::Unseen) {
     return "the controller accepted the stop, but no status stream tells whether the robot stands";
   }
-  return at_target ? "the robot stands at the target of the motion: nothing shows that the stop took effect"
-                   : "the robot was stopped";
+  return end == StopEnd::AtTarget
+             ? "the robot stands at the target of the motion: nothing shows that the stop took effect"
+             : "the robot was stopped";
 }
 
 void StopRun::ask(const std::optional<Target>& target, Instant now) {
@@ -47,7 +49,6 @@ void StopRun::ask(const std::optional<Target>& target, Instant now) {
   Stop stop;
   stop.result.number = ++last_;
   stop.result.target = target;
-  stop.deadline = now + settings_.reply_timeout + settings_.stop_timeout;
   stop.told = robot_.tellsMotion();
   stop.script_id =
       link_.sendScript(protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})), now);
@@ -59,14 +60,14 @@ void StopRun::answered(const link::ScriptAnswered& answer, Instant now) {
       std::find_if(stops_.begin(), stops_.end(), [&](const Stop& s) { return s.script_id == answer.id; });
   if (stop == stops_.end()) return;
   const auto* reply = std::get_if<protocol::ScriptReply>(&answer.answer);
+  stop->deadline = now + settings_.stop_timeout;
   if (reply != nullptr && reply->accepted) {
     stop->accepted_at = now;
-    stop->deadline = now + settings_.stop_timeout;
     fire(*stop, Event::Accepted);
   } else {
-    auto [found, refused] = refusalIn(answer);
+    auto [found, end] = refusalIn(answer);
+    stop->result.end = end;
     stop->result.failure = Failure{own_error::kStopNotConfirmed, std::move(found), ""};
-    stop->result.refused = refused;
     fire(*stop, Event::Refused);
   }
   settle();
@@ -90,15 +91,19 @@ void StopRun::robotChanged() {
 
 void StopRun::advance(Instant now) {
   for (Stop& stop : stops_) {
-    if (now >= stop.deadline) judge(stop);
+    if (stop.deadline && now >= *stop.deadline) judge(stop);
   }
   settle();
 }
 
 /// One frame alone is enough now, if it came late enough: a stream may be as slow as that.
 void StopRun::judge(Stop& stop) {
+  if (stop.state == State::Failing) {
+    fire(stop, Event::GiveUp);
+    return;
+  }
   const bool stands = robot_.moving() == false;
-  if (stop.state == State::Settling && stands && robot_.status()->received - stop.accepted_at >= kApart) {
+  if (stands && robot_.status()->received - stop.accepted_at >= kApart) {
     stop.stands = true;
     return;
   }
@@ -106,10 +111,11 @@ void StopRun::judge(Stop& stop) {
       robot_.moving() == true
           ? "the robot still moves after the accepted stop"
           : "the stop was accepted, but the status stream did not go on to show the robot standing";
-  giveUp(stop, stop.result.failure.value_or(Failure{own_error::kStopNotConfirmed, found, ""}));
+  giveUp(stop, {own_error::kStopNotConfirmed, found, ""});
 }
 
 void StopRun::giveUp(Stop& stop, const Failure& failure) {
+  stop.result.end = StopEnd::Failed;
   stop.result.failure = failure;
   fire(stop, Event::GiveUp);
 }
@@ -119,6 +125,11 @@ bool StopRun::isAt(const std::optional<Target>& target) const {
   const auto gap =
       gapTo(*target, *robot_.status(), arm_, {settings_.position_tolerance, settings_.angle_tolerance});
   return gap && gap->closed;
+}
+
+StopEnd StopRun::howItStands(const Stop& stop) const {
+  if (!stop.told) return StopEnd::Unseen;
+  return isAt(stop.result.target) ? StopEnd::AtTarget : StopEnd::Stopped;
 }
 
 void StopRun::fire(Stop& stop, StopEvent event) {
@@ -134,13 +145,9 @@ void StopRun::fire(Stop& stop, StopEvent event) {
       stop.stands = !stop.told;
       return;
     case StopAction::EndStopped:
-      stop.result.failure.reset();
-      stop.result.refused = false;
-      stop.result.confirmed = stop.told;
-      stop.result.at_target = stop.told && isAt(stop.result.target);
+      stop.result.end = howItStands(stop);
       return;
     case StopAction::EndFailed:
-      stop.result.confirmed = false;
       return;
   }
 }
@@ -166,9 +173,11 @@ void StopRun::settle() {
 }
 
 std::optional<Instant> StopRun::nextDeadline() const {
-  const auto first = std::min_element(stops_.begin(), stops_.end(),
-                                      [](const Stop& a, const Stop& b) { return a.deadline < b.deadline; });
-  return first == stops_.end() ? std::nullopt : std::make_optional(first->deadline);
+  std::optional<Instant> next;
+  for (const Stop& stop : stops_) {
+    if (stop.deadline && (!next || *stop.deadline < *next)) next = stop.deadline;
+  }
+  return next;
 }
 
 std::optional<StopRun::Result> StopRun::takeResult() {

@@ -21,22 +21,26 @@
 
 namespace cobot_command::blocks {
 
+/// How a stop ended.
+enum class StopEnd {
+  Stopped,   ///< the robot was seen to stand
+  AtTarget,  ///< it stands where the motion should end: there it would be without the stop, too
+  Unseen,    ///< the controller accepted it, and no stream tells more
+  Refused,   ///< the controller said no: what it had queued goes on
+  Failed     ///< it is not certain that the robot stands
+};
+
 class StopRun {
  public:
   using Number = std::uint64_t;  ///< of a stop, increasing; 0: none
 
-  /// How a stop ended: the robot stands, or why that is not certain.
   struct Result {
     Number number = 0;
-    std::optional<Failure> failure;
-    bool refused = false;  ///< the controller said no: what it had queued goes on
-    bool confirmed =
-        true;  ///< it was seen to stand; false: the controller accepted the stop, and that is all
-    /// It stands where the motion that was to be stopped should end: a controller that took no notice of the
-    /// stop would have it there, too.
-    bool at_target = false;
-    std::optional<Target> target;  ///< of that motion
-    /// How it stands, for people. Precondition: no failure.
+    StopEnd end = StopEnd::Failed;
+    Failure failure;               ///< of one that failed(): why
+    std::optional<Target> target;  ///< of the motion that was to be stopped
+    [[nodiscard]] bool failed() const { return end == StopEnd::Refused || end == StopEnd::Failed; }
+    /// How the robot stands, for people. Precondition: not failed().
     [[nodiscard]] const char* words() const;
   };
 
@@ -63,7 +67,7 @@ class StopRun {
  private:
   struct Stop {
     std::string script_id;
-    Instant deadline;  ///< until then it is answered, and the robot stands
+    std::optional<Instant> deadline;  ///< behind its answer; for that the link gives it its time
     Instant accepted_at;
     std::optional<Instant> first_frame;  ///< behind its acceptance
     bool told = false;    ///< the status stream tells whether the robot moves, or did when it was asked
@@ -75,6 +79,7 @@ class StopRun {
   void judge(Stop& stop);
   void fire(Stop& stop, StopEvent event);
   void giveUp(Stop& stop, const Failure& failure);
+  [[nodiscard]] StopEnd howItStands(const Stop& stop) const;
   [[nodiscard]] bool isAt(const std::optional<Target>& target) const;
   /// What became of one is told to those in front of it, and what has ended is taken out.
   void settle();

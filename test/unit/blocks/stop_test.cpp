@@ -258,5 +258,28 @@ TEST(Cancel, endsWithTheLinkWhenThatDropsMeanwhile) {
   EXPECT_EQ(rig.outcome(goal)->error_id, motion_error::kLinkDropped);
 }
 
+/// A goal that takes over is planned in the event that sends its stop.
+TEST(Cancel, hasItsWholeTimeThoughPlanningTookLongBehindTheStop) {
+  for (const bool answered : {true, false}) {
+    CoreRig rig;
+    rig.connect();
+    const GoalId goal = rig.submit(CoreRig::move());
+    rig.reply(rig.takeScript().id);
+    rig.cancel(goal);
+    const auto stop = rig.takeScript();
+    rig.now += 20s;
+    rig.core.advance(rig.now);
+    rig.pump();
+    EXPECT_EQ(rig.outcome(goal), nullptr);
+    rig.pass(900ms);
+    EXPECT_EQ(rig.outcome(goal), nullptr);
+    answered ? rig.reply(stop.id) : rig.pass(100ms);
+    ASSERT_NE(rig.outcome(goal), nullptr);
+    EXPECT_EQ(rig.outcome(goal)->ending, answered ? Ending::CommandAborted : Ending::Aborted);
+    EXPECT_THAT(rig.outcome(goal)->error_description,
+                HasSubstr(answered ? "accepted the stop" : "no reply to StopAndClearBuffer()"));
+  }
+}
+
 }  // namespace
 }  // namespace cobot_command::testing
