@@ -49,7 +49,7 @@ void StopRun::ask(const std::optional<Target>& target, Instant now) {
   Stop stop;
   stop.result.number = ++last_;
   stop.result.target = target;
-  stop.told = robot_.tellsMotion();
+  stop.told = hasToBeTold();
   stop.script_id =
       link_.sendScript(protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})), now);
   stops_.push_back(std::move(stop));
@@ -120,6 +120,11 @@ void StopRun::giveUp(Stop& stop, const Failure& failure) {
   fire(stop, Event::GiveUp);
 }
 
+bool StopRun::hasToBeTold() const {
+  return robot_.tellsMotion() ||
+         std::any_of(stops_.begin(), stops_.end(), [](const Stop& stop) { return stop.told; });
+}
+
 bool StopRun::isAt(const std::optional<Target>& target) const {
   if (!target || !robot_.status()) return false;
   const auto gap =
@@ -141,7 +146,7 @@ void StopRun::fire(Stop& stop, StopEvent event) {
       return;
     case StopAction::AwaitStandstill:
       // Where there never was a stream that tells, the accepted stop is all that can be known.
-      stop.told = stop.told || robot_.tellsMotion();
+      stop.told = stop.told || hasToBeTold();
       stop.stands = !stop.told;
       return;
     case StopAction::EndStopped:

@@ -70,11 +70,14 @@ class StopRun {
     std::optional<Instant> deadline;  ///< behind its answer; for that the link gives it its time
     Instant accepted_at;
     std::optional<Instant> first_frame;  ///< behind its acceptance
-    bool told = false;    ///< the status stream tells whether the robot moves, or did when it was asked
-    bool stands = false;  ///< the robot was seen to stand behind it, or nobody can see that
+    bool told = false;                   ///< the status stream has to show that the robot stands
+    bool stands = false;                 ///< the robot was seen to stand behind it, or nobody can see that
     StopState state = StopState::Asked;
     Result result;  ///< as it will be
   };
+  /// Whether a stop of now has to be confirmed by the status stream: it tells whether the robot moves, or did
+  /// when one was asked that is still open.
+  [[nodiscard]] bool hasToBeTold() const;
   /// By what the status stream has shown, at the end of its time.
   void judge(Stop& stop);
   void fire(Stop& stop, StopEvent event);

@@ -12,6 +12,7 @@ namespace {
 
 using namespace blocks;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class RepeatedStop : public ::testing::Test {
  protected:
@@ -141,6 +142,56 @@ TEST_F(RepeatedStop, holdsBackTheNextCommandUntilTheLast) {
   rig.stream(StatusFrames());
   expectEnd(goals[1], Ending::Done);
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+}
+
+/// The stream told when the first was asked for: so it has to show the robot standing, whoever asks again.
+TEST_F(RepeatedStop, withoutAStreamConfirmsNoneThatHadToBeSeen) {
+  for (const bool accepted : {true, false}) {
+    const auto first = ask();
+    if (accepted) rig.reply(first);
+    rig.close("gone", link::Channel::Status);
+    rig.pass(500ms);
+    const auto second = ask();
+    if (!accepted) rig.reply(first);
+    rig.reply(second);
+    EXPECT_EQ(open(), 2u);
+    rig.pass(2s);
+    EXPECT_EQ(open(), 0u);
+    for (const GoalId id : goals) {
+      expectEnd(id, Ending::Aborted);
+      EXPECT_EQ(rig.outcome(id)->error_id, own_error::kStopNotConfirmed);
+    }
+    expectEnd(move, Ending::Aborted);
+    EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the robot may still move"));
+    rig.open(link::Channel::Status);
+    goals.clear();
+    rig.status(StatusFrames().moving());
+  }
+}
+
+TEST_F(RepeatedStop, withoutAStreamIsSeenInTheOneThatComesBack) {
+  rig.reply(ask());
+  rig.close("gone", link::Channel::Status);
+  rig.pass(500ms);
+  rig.reply(ask());
+  rig.open(link::Channel::Status);
+  rig.stream(StatusFrames());
+  expectEnd(goals[0], Ending::Done);
+  expectEnd(goals[1], Ending::Done);
+  EXPECT_EQ(rig.outcome(goals[1])->error_description, "");
+  expectEnd(move, Ending::CommandAborted);
+}
+
+/// So a robot whose stream is off for good can be stopped with success.
+TEST_F(RepeatedStop, withoutAStreamIsDoneOnceNoneIsOpenThatHadToBeSeen) {
+  rig.reply(ask());
+  rig.close("gone", link::Channel::Status);
+  rig.pass(3s);
+  expectEnd(goals[0], Ending::Aborted);
+  rig.reply(ask());
+  expectEnd(goals[1], Ending::Done);
+  EXPECT_THAT(rig.outcome(goals[1])->error_description, HasSubstr("no status stream tells"));
+  EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("the robot may still move")));
 }
 
 }  // namespace
