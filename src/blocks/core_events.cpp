@@ -129,10 +129,13 @@ void CommandCore::Impl::settle(Instant now) {
 }
 
 /// A stop or a pause that was tried on a connection which never was more than that: its end is no LinkLost.
+/// Nor is one that was closed on purpose.
 void CommandCore::Impl::tellOfClosedConnection(Instant now) {
   if (script_.connected()) return;
   if (stop_.busy()) stop_.linkLost(script_.diagnosis());
   for (CommandRun& run : direct_) run.linkLost(script_.diagnosis(), now);
+  finish(now);
+  loose_.end();  // whether it moves on is for the next connection to find (orphan_watch.h)
 }
 
 /// A motion of before this connection: whoever commands now has to know of it, and must not queue behind it.
@@ -170,7 +173,6 @@ void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   preflight_.forget();
   frames_.forget();
   burden_.forget();
-  loose_.end();
   dropWaiting("the link was lost: " + event.reason);
   if (run_) run_->linkLost(event.reason, now);
   for (CommandRun& run : direct_) run.linkLost(event.reason, now);

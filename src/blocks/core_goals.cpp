@@ -210,8 +210,8 @@ CommandCore::Impl::Failures CommandCore::Impl::checkReadiness(BufferMode mode) c
   }
   if (robot_.emergencyStop()) failures.push_back({own_error::kEmergencyStop, "", ""});
   if (robot_.inError()) failures.push_back(robotError(robot_));
-  if (mode == BufferMode::Refuse && orphan_.mayMove() && !stop_.busy()) {
-    failures.push_back({own_error::kOrphanMoves, "", ""});
+  if (mode == BufferMode::Refuse && holdsBack() && !stop_.busy()) {
+    failures.push_back({own_error::kOrphanMoves, heldBackBy(), ""});
   }
   return failures;
 }

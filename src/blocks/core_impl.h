@@ -135,6 +135,9 @@ class CommandCore::Impl : private link::Wire {
   void stopAll(const std::string& why, Instant now);
   /// For motions that no goal waits for any more.
   void stopIfMoving(Instant now);
+  /// The robot may move, and no goal answers for it: nothing may queue behind that unseen.
+  [[nodiscard]] bool holdsBack() const { return orphan_.mayMove() || loose_.holdsBack(); }
+  [[nodiscard]] std::string heldBackBy() const;
   void finishStops(Instant now);
   void endStopGoals(const StopRun::Result& result);
   [[nodiscard]] std::vector<StopWish>::const_iterator wishFor(const StopRun::Result& result) const;

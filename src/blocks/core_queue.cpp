@@ -81,7 +81,7 @@ void CommandCore::Impl::enqueue(GoalId id, const Goal& goal, BufferMode mode, In
   const Block block = blockOf(goal);
   if (mode == BufferMode::Aborting) {
     abortAll(fmt::format("taken over by {}", toString(block)), now);
-    if ((loose_.mayMove() || orphan_.mayMove()) && !stop_.busy()) askForStop(now);
+    if ((loose_.mayMove() || holdsBack()) && !stop_.busy()) askForStop(now);
   }
   Waiting waiting{id, goal, 0, std::nullopt};
   if (busyBlock()) {
@@ -123,7 +123,7 @@ void CommandCore::Impl::endAborted(Block block, GoalId id, const std::string& wh
 // --- Whose turn it is.
 
 void CommandCore::Impl::dispatch(Instant now) {
-  while (life_ == Life::Working && !run_ && !stop_.busy() && !orphan_.mayMove()) {
+  while (life_ == Life::Working && !run_ && !stop_.busy() && !holdsBack()) {
     if (cycle_) {
       if (!cycle_->next()) return;
       continueCycle(now);
@@ -328,8 +328,8 @@ void CommandCore::Impl::finishCycle(Instant now) {
 std::string CommandCore::Impl::textOfPlace(int place) const {
   if (place > 1) return "waits for its turn, others are in front of it";
   if (run_ || cycle_) return "waits for its turn, one is in front of it";
-  return orphan_.mayMove() ? fmt::format("waits until the robot stands: {}", orphan_.text())
-                           : "waits for its turn, until the robot stands";
+  return holdsBack() ? fmt::format("waits until the robot stands: {}", heldBackBy())
+                     : "waits for its turn, until the robot stands";
 }
 
 void CommandCore::Impl::tellPlaces() {

@@ -22,6 +22,10 @@ void CommandCore::Impl::stopIfMoving(Instant now) {
   if (loose_.mayMove() && !stop_.busy()) askForStop(now);
 }
 
+std::string CommandCore::Impl::heldBackBy() const {
+  return orphan_.mayMove() ? orphan_.text() : loose_.text();
+}
+
 void CommandCore::Impl::finishStops(Instant now) {
   while (const auto result = stop_.takeResult()) {
     if (result->failed()) {
@@ -69,11 +73,7 @@ void CommandCore::Impl::stopConfirmed(const StopRun::Result& result) {
 void CommandCore::Impl::stopFailed(const StopRun::Result& result, Instant now) {
   preflight_.forget();
   if (result.end != StopEnd::Refused) frames_.stopped();
-  if (script_.connected()) {
-    loose_.stopFailed(result.failure.found, result.target, now);
-  } else {
-    loose_.end();  // whether it moves on is for the next connection to find (orphan_watch.h)
-  }
+  loose_.stopFailed(result.failure.found, result.target, now);
   log(Severity::Warning,
       fmt::format("a stop was not confirmed, {}: {}", LooseMotion::kMayStillMove, result.failure.found));
 }

@@ -11,18 +11,20 @@ constexpr Duration kBegins = std::chrono::milliseconds(500);
 }  // namespace
 
 void LooseMotion::begin(const std::optional<Target>& target, Instant now) {
+  if (state_ == State::None) state_ = State::Blended;
   since_ = now;
   target_ = target;
 }
 
 void LooseMotion::stopFailed(const std::string& why, const std::optional<Target>& target, Instant now) {
+  state_ = State::Unstopped;
   since_ = now;
   target_ = target;
   text_ = fmt::format("a stop was not confirmed ({}): {}", why, kMayStillMove);
 }
 
 void LooseMotion::see(const RobotWatch& robot, Instant now) {
-  if (since_ && now - *since_ > kBegins && robot.moving() == false && !robot.held()) end();
+  if (mayMove() && now - since_ > kBegins && robot.moving() == false && !robot.held()) end();
 }
 
 }  // namespace cobot_command::blocks

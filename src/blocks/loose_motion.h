@@ -1,5 +1,6 @@
 // Motions that no goal waits for any more, and that may still be under way: blended ones, which are done with
-// their acceptance, and whatever a stop was to end that was not confirmed.
+// their acceptance, and whatever a stop was to end that was not confirmed. The next command may follow a
+// blended one at once; what nobody could stop holds it back.
 #pragma once
 
 #include <optional>
@@ -25,13 +26,18 @@ class LooseMotion {
   /// A robot that is seen to stand has none, once a motion had the time to be seen.
   void see(const RobotWatch& robot, Instant now);
 
-  [[nodiscard]] bool mayMove() const { return since_.has_value(); }
+  [[nodiscard]] bool mayMove() const { return state_ != State::None; }
+  /// Of a stop that failed: nothing may queue behind it unseen.
+  [[nodiscard]] bool holdsBack() const { return state_ == State::Unstopped; }
   [[nodiscard]] const std::optional<Target>& target() const { return target_; }
   /// Of a stop that failed, for people; empty: none did.
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  std::optional<Instant> since_;
+  enum class State { None, Blended, Unstopped };
+
+  State state_ = State::None;
+  Instant since_{};
   std::optional<Target> target_;
   std::string text_;
 };

@@ -146,11 +146,11 @@ constexpr SharedError kRobotErrors[] = {
      "the tag came back as complete, but until ~evidence_timeout later the status stream showed the robot "
      "away "
      "from the target, or still in motion; the robot is told to stop"},
-    {own_error::kOrphanMoves, "Robot moves without a goal of this layer",
+    {own_error::kOrphanMoves, "Robot may move without a goal of this layer",
      "Wait until it stands, execute stop, or use buffer_mode ABORTING",
-     "buffer_mode REFUSE, and since the link was made the robot moves on from before, as "
-     "~stop_orphaned_motion is "
-     "false, or the stop failed"},
+     "buffer_mode REFUSE, and the robot moves on from before the link was made, as ~stop_orphaned_motion is "
+     "false, or a stop was not confirmed (16#225); either counts until a status frame shows the robot "
+     "standing or a stop is confirmed"},
     {own_error::kStoppedElsewhere, "Motion stopped by somebody else",
      "Find out who stops the robot: another client of this controller (a second command node stops what it "
      "finds in motion, unless its ~stop_orphaned_motion is false), the project or the pendant; then execute "

@@ -226,6 +226,7 @@ TEST_F(Fault, overdueMotionIsAnErrorWhenTheQuestionGetsNoAnswer) {
     rig.pass(2s);
     rig.discardSent();
     if (!rig.connectionOpen(link::Channel::Status)) rig.open(link::Channel::Status);
+    stream(1s, StatusFrames());  // nobody answered the stop: until then it holds back the next motion
   }
 }
 

@@ -24,6 +24,12 @@ MoveAbsoluteGoal blended() {
   return goal;
 }
 
+MoveAbsoluteGoal moveWith(BufferMode mode) {
+  MoveAbsoluteGoal goal = CoreRig::move();
+  goal.buffer_mode = static_cast<int>(mode);
+  return goal;
+}
+
 /// A blended motion, done for its goal, that a stop goal did not stop.
 struct LooseMotion : CoreRig {
   explicit LooseMotion(link::LinkSettings settings = noStatus()) : CoreRig(std::nullopt, settings) {
@@ -45,11 +51,7 @@ TEST(FailedStop, isFollowedByAnotherWhenThereIsReasonForOne) {
         rig.pump();
         EXPECT_FALSE(rig.core.retired());
       },
-      [](LooseMotion& rig) {
-        MoveAbsoluteGoal goal = CoreRig::move();
-        goal.buffer_mode = static_cast<int>(BufferMode::Aborting);
-        rig.submit(goal);
-      },
+      [](LooseMotion& rig) { rig.submit(moveWith(BufferMode::Aborting)); },
       [](LooseMotion& rig) { rig.cancel(rig.connection); },
   };
   for (const auto& reason : kReasons) {
@@ -123,6 +125,80 @@ TEST(FailedStop, thatWasRefusedLeavesTheChangeOfBaseBehindTheMotion) {
     rig.reply(rig.takeScript().id, !refused, refused ? std::vector<int>{1} : std::vector<int>{});
     EXPECT_EQ(rig.active_frames.back().base.has_value(), refused);
   }
+}
+
+/// What would queue behind a motion that nobody could stop.
+TEST(FailedStop, holdsBackTheNextCommandUntilTheRobotIsSeenToStand) {
+  LooseMotion rig{link::LinkSettings{}};
+  for (const Goal& goal : {Goal(CoreRig::move()), Goal(good<ChangeBaseGoal>())}) {
+    const GoalId refused = rig.submit(goal);
+    ASSERT_NE(rig.outcome(refused), nullptr);
+    EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kOrphanMoves);
+    EXPECT_THAT(rig.outcome(refused)->error_description,
+                HasSubstr("the controller refused StopAndClearBuffer()"));
+  }
+  const GoalId waiting = rig.submit(moveWith(BufferMode::Buffered));
+  EXPECT_TRUE(rig.nothingSent());
+  EXPECT_THAT(rig.progress(waiting).back().text, HasSubstr(kWords));
+  rig.pass(600ms);
+  rig.status(StatusFrames().moving());
+  EXPECT_TRUE(rig.nothingSent());
+  rig.status(StatusFrames());
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+}
+
+/// The controller says OK, and drives on.
+TEST(FailedStop, thatWasAcceptedAndIgnoredHoldsBackTheNextCommandToo) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.connect();
+  const GoalId motion = rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id);
+  rig.status(StatusFrames().moving());
+  rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  rig.stream(StatusFrames().moving(), 150);
+  ASSERT_NE(rig.outcome(motion), nullptr);
+  EXPECT_EQ(rig.outcome(motion)->error_id, own_error::kStopNotConfirmed);
+  const GoalId refused = rig.submit(CoreRig::move());
+  ASSERT_NE(rig.outcome(refused), nullptr);
+  EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kOrphanMoves);
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST(FailedStop, isTakenOverWithAStopThatIsConfirmed) {
+  LooseMotion rig{link::LinkSettings{}};
+  const GoalId goal = rig.submit(moveWith(BufferMode::Aborting));
+  const auto stop = rig.takeScript();
+  EXPECT_EQ(stop.script, "StopAndClearBuffer()");
+  EXPECT_TRUE(rig.nothingSent());
+  rig.reply(stop.id);
+  rig.stream(StatusFrames());
+  EXPECT_TRUE(rig.accepted(goal));
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+}
+
+TEST(FailedStop, isEndedByAStopWhereNoStreamTells) {
+  LooseMotion rig;
+  const GoalId refused = rig.submit(CoreRig::move());
+  ASSERT_NE(rig.outcome(refused), nullptr);
+  EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kOrphanMoves);
+  rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  rig.submit(CoreRig::move());
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+}
+
+/// As behind a lost link: what moves on is for the next connection to find.
+TEST(FailedStop, holdsNothingBackOnTheNextConnection) {
+  LooseMotion rig;
+  rig.cancel(rig.connection);
+  rig.reply(rig.takeScript().id, false, {1});
+  ASSERT_NE(rig.outcome(rig.connection), nullptr);
+  EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr(kWords)));
+  rig.connect();
+  EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr(kWords)));
+  rig.submit(CoreRig::move());
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
 }
 
 }  // namespace
