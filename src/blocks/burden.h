@@ -18,8 +18,13 @@ struct TooMuch {
 
 class Burden {
  public:
-  /// Takes what the command says of tool or load, if it does.
-  bool accepted(const protocol::ScriptCommand& command);
+  /// Takes what the command says of tool or load, if it does. `behind_motion`: the robot may still have to
+  /// finish others first.
+  bool accepted(const protocol::ScriptCommand& command, bool behind_motion);
+  /// What waited behind a motion has come.
+  void queueDone() { tool_.behind_motion = load_.behind_motion = false; }
+  /// The queue was emptied, or may be: of a change that waited in it nobody knows whether it came.
+  void stopped();
   /// Somebody else may have changed it.
   void forget() { *this = {}; }
 
@@ -28,8 +33,12 @@ class Burden {
   [[nodiscard]] std::optional<TooMuch> tooMuchFor(const arm::ArmModel& arm, const ActiveFrames& active) const;
 
  private:
-  std::optional<double> tool_;  // [kg], commanded; absent: by a name, or not at all
-  std::optional<double> load_;  // [kg]
+  struct Commanded {
+    std::optional<double> mass;  // [kg]; absent: by a name, or not at all
+    bool behind_motion = false;
+  };
+  Commanded tool_;
+  Commanded load_;
 };
 
 }  // namespace cobot_command::blocks

@@ -123,6 +123,7 @@ void CommandCore::Impl::settle(Instant now) {
       more = true;
     }
   }
+  if (!run_ && !loose_.mayMove() && !stop_.busy()) burden_.queueDone();
   tellPlaces();
   publishFrames();
   publishStatus();
@@ -199,17 +200,18 @@ void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) 
     preflight_.forget();
     burden_.forget();
   } else {
+    const bool behind_motion = loose_.mayMove() || order.moves;
     for (const auto& command : *order.commands) {
-      frames_.accepted(command, loose_.mayMove() || order.moves, now);
-      takeBurden(command);
+      frames_.accepted(command, behind_motion, now);
+      takeBurden(command, behind_motion);
     }
   }
   if (order.moves && !order.tag) loose_.begin(order.target, now);
 }
 
 /// A controller may take a tool that the arm cannot carry, and fail in the first motion (FB section 5).
-void CommandCore::Impl::takeBurden(const protocol::ScriptCommand& command) {
-  if (!burden_.accepted(command)) return;
+void CommandCore::Impl::takeBurden(const protocol::ScriptCommand& command, bool behind_motion) {
+  if (!burden_.accepted(command, behind_motion)) return;
   weigh();
   if (!robot_.tooMuch()) return;
   log(Severity::Warning, robot_.tooMuch()->text + ": motions will fail; check weight of change_tcp");

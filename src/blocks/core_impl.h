@@ -143,6 +143,7 @@ class CommandCore::Impl : private link::Wire {
   [[nodiscard]] std::vector<StopWish>::const_iterator wishFor(const StopRun::Result& result) const;
   void stopConfirmed(const StopRun::Result& result);
   void stopFailed(const StopRun::Result& result, Instant now);
+  void dropQueuedChanges();
 
   // --- Events (core_events.cpp).
   void settle(Instant now);
@@ -157,7 +158,7 @@ class CommandCore::Impl : private link::Wire {
   void handle(const link::TagQueryFailed& event, Instant now);
   void handle(const link::RobotStatus& status, Instant now);
   void commandAccepted(const CommandOrder& order, Instant now);
-  void takeBurden(const protocol::ScriptCommand& command);
+  void takeBurden(const protocol::ScriptCommand& command, bool behind_motion);
   void weigh();
   void robotChanged(Instant now);
 

@@ -63,7 +63,7 @@ std::vector<CommandCore::Impl::StopWish>::const_iterator CommandCore::Impl::wish
 void CommandCore::Impl::stopConfirmed(const StopRun::Result& result) {
   loose_.end();
   preflight_.forget();
-  frames_.stopped();
+  dropQueuedChanges();
   orphan_.fire(OrphanEvent::Stopped);
   // Who executes the stop block answers for the robot; a cancel, or a stop of the layer's own, does not.
   if (wishFor(result) != stop_goals_.end()) robot_.acknowledgeError();
@@ -72,10 +72,17 @@ void CommandCore::Impl::stopConfirmed(const StopRun::Result& result) {
 /// Who asked may be gone by now: so it is told to everybody, and the next reason to stop sends a stop again.
 void CommandCore::Impl::stopFailed(const StopRun::Result& result, Instant now) {
   preflight_.forget();
-  if (result.end != StopEnd::Refused) frames_.stopped();
+  if (result.end != StopEnd::Refused) dropQueuedChanges();
   loose_.stopFailed(result.failure.found, result.target, now);
   log(Severity::Warning,
       fmt::format("a stop was not confirmed, {}: {}", LooseMotion::kMayStillMove, result.failure.found));
+}
+
+/// What waited behind a motion in the controller will not come.
+void CommandCore::Impl::dropQueuedChanges() {
+  frames_.stopped();
+  burden_.stopped();
+  weigh();
 }
 
 }  // namespace cobot_command::blocks
