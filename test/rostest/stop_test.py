@@ -4,18 +4,39 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import ExitListenNodeGoal, ProgramControlGoal, StopGoal
-from cobot_goals import BUFFERED, HOME, SLOWLY, base, cycle, script, step, to_joints, turn
+from cobot_goals import ABORTING, BUFFERED, HOME, SLOWLY, base, cycle, script, step, to_joints, turn
 from motion_checks import MotionTestCase
+
+NO_EFFECT = "nothing shows that the stop took effect"
 
 
 class Stop(MotionTestCase):
     def test_is_done_when_the_robot_stands_and_takes_the_motion_away(self):
         sent = self.robot.start_slowly()
         stop = self.robot.send(StopGoal())
-        self.assert_done(stop.finish())
+        self.assertEqual(self.assert_done(stop.finish()).error_description, "")
         self.robot.wait_for_standstill()
         self.assert_ended(GoalStatus.PREEMPTED, sent.finish())
         self.assertIn(stop.feedback[0].STOPPING, [f.phase for f in stop.feedback])
+
+    def test_that_is_ignored_tells_at_the_target_of_the_motion_that_nothing_shows_its_effect(self):
+        sent = self.robot.start_slowly(turn(60, 0, 0, 0, 0, 0, speed=1))
+        self.robot.fault("ignore_stop", count=1)
+        stopped = self.robot.run(StopGoal())
+        self.assert_done(stopped)
+        self.assert_ended(GoalStatus.PREEMPTED, sent.finish())
+        for _, result in (stopped, sent.finish()):
+            self.assertIn(NO_EFFECT, result.error_description)
+        self.assert_stands_at((HOME[0] + 60, *HOME[1:]))
+
+    def test_that_fails_holds_back_the_next_motion_until_one_is_confirmed(self):
+        sent = self.robot.start_slowly(turn(60, 0, 0, 0, 0, 0, speed=1))
+        self.robot.fault("refuse_stop", count=1)
+        self.assert_aborted(self.robot.run(StopGoal()), 0x225, "refused")
+        self.assert_aborted(sent.finish(), 0x225, "refused")
+        self.assert_rejected(self.robot.run(to_joints(*HOME)), 0x227, "may still move")
+        self.assert_done(self.robot.run(to_joints(*HOME, buffer_mode=ABORTING)))
+        self.assert_stands_at(HOME)
 
     def test_is_done_when_nothing_moves(self):
         self.assert_done(self.robot.run(StopGoal()))
