@@ -229,7 +229,12 @@ void CommandCore::Impl::beginCycle(GoalId id, const PickAndPlaceGoal& goal, Inst
 }
 
 void CommandCore::Impl::continueCycle(Instant now) {
-  auto order = prepareStep(*cycle_->next(), now);
+  const auto command = *cycle_->next();
+  if (std::holds_alternative<ExitListenNodeGoal>(command) && !checkLink().empty()) {
+    cycle_->commandEnded({}, now);  // the flow has left the node by itself
+    return;
+  }
+  auto order = prepareStep(command, now);
   if (!order) {
     cycle_->commandRefused(order.error(), now);
     return;
@@ -244,8 +249,9 @@ Result<CommandOrder, Failure> CommandCore::Impl::prepareStep(const PickAndPlaceR
                                                              Instant now) {
   const Failures failures = checkReadiness(BufferMode::Aborting);
   if (!failures.empty()) return refuse(failures.front());
+  if (const auto* output = std::get_if<OutputAction>(&command)) return orderOf(*output);
   const auto* move = std::get_if<MoveAbsoluteGoal>(&command);
-  if (move == nullptr) return orderOf(std::get<OutputAction>(command));
+  if (move == nullptr) return prepare(std::get<ExitListenNodeGoal>(command), now);
   if (const auto moved = findMovedFrame(*move, frame_finder_)) return refuse(*moved);
   return prepare(*move, now);
 }
@@ -292,7 +298,8 @@ void CommandCore::Impl::finishRuns(Instant now) {
   if (!run_->ended()) return;
   const CommandRun run = *std::exchange(run_, std::nullopt);
   const auto before_exit = std::exchange(before_exit_, std::nullopt);
-  if (run.order().exits_afterwards && run.outcome().ending == Ending::Done && checkLink().empty()) {
+  const bool leaves = run.order().exits_afterwards && (!cycle_ || cycle_->leavesNode());
+  if (leaves && run.outcome().ending == Ending::Done && checkLink().empty()) {
     leaveNode(run, now);
     return;
   }

@@ -19,14 +19,15 @@ PickAndPlaceRun::PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<S
 }
 
 std::optional<PickAndPlaceRun::Command> PickAndPlaceRun::next() const {
-  if (under_way_ || cancelled_why_) return std::nullopt;
-  if (state_ == State::Moving) {
-    MoveAbsoluteGoal move = step().move;
-    move.exit_node = move.exit_node && isLast();
-    return move;
-  }
+  if (under_way_ || beginsNoMore()) return std::nullopt;
+  if (state_ == State::Moving) return step().move;
   if (state_ == State::Setting) return *step().output;
+  if (owes_exit_) return ExitListenNodeGoal{};
   return std::nullopt;
+}
+
+bool PickAndPlaceRun::leavesNode() const {
+  return isLast() && !beginsNoMore();
 }
 
 bool PickAndPlaceRun::isLast() const {
@@ -51,12 +52,13 @@ void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
     failStep(id, {outcome.error_id, outcome.error_description, ""}, outcome.remedy, now);
     return;
   }
-  if (outcome.ending == Ending::CommandAborted || cancelled_why_) {
+  if (outcome.ending == Ending::CommandAborted || beginsNoMore()) {
     // It is the command that tells what became of the robot.
     if (outcome.ending == Ending::CommandAborted) cancelled_why_ = outcome.error_description;
     fire(Event::Cancelled, now);
     return;
   }
+  if (std::exchange(owes_exit_, false)) return;  // the dwell goes on, or is over
   const bool dwells = step().dwell > 0;
   if (state_ == State::Moving && step().output) {
     fire(Event::MoveDone, now);
@@ -90,23 +92,22 @@ void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::st
 }
 
 void PickAndPlaceRun::cancel(const std::string& why, Instant now) {
-  endEarly(why + "; no motion was under way", now);
-}
-
-void PickAndPlaceRun::endEarly(const std::string& why, Instant now) {
-  if (ended()) return;
-  cancelled_why_ = why;
+  if (!cancelled_why_) cancelled_why_ = why + "; no motion was under way";
   if (!under_way_) fire(Event::Cancelled, now);
 }
 
+/// The first wish stays, but for one that is to end sooner. What only looks for its reason is over already.
 void PickAndPlaceRun::finish(FinishAfter after, Instant now) {
+  if (beginsNoMore() || state_ == State::Explaining) return;
   if (after == FinishAfter::Move) {
-    endEarly(state_ == State::Dwelling ? "finished on request, in a dwell"
-                                       : "finished on request, behind this move",
-             now);
+    ends_behind_move_ = true;
+    finished_why_ = state_ == State::Dwelling ? "finished on request, in a dwell"
+                                              : "finished on request, behind this move";
+    if (!under_way_) fire(Event::Cancelled, now);
   } else if (!isLast()) {
     goal_.cycles = cycle_;
     finished_why_ = fmt::format("finished on request, behind cycle {}", cycle_);
+    owes_exit_ = state_ == State::Dwelling && isLast() && step().move.exit_node;
   }
 }
 
@@ -141,7 +142,7 @@ void PickAndPlaceRun::robotChanged(const RobotWatch& robot, Instant now) {
 }
 
 void PickAndPlaceRun::advance(Instant now) {
-  if (!waits_until_ || held_since_ || now < *waits_until_) return;
+  if (under_way_ || !waits_until_ || held_since_ || now < *waits_until_) return;
   waits_until_.reset();
   if (state_ == State::Explaining) {
     fire(Event::Failed, now);
@@ -151,7 +152,7 @@ void PickAndPlaceRun::advance(Instant now) {
 }
 
 std::optional<Instant> PickAndPlaceRun::nextDeadline() const {
-  return held_since_ ? std::nullopt : waits_until_;
+  return under_way_ || held_since_ ? std::nullopt : waits_until_;
 }
 
 void PickAndPlaceRun::fail(Failure failure, Instant now) {

@@ -34,24 +34,29 @@ namespace cobot_command::blocks {
 
 class PickAndPlaceRun {
  public:
-  using Command = std::variant<MoveAbsoluteGoal, OutputAction>;
+  using Command = std::variant<MoveAbsoluteGoal, OutputAction, ExitListenNodeGoal>;
 
   /// `steps`: what the check of the sequence found; may be empty. Precondition: checkPickAndPlace() found
   /// nothing.
   PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<StepReport> steps, Instant now);
 
-  /// What has to be sent now; nothing while a command is under way, or in a dwell.
+  /// What has to be sent now; nothing while a command is under way. In a dwell only the exit, when finish()
+  /// has made it the last one.
   [[nodiscard]] std::optional<Command> next() const;
+  /// Whether the exit_node of the move that is done now counts: which cycle is the last, finish() may change
+  /// until then.
+  [[nodiscard]] bool leavesNode() const;
   void commandStarted() { under_way_ = true; }
   void commandProgressed(const Progress& progress);
   void commandEnded(const Outcome& outcome, Instant now);
   /// The command could not be sent.
   void commandRefused(const Failure& failure, Instant now);
 
-  /// When a command is under way that one has to be cancelled too; its end is this one's.
+  /// When a command is under way that one has to be cancelled too; its end is this one's. A link that was
+  /// lost already stays the reason.
   void cancel(const std::string& why, Instant now);
-  /// Ends in its own time: nothing more is begun behind the command that is under way (a dwell ends at once),
-  /// or behind this cycle.
+  /// Ends in its own time: nothing more is begun behind the command that is under way, also no exit (a dwell
+  /// ends at once), or behind this cycle, whose exit is then due. Changes nothing behind a cancel.
   void finish(FinishAfter after, Instant now);
   /// `patience`: how long the status stream may take to tell why; nothing: there is none.
   void linkLost(const std::string& reason, std::optional<Duration> patience, Instant now);
@@ -72,13 +77,13 @@ class PickAndPlaceRun {
   void fire(Event event, Instant now);
   void startDwell(Instant now);
   void nextStep(Instant now);
-  void endEarly(const std::string& why, Instant now);
   void fail(Failure failure, Instant now);
   void failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now);
   void report(Progress progress);
   void end(Ending ending, Instant now);
   [[nodiscard]] const PickAndPlaceStep& step() const { return goal_.steps[step_]; }
   [[nodiscard]] bool isLast() const;
+  [[nodiscard]] bool beginsNoMore() const { return cancelled_why_ || ends_behind_move_; }
 
   GoalId id_;
   PickAndPlaceGoal goal_;
@@ -87,8 +92,10 @@ class PickAndPlaceRun {
   int cycle_ = 1;
   bool under_way_ = false;
   std::optional<std::string> cancelled_why_;  ///< and what became of the robot
-  std::string finished_why_;                  ///< it is to end behind this cycle
-  std::optional<Instant> waits_until_;        ///< in a dwell, or for a reason
+  std::string finished_why_;                  ///< it is to end behind this cycle, or this move
+  bool ends_behind_move_ = false;
+  bool owes_exit_ = false;              ///< its last move was done before it was known to be the last
+  std::optional<Instant> waits_until_;  ///< in a dwell, or for a reason
   ReasonWait reason_;
   std::optional<Instant> held_since_;
   Instant started_at_;

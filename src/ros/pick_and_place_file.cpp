@@ -15,14 +15,14 @@
 #include <yaml-cpp/yaml.h>
 
 #include "cobot_command/RobotPose.h"
+#include "cobot_command/blocks/goal_limits.h"
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr std::size_t kMaxFileSize = 1 << 20;  // a thousand times the steps of the thesis
-constexpr std::size_t kMostSteps = 1000;  // beyond it nothing is read: aliases make long lists of short files
-constexpr double kDefaultDwell = 2;       // [s] as in the thesis
+constexpr double kDefaultDwell = 2;            // [s] as in the thesis
 
 /// Leaves parsePickAndPlace() as its error.
 struct Fault : std::runtime_error {
@@ -225,8 +225,10 @@ PickAndPlaceSteps toSteps(const YAML::Node& document) {
   if (!list.IsSequence()) {
     throw Fault(list.Mark(), fmt::format("steps is {}; it must be a list", found(list)));
   }
-  if (list.size() > kMostSteps) {
-    throw Fault(list.Mark(), fmt::format("steps is a list of {}, far more than there may be", list.size()));
+  // Before any is read: aliases make long lists of short files.
+  if (list.size() > blocks::kMostCycleSteps) {
+    throw Fault(list.Mark(), fmt::format("steps is a list of {}; it must have 1..{} steps", list.size(),
+                                         blocks::kMostCycleSteps));
   }
   PickAndPlaceSteps steps;
   for (const YAML::Node& node : list) steps.push_back(toStep(node, usual_dwell));

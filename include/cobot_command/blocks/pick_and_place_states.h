@@ -61,7 +61,7 @@ struct PickAndPlaceTable {
     {S::Dwelling,    E::Cancelled,      S::Ended,       A::EndAborted},
 
     {S::Explaining,  E::Failed,         S::Ended,       A::EndError},
-    {S::Explaining,  E::Cancelled,      S::Ended,       A::EndAborted},
+    {S::Explaining,  E::Cancelled,      S::Ended,       A::EndError},
   };
   // clang-format on
 };

@@ -183,6 +183,157 @@ TEST(CycleExit, comesBehindTheLastStepOfTheLastCycleOnly) {
   EXPECT_EQ(rig.outcome(id)->cycles_done, 2);
 }
 
+PickAndPlaceGoal leavingCycle(int cycles) {
+  PickAndPlaceGoal goal = cycle(cycles);
+  goal.steps[1].move.exit_node = true;
+  return goal;
+}
+
+GoalId dwellBehindLastStep(CoreRig& rig) {
+  rig.connect();
+  const GoalId goal = rig.submit(leavingCycle(3));
+  move(rig);
+  move(rig);
+  return goal;
+}
+
+void expectExit(CoreRig& rig) {
+  const auto exit = rig.takeScript();
+  EXPECT_EQ(exit.script, "ScriptExit()");
+  rig.reply(exit.id);
+}
+
+TEST(CycleExit, comesBehindTheMoveThatFinishMakesTheLastWhileItIsUnderWay) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId goal = rig.submit(leavingCycle(3));
+  move(rig);
+  rig.reply(rig.takeScript().id);
+  finish(rig, FinishAfter::Cycle);
+  rig.tag(rig.latest().open_tags.at(0));
+  expectExit(rig);
+  rig.pass(2s);
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done) << rig.outcome(goal)->error_description;
+  EXPECT_EQ(rig.outcome(goal)->cycles_done, 1);
+}
+
+TEST(CycleExit, comesInTheDwellThatFinishMakesTheLast) {
+  CoreRig rig;
+  const GoalId goal = dwellBehindLastStep(rig);
+  rig.pass(500ms);
+  EXPECT_TRUE(rig.nothingSent());
+  finish(rig, FinishAfter::Cycle);
+  expectExit(rig);
+  rig.pass(1400ms);
+  EXPECT_EQ(rig.outcome(goal), nullptr) << "the dwell is as long as ever";
+  rig.pass(100ms);
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done) << rig.outcome(goal)->error_description;
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST(CycleExit, isAwaitedByTheEndOfTheDwell) {
+  CoreRig rig;
+  const GoalId goal = dwellBehindLastStep(rig);
+  rig.pass(1900ms);
+  finish(rig, FinishAfter::Cycle);
+  const auto exit = rig.takeScript();
+  rig.pass(500ms);
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+  rig.reply(exit.id);
+  rig.pass(0s);
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
+}
+
+TEST(CycleExit, failsTheStepWhenItIsNotTakenInTheDwell) {
+  CoreRig rig;
+  const GoalId goal = dwellBehindLastStep(rig);
+  finish(rig, FinishAfter::Cycle);
+  rig.reply(rig.takeScript().id, false, {1});
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Aborted);
+  EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kStepFailed);
+  EXPECT_EQ(rig.outcome(goal)->failed_step, 1);
+}
+
+TEST(CycleExit, isNotSentInTheDwellWhenTheFlowHasLeftByItself) {
+  CoreRig rig;
+  const GoalId goal = dwellBehindLastStep(rig);
+  rig.listening = false;
+  rig.pass(1s);
+  finish(rig, FinishAfter::Cycle);
+  EXPECT_TRUE(rig.nothingSent());
+  rig.pass(1s);
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done) << rig.outcome(goal)->error_description;
+}
+
+TEST(CycleExit, isNotBegunBehindTheMoveThatWasToBeTheLastThing) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId goal = rig.submit(leavingCycle(1));
+  move(rig);
+  rig.reply(rig.takeScript().id);
+  finish(rig, FinishAfter::Move);
+  rig.tag(rig.latest().open_tags.at(0));
+  EXPECT_TRUE(rig.nothingSent());
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::CommandAborted);
+}
+
+/// A cycle between two commands whose link was lost: the status stream may tell why.
+GoalId loseLinkInDwell(CoreRig& rig) {
+  rig.connect();
+  const GoalId goal = rig.submit(cycle(0));
+  move(rig);
+  move(rig);
+  rig.close("peer gone");
+  EXPECT_EQ(rig.outcome(goal), nullptr) << "it still looks for the reason";
+  return goal;
+}
+
+TEST(CycleEnd, isTheLossOfTheLinkAlsoWhenItIsCancelledMeanwhile) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  const GoalId goal = loseLinkInDwell(rig);
+  rig.cancel(goal);
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Aborted);
+  EXPECT_EQ(rig.outcome(goal)->error_id, motion_error::kLinkDropped);
+}
+
+TEST(CycleEnd, isTheLossOfTheLinkAlsoWhenItIsToBeFinishedMeanwhile) {
+  for (const FinishAfter after : {FinishAfter::Move, FinishAfter::Cycle}) {
+    CoreRig rig(std::nullopt, link::LinkSettings{});
+    const GoalId goal = loseLinkInDwell(rig);
+    finish(rig, after);
+    rig.pass(10s);
+    ASSERT_NE(rig.outcome(goal), nullptr);
+    EXPECT_EQ(rig.outcome(goal)->ending, Ending::Aborted);
+    EXPECT_EQ(rig.outcome(goal)->error_id, motion_error::kLinkDropped);
+  }
+}
+
+TEST(CycleEnd, tellsTheFirstCancelWhileAnOutputIsUnderWayWhateverIsAskedBehindIt) {
+  CoreRig rig;
+  rig.connect();
+  PickAndPlaceGoal goal = cycle(0);
+  goal.steps[0].output = OutputAction{"EndModule", 0, true};
+  const GoalId id = rig.submit(goal);
+  move(rig);
+  const auto output = rig.takeScript();
+  finish(rig, FinishAfter::Move);
+  rig.cancel(id);
+  finish(rig, FinishAfter::Move);
+  finish(rig, FinishAfter::Cycle);
+  rig.discardSent();
+  rig.reply(output.id);
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("cancelled; no motion was under way"));
+}
+
 TEST(CycleExit, isRefusedBeforeTheFirstMoveWhereItWouldBreakTheCycle) {
   const std::vector<void (*)(PickAndPlaceGoal&)> kSpoilt = {
       [](PickAndPlaceGoal& g) { g.steps[0].move.exit_node = true; },
