@@ -41,7 +41,8 @@ class Chaos {
         &Chaos::replyToScript, &Chaos::replyToScript, &Chaos::replyToScript, &Chaos::strangeReply,
         &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::enterNode,
         &Chaos::complain,      &Chaos::noise,         &Chaos::statusFrame,   &Chaos::statusFrame,
-        &Chaos::statusFrame,   &Chaos::shortTime,     &Chaos::shortTime,     &Chaos::longTime};
+        &Chaos::statusFrame,   &Chaos::shortTime,     &Chaos::shortTime,     &Chaos::longTime,
+        &Chaos::reportEarly};
     (this->*kEvents[pick(kEvents.size())])();
     collect();
     checkDone();
@@ -177,6 +178,17 @@ class Chaos {
     }
     rig_.tag(tag, state);
   }
+  /// The tag is back, and the robot goes on for longer than one waits for it.
+  void reportEarly() {
+    const auto tags = rig_.latest().open_tags;
+    if (tags.empty() || !open(link::Channel::Script) || !open(link::Channel::Status)) return;
+    for (auto& [goal, motion] : motions_) {
+      if (motion.tag == tags[0]) motion.reported = true;
+    }
+    shows_motion_ = true;
+    rig_.tag(tags[0]);
+    showFrames(StatusFrames().moving(), 40);
+  }
   void complain() {
     constexpr protocol::CommunicationErrorCode kCodes[] = {protocol::CommunicationErrorCode::Checksum,
                                                            protocol::CommunicationErrorCode::NotListening};
@@ -214,7 +226,9 @@ class Chaos {
       default:
         break;
     }
-    const std::size_t count = pick(4) == 0 ? 40 : 1 + pick(3);
+    showFrames(frame, pick(4) == 0 ? 40 : 1 + pick(3));
+  }
+  void showFrames(const StatusFrames& frame, std::size_t count) {
     for (std::size_t i = 0; i < count && open(link::Channel::Status); ++i) {
       rig_.status(frame);
       rig_.pass(CoreRig::kStreamPeriod);
