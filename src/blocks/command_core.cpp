@@ -4,8 +4,9 @@
 
 namespace cobot_command::blocks {
 
-CommandCore::CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, FrameFinder frames)
-    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(frames))) {}
+CommandCore::CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, FrameFinder frames,
+                         NewestGoal newest)
+    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(frames), std::move(newest))) {}
 CommandCore::~CommandCore() = default;
 CommandCore::CommandCore(CommandCore&&) noexcept = default;
 CommandCore& CommandCore::operator=(CommandCore&&) noexcept = default;
@@ -14,12 +15,12 @@ void CommandCore::submit(GoalId id, const Goal& goal, Instant now) {
   impl_->submit(id, goal, now);
 }
 
-void CommandCore::cancel(GoalId id, Instant now) {
-  impl_->cancel(id, now);
+void CommandCore::cancel(GoalId id, Instant now, std::optional<GoalId> newest) {
+  impl_->cancel(id, now, newest);
 }
 
-FinishReport CommandCore::finish(FinishAfter after, Instant now) {
-  return impl_->finish(after, now);
+FinishReport CommandCore::finish(FinishAfter after, Instant now, std::optional<GoalId> newest) {
+  return impl_->finish(after, now, newest);
 }
 
 void CommandCore::keepConnected(const ConnectGoal& target, Instant now) {

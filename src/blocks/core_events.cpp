@@ -6,9 +6,10 @@
 namespace cobot_command::blocks {
 
 CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
-                        FrameFinder frame_finder)
+                        FrameFinder frame_finder, NewestGoal newest)
     : settings_(settings),
       frame_finder_(std::move(frame_finder)),
+      newest_(std::move(newest)),
       script_(settings_, *this),
       status_(settings_, *this),
       tags_(settings_.first_tag),

@@ -35,11 +35,18 @@ void sortByTable(std::vector<Failure>& failures) {
 }  // namespace
 
 void CommandCore::Impl::submit(GoalId id, const Goal& goal, Instant now) {
+  newest_submitted_ = std::max(newest_submitted_, id);
+  const bool fell = id <= fell_.newest && fallsWithOthers(goal);
   if (life_ == Life::Retiring && !halts(goal)) {
     board_.wait(blockOf(goal), id);
     endAborted(blockOf(goal), id, kShuttingDown);
   } else if (life_ == Life::Over) {
     board_.reject(blockOf(goal), id, toRejection(blockOf(goal), {{own_error::kShutDown, "", ""}}));
+  } else if (fell) {
+    Outcome outcome;
+    outcome.ending = Ending::CommandAborted;
+    outcome.error_description = fell_.why;
+    actions_.emplace_back(GoalEnded{id, std::move(outcome)});  // it has not come to its block
   } else {
     std::visit([&](const auto& g) { execute(id, g, now); }, goal);
   }
@@ -120,6 +127,8 @@ void CommandCore::Impl::execute(GoalId id, const ProgramControlGoal& goal, Insta
 }
 
 void CommandCore::Impl::execute(GoalId id, const StopGoal& /*goal*/, Instant now) {
+  constexpr const char* kWhy = "stopped by the stop block";
+  dropWaiting(kWhy, id);  // also when there is nobody who could be told to stop
   const Failures failures = checkConnection();
   if (!failures.empty()) {
     board_.reject(Block::Stop, id, toRejection(Block::Stop, failures));
@@ -130,7 +139,7 @@ void CommandCore::Impl::execute(GoalId id, const StopGoal& /*goal*/, Instant now
   progress.phase = Phase::Stopping;
   progress.text = "stopping the robot";
   board_.progress(Block::Stop, id, std::move(progress));
-  stopAll("stopped by the stop block", now);
+  stopAll(kWhy, id, now);
   stop_goals_.push_back({id, stop_.last()});
 }
 
@@ -205,8 +214,8 @@ CommandCore::Impl::Failures CommandCore::Impl::checkReadiness(BufferMode mode) c
   if (mode == BufferMode::Refuse && busy) {
     failures.push_back({motion_error::kOtherBlockBusy, toString(*busy), ""});
   }
-  if (mode == BufferMode::Buffered && waiting_.size() >= kMaxWaiting) {
-    failures.push_back({own_error::kQueueFull, fmt::format("{} commands wait", waiting_.size()), ""});
+  if (mode == BufferMode::Buffered && waiting_.size() >= kMostWaiting) {
+    failures.push_back(tooManyWait(waiting_.size()));
   }
   if (robot_.emergencyStop()) failures.push_back({own_error::kEmergencyStop, "", ""});
   if (robot_.inError()) failures.push_back(robotError(robot_));
@@ -224,7 +233,7 @@ std::optional<Block> CommandCore::Impl::busyBlock() const {
   return std::nullopt;
 }
 
-void CommandCore::Impl::cancel(GoalId id, Instant now) {
+void CommandCore::Impl::cancel(GoalId id, Instant now, std::optional<GoalId> newest) {
   const auto waiting =
       std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& w) { return w.id == id; });
   if (waiting != waiting_.end()) {
@@ -234,22 +243,23 @@ void CommandCore::Impl::cancel(GoalId id, Instant now) {
     endAborted(block, id, "cancelled before its turn");
   } else if (cycle_ ? cycle_->goal() == id : run_ && run_->order().goal == id) {
     const Block block = cycle_ ? Block::PickAndPlace : run_->order().block;
-    dropWaiting(fmt::format("the command in front of it, {}, was cancelled", toString(block)));
+    dropWaiting(fmt::format("the command in front of it, {}, was cancelled", toString(block)),
+                newest.value_or(newestGoal()));
     abortRunning("cancelled", now);
   } else if (connect_.busy() && connect_.goal() == id) {
     kept_.reset();
     connect_.cancel(now);
-    abortAll("the connection is being closed", now);
+    abortAll("the connection is being closed", newest.value_or(newestGoal()), now);
     stopIfMoving(now);
   }
   settle(now);
 }
 
-FinishReport CommandCore::Impl::finish(FinishAfter after, Instant now) {
+FinishReport CommandCore::Impl::finish(FinishAfter after, Instant now, std::optional<GoalId> newest) {
   FinishReport found;
   found.dropped = static_cast<int>(waiting_.size());
   found.moves_on = loose_.mayMove();
-  dropWaiting("what is under way was to be finished, and nothing behind it");
+  dropWaiting(kNothingBehindFinish, newest.value_or(newestGoal()));
   found.under_way = busyBlock();
   if (cycle_) cycle_->finish(after, now);
   settle(now);
@@ -265,7 +275,7 @@ void CommandCore::Impl::retire(Instant now) {
   if (life_ != Life::Working) return;
   life_ = Life::Retiring;
   kept_.reset();
-  abortAll(kShuttingDown, now);
+  abortAll(kShuttingDown, newestGoal(), now);
   stopIfMoving(now);
   settle(now);
 }

@@ -27,6 +27,7 @@
 #include "stranger_watch.h"
 
 #include "cobot_command/blocks/command_core.h"
+#include "cobot_command/blocks/waiting_goals.h"
 #include "cobot_command/link/script_link.h"
 #include "cobot_command/link/status_link.h"
 #include "cobot_command/link/tag_ledger.h"
@@ -35,11 +36,12 @@ namespace cobot_command::blocks {
 
 class CommandCore::Impl : private link::Wire {
  public:
-  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, FrameFinder frame_finder);
+  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, FrameFinder frame_finder,
+       NewestGoal newest);
 
   void submit(GoalId id, const Goal& goal, Instant now);
-  void cancel(GoalId id, Instant now);
-  FinishReport finish(FinishAfter after, Instant now);
+  void cancel(GoalId id, Instant now, std::optional<GoalId> newest);
+  FinishReport finish(FinishAfter after, Instant now, std::optional<GoalId> newest);
   void keepConnected(const ConnectGoal& target, Instant now);
   void retire(Instant now);
   [[nodiscard]] bool retired() const;
@@ -66,7 +68,6 @@ class CommandCore::Impl : private link::Wire {
     StopRun::Number stop = 0;
   };
   enum class Life { Working, Retiring, Over };
-  static constexpr std::size_t kMaxWaiting = 64;
   using Failures = std::vector<Failure>;
 
   // --- Wire, for the links (core_status.cpp).
@@ -103,16 +104,21 @@ class CommandCore::Impl : private link::Wire {
                                                              const std::optional<Origin>& origin) const;
   void forgetForecasts();
   void enqueue(GoalId id, const Goal& goal, BufferMode mode, Instant now);
-  void dropWaiting(const std::string& why);
+  /// With all that came until now, as nobody can know yet what makes them fall.
+  void dropWaiting(const std::string& why) { dropWaiting(why, newestGoal()); }
+  /// With all that came until `newest`, which is when it was asked for.
+  void dropWaiting(const std::string& why, GoalId newest);
+  [[nodiscard]] GoalId newestGoal() const { return newest_ ? newest_() : newest_submitted_; }
   void askForStop(Instant now);
-  /// Everything that is Busy is to end as CommandAborted, with a stop when it moves.
-  void abortAll(const std::string& why, Instant now);
+  /// Everything that is Busy is to end as CommandAborted, with a stop when it moves; `newest`: see
+  /// dropWaiting().
+  void abortAll(const std::string& why, GoalId newest, Instant now);
   void abortRunning(const std::string& why, Instant now);
   void endAborted(Block block, GoalId id, const std::string& why);
   void dispatch(Instant now);
   void begin(const Waiting& next, Instant now);
   void refuseTurn(const Waiting& next, Outcome refusal);
-  void beginCycle(GoalId id, const PickAndPlaceGoal& goal, Instant now);
+  void beginCycle(const Waiting& next, const PickAndPlaceGoal& goal, Instant now);
   void continueCycle(Instant now);
   [[nodiscard]] Result<CommandOrder, Failure> prepareStep(const PickAndPlaceRun::Command& command,
                                                           Instant now);
@@ -131,8 +137,9 @@ class CommandCore::Impl : private link::Wire {
   [[nodiscard]] std::string textOfPlace(int place) const;
 
   // --- The stop (core_stop.cpp).
-  /// Everything that is Busy is to end as CommandAborted, with a stop whatever there is.
-  void stopAll(const std::string& why, Instant now);
+  /// Everything that is Busy is to end as CommandAborted, with a stop whatever there is; `newest`: see
+  /// dropWaiting().
+  void stopAll(const std::string& why, GoalId newest, Instant now);
   /// For motions that no goal waits for any more.
   void stopIfMoving(Instant now);
   /// The robot may move, and no goal answers for it: nothing may queue behind that unseen.
@@ -170,6 +177,9 @@ class CommandCore::Impl : private link::Wire {
 
   link::LinkSettings settings_;
   FrameFinder frame_finder_;
+  NewestGoal newest_;
+  GoalId newest_submitted_ = 0;
+  CommandsFell fell_{0, ""};  ///< the last that fell
   std::vector<Action> actions_;
   link::ConnectionId last_connection_ = 0;
   link::ScriptLink script_;

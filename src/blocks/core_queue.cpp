@@ -80,7 +80,7 @@ void CommandCore::Impl::forgetForecasts() {
 void CommandCore::Impl::enqueue(GoalId id, const Goal& goal, BufferMode mode, Instant now) {
   const Block block = blockOf(goal);
   if (mode == BufferMode::Aborting) {
-    abortAll(fmt::format("taken over by {}", toString(block)), now);
+    abortAll(fmt::format("taken over by {}", toString(block)), id, now);
     if ((loose_.mayMove() || holdsBack()) && !stop_.busy()) askForStop(now);
   }
   Waiting waiting{id, goal, 0, std::nullopt};
@@ -96,14 +96,18 @@ void CommandCore::Impl::enqueue(GoalId id, const Goal& goal, BufferMode mode, In
   waiting_.push_back(std::move(waiting));
 }
 
-void CommandCore::Impl::dropWaiting(const std::string& why) {
+void CommandCore::Impl::dropWaiting(const std::string& why, GoalId newest) {
+  if (newest > fell_.newest) {
+    fell_ = {newest, why};
+    actions_.emplace_back(fell_);
+  }
   for (const Waiting& waiting : std::exchange(waiting_, {})) {
     endAborted(blockOf(waiting.goal), waiting.id, why);
   }
 }
 
-void CommandCore::Impl::abortAll(const std::string& why, Instant now) {
-  dropWaiting(why);
+void CommandCore::Impl::abortAll(const std::string& why, GoalId newest, Instant now) {
+  dropWaiting(why, newest);
   abortRunning(why, now);
 }
 
@@ -151,7 +155,7 @@ void CommandCore::Impl::begin(const Waiting& next, Instant now) {
   }
   if (failures.empty()) {
     if (const auto* cycle = std::get_if<PickAndPlaceGoal>(&next.goal)) {
-      beginCycle(next.id, *cycle, now);
+      beginCycle(next, *cycle, now);
       return;
     }
     auto order = prepare(next.goal, now);
@@ -166,10 +170,13 @@ void CommandCore::Impl::begin(const Waiting& next, Instant now) {
   refuseTurn(next, toRejection(block, failures));
 }
 
-/// What waits behind it stands on where it would have left the robot.
+/// What waits behind it stands on where it would have left the robot. When it has not waited itself, nothing
+/// waits behind it: it is refused as it comes, like a goal that is wrong by itself, and takes none with it.
 void CommandCore::Impl::refuseTurn(const Waiting& next, Outcome refusal) {
   const Block block = blockOf(next.goal);
-  dropWaiting(fmt::format("the command in front of it, {}, was refused", toString(block)));
+  if (next.told_place > 0) {
+    dropWaiting(fmt::format("the command in front of it, {}, was refused", toString(block)));
+  }
   board_.end(block, next.id, std::move(refusal));
 }
 
@@ -214,18 +221,17 @@ void CommandCore::Impl::start(CommandOrder order, Instant now) {
 
 // --- Pick and place.
 
-void CommandCore::Impl::beginCycle(GoalId id, const PickAndPlaceGoal& goal, Instant now) {
+void CommandCore::Impl::beginCycle(const Waiting& next, const PickAndPlaceGoal& goal, Instant now) {
   Outcome found = checkCycle(goal, preflight_.origin(robot_, frames_, now));
   const bool not_checkable = found.error_id == own_error::kStartUnknown ||
                              found.error_id == own_error::kNoModel ||
                              found.error_id == own_error::kBaseUnknown;
   if (found.ending == Ending::Rejected && !not_checkable) {
-    dropWaiting("the command in front of it, pick_and_place, was refused");
-    board_.end(Block::PickAndPlace, id, std::move(found));
+    refuseTurn(next, std::move(found));
     return;
   }
-  board_.accept(Block::PickAndPlace, id, 0);
-  cycle_.emplace(id, goal, std::move(found.steps), now);
+  board_.accept(Block::PickAndPlace, next.id, 0);
+  cycle_.emplace(next.id, goal, std::move(found.steps), now);
 }
 
 void CommandCore::Impl::continueCycle(Instant now) {
@@ -266,7 +272,9 @@ void CommandCore::Impl::finishDirectRuns(Instant now) {
     board_.end(run.order().block, run.order().goal, run.outcome());
   }
   direct_.remove_if([](const CommandRun& run) { return run.ended(); });
-  if (unanswered != nullptr) stopAll(fmt::format("stopped, as {} got no reply", unanswered), now);
+  if (unanswered != nullptr) {
+    stopAll(fmt::format("stopped, as {} got no reply", unanswered), newestGoal(), now);
+  }
 }
 
 void CommandCore::Impl::tellProgress() {

@@ -12,10 +12,10 @@ void CommandCore::Impl::askForStop(Instant now) {
   stop_.ask(run_ && run_->order().moves ? run_->order().target : loose_.target(), now);
 }
 
-void CommandCore::Impl::stopAll(const std::string& why, Instant now) {
+void CommandCore::Impl::stopAll(const std::string& why, GoalId newest, Instant now) {
   const bool stops_by_itself = run_ && run_->order().moves && run_->mayBeCancelled();
   if (!stops_by_itself) askForStop(now);
-  abortAll(why, now);
+  abortAll(why, newest, now);
 }
 
 void CommandCore::Impl::stopIfMoving(Instant now) {

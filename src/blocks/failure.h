@@ -1,6 +1,7 @@
 // Why a command is refused or fails, before it becomes an Outcome.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct Failure {
 
 /// What ends everything that is under way (16#99).
 [[nodiscard]] Failure emergencyStop();
+
+/// So many wait that one more is refused (16#216).
+[[nodiscard]] Failure tooManyWait(std::size_t waiting);
 
 /// Rejected or Aborted, with the catalogue's texts.
 /// Precondition: the block's catalogue has the id.

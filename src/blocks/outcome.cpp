@@ -54,6 +54,10 @@ Failure emergencyStop() {
           "Release the emergency stop and start the project again"};
 }
 
+Failure tooManyWait(std::size_t waiting) {
+  return {own_error::kQueueFull, fmt::format("{} commands wait", waiting), ""};
+}
+
 Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
   const ErrorEntry& entry = entryOf(block, failure.error_id);
   Outcome outcome;

@@ -117,7 +117,7 @@ constexpr SharedError kParameterErrors[] = {
     {own_error::kBufferModeUnknown, "BufferMode unknown", "Use 0 (REFUSE), 1 (BUFFERED) or 2 (ABORTING)",
      "buffer_mode is none of them"},
     {own_error::kQueueFull, "Too many commands wait", "Wait until a command is done",
-     "buffer_mode BUFFERED, and the queue of this layer is full"},
+     "buffer_mode BUFFERED, and the queue of this layer is full; or as many wait for a frame or a file"},
     {own_error::kNameInvalid, "Name invalid", "Give the name as it is in the TMflow project",
      "a name has more than 255 bytes or control characters, or is not UTF-8"},
     {own_error::kStepCount, "Number of steps out of range", kSetInRange, "there are no steps, or too many"},

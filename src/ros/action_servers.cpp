@@ -26,21 +26,12 @@ class Servers {
   template <class Action>
   Servers& serve(Block block) {
     bridges_.push_back(
-        std::make_unique<ActionBridge<Action>>(node_, blocks::toString(block), joint_names_, sinkOf(block)));
+        std::make_unique<ActionBridge<Action>>(node_, blocks::toString(block), joint_names_, sink_));
     return *this;
   }
   std::vector<std::unique_ptr<GoalListener>> take() { return std::move(bridges_); }
 
  private:
-  /// A pause and a stop go past what waits: nothing falls with them when they are cancelled.
-  [[nodiscard]] GoalSink sinkOf(Block block) const {
-    GoalSink sink = sink_;
-    if (block == Block::ProgramControl || block == Block::Stop) {
-      sink.cancel = [cancel = sink_.cancel](blocks::GoalId id, bool /*under_way*/) { cancel(id, false); };
-    }
-    return sink;
-  }
-
   const ros::NodeHandle& node_;
   const JointNames& joint_names_;
   const GoalSink& sink_;

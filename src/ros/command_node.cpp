@@ -67,6 +67,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   retry_ = node.createSteadyTimer(
       ros::WallDuration(kFrameRetryPeriod),
       [this](const ros::SteadyTimerEvent&) {
+        endFallen();
         intake_.advance(steadyNow());
         adjustRetrying();
       },
@@ -76,7 +77,8 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
       [this](const blocks::Action& action, Instant now) { onAction(action, now); },
-      [this](const std::string& frame) { return frames_.whereNow(frame); });
+      [this](const std::string& frame) { return frames_.whereNow(frame); },
+      [this] { return last_goal_.load(); });
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
@@ -105,16 +107,17 @@ void CommandNode::stop() {
 GoalSink CommandNode::sink() {
   return {[this] { return ++last_goal_; },
           [this](blocks::GoalId id, GoalReader read) {
+            endFallen();
             intake_.submit(id, std::move(read), steadyNow());
             adjustRetrying();
           },
-          [this](blocks::GoalId id, bool under_way) { intake_.cancel(id, under_way); }};
+          [this](blocks::GoalId id) { intake_.cancel(id); }};
 }
 
 GoalIntake::Core CommandNode::intakeCore() {
   return {[this](blocks::GoalId id, blocks::Goal goal) { submit(id, std::move(goal)); },
           [this](blocks::GoalId id) { runtime_->cancel(id); },
-          [this](blocks::GoalId id, const std::string& why) { endCancelled(id, why); }};
+          [this](blocks::GoalId id, const blocks::Outcome& outcome) { end(id, outcome); }};
 }
 
 FileSource CommandNode::fileSource() {
@@ -123,11 +126,17 @@ FileSource CommandNode::fileSource() {
 }
 
 /// It has not come to its block, whose outputs show nothing of it.
-void CommandNode::endCancelled(blocks::GoalId id, const std::string& why) {
-  blocks::Outcome outcome;
-  outcome.ending = blocks::Ending::CommandAborted;
-  outcome.error_description = why;
+void CommandNode::end(blocks::GoalId id, const blocks::Outcome& outcome) {
   for (const auto& bridge : bridges_) bridge->ended(id, outcome, {ros::Time::now(), steadyNow()});
+}
+
+void CommandNode::endFallen() {
+  std::vector<blocks::CommandsFell> fell;
+  {
+    const std::lock_guard<std::mutex> lock(fell_mutex_);
+    fell.swap(fell_);
+  }
+  for (const auto& [newest, why] : fell) intake_.fall(newest, why);
 }
 
 /// The timer runs only while a goal waits for its frame.
@@ -154,9 +163,9 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
     response.message = fmt::format("after is {}; it must be 0 (MOVE) or 1 (CYCLE)", request.after);
     return true;
   }
-  const int withdrawn = intake_.withdraw("what is under way was to be finished, and nothing behind it");
   const auto after = request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
   auto report = runtime_->finish(after);
+  const int fallen = report ? intake_.fall(last_goal_, blocks::kNothingBehindFinish) : 0;
   if (!report) {
     response.message = "the command layer is shutting down";
   } else if (report->wait_for(kFinishPatience) != std::future_status::ready) {
@@ -164,7 +173,7 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
     response.message = kNotAnsweredYet;
   } else {
     auto found = report->get();
-    found.dropped += withdrawn;
+    found.dropped += fallen;
     response.success = found.foundAny();
     response.message = blocks::toText(found);
   }
@@ -182,6 +191,10 @@ void CommandNode::onAction(const blocks::Action& action, Instant now) {
                  },
                  [&](const blocks::GoalEnded& a) {
                    for (const auto& bridge : bridges_) bridge->ended(a.goal, a.outcome, clocks);
+                 },
+                 [&](const blocks::CommandsFell& a) {
+                   const std::lock_guard<std::mutex> lock(fell_mutex_);
+                   fell_.push_back(a);
                  },
                  [&](const blocks::RobotStatusReceived& a) {
                    publisher_.publish(a.status);

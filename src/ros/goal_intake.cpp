@@ -1,9 +1,22 @@
 #include "cobot_command/ros/goal_intake.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "cobot_command/blocks/waiting_goals.h"
+
 namespace cobot_command::ros_adapter {
+namespace {
+
+/// It halts the robot, or lets it go on, or makes its connection: nothing of that must wait for a frame.
+bool neverWaits(const blocks::Goal& goal) {
+  return std::holds_alternative<blocks::StopGoal>(goal) ||
+         std::holds_alternative<blocks::ProgramControlGoal>(goal) ||
+         std::holds_alternative<blocks::ConnectGoal>(goal);
+}
+
+}  // namespace
 
 GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core)
     : frames_(std::move(frames)),
@@ -13,23 +26,22 @@ GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, FileSource fi
 
 void GoalIntake::submit(blocks::GoalId id, GoalReader read, Instant now) {
   Reading reading = readNow(id, read);
-  // It must not overtake what came before it, and cannot wait for that; and handed on, that could begin to
-  // move.
-  if (std::holds_alternative<blocks::StopGoal>(reading.goal)) withdraw("stopped by the stop block");
-  const bool never_waits = std::holds_alternative<blocks::ProgramControlGoal>(reading.goal);
   const bool complete = reading.has_frames && reading.has_file;
-  if (never_waits || (complete && waiting_.empty())) {
+  const bool falls = blocks::fallsWithOthers(reading.goal);
+  const bool is_full = waiting_.size() >= blocks::kMostWaiting;
+  if (neverWaits(reading.goal) || (complete && waiting_.empty()) || (is_full && !falls)) {
     handOn(id, std::move(reading.goal));
+  } else if (is_full) {
+    end(id, blocks::refusedAsTooMany(blocks::blockOf(reading.goal), waiting_.size()));
   } else {
-    waiting_.push_back({id, std::move(read), now + patience_(), now + kFilePatience});
+    waiting_.push_back({id, std::move(read), now + patience_(), now + kFilePatience, falls});
   }
 }
 
-void GoalIntake::cancel(blocks::GoalId id, bool under_way) {
+void GoalIntake::cancel(blocks::GoalId id) {
   const auto waiting =
       std::find_if(waiting_.begin(), waiting_.end(), [id](const Waiting& w) { return w.id == id; });
   if (waiting == waiting_.end()) {
-    if (under_way) withdraw("what was under way was cancelled");
     core_.cancel(id);
     return;
   }
@@ -37,18 +49,13 @@ void GoalIntake::cancel(blocks::GoalId id, bool under_way) {
   endCancelled(id, "cancelled");
 }
 
-int GoalIntake::withdraw(const std::string& why) {
-  int ended = 0;
-  for (const Waiting& waiting : std::exchange(waiting_, {})) {
-    Reading reading = readNow(waiting.id, waiting.read);
-    if (std::holds_alternative<blocks::ConnectGoal>(reading.goal)) {
-      handOn(waiting.id, std::move(reading.goal));
-    } else {
-      endCancelled(waiting.id, why);
-      ++ended;
-    }
-  }
-  return ended;
+int GoalIntake::fall(blocks::GoalId newest, const std::string& why) {
+  const auto fallen = std::stable_partition(waiting_.begin(), waiting_.end(),
+                                            [newest](const Waiting& w) { return !w.falls || w.id > newest; });
+  const auto count = static_cast<int>(std::distance(fallen, waiting_.end()));
+  for (auto waiting = fallen; waiting != waiting_.end(); ++waiting) endCancelled(waiting->id, why);
+  waiting_.erase(fallen, waiting_.end());
+  return count;
 }
 
 void GoalIntake::advance(Instant now) {
@@ -84,9 +91,17 @@ void GoalIntake::handOn(blocks::GoalId id, blocks::Goal goal) {
   core_.submit(id, std::move(goal));
 }
 
-void GoalIntake::endCancelled(blocks::GoalId id, const std::string& why) {
+void GoalIntake::end(blocks::GoalId id, blocks::Outcome outcome) {
   files_.forget(id);
-  core_.end_cancelled(id, why + " while a frame or a file was looked up for it, or for one in front of it");
+  core_.end(id, std::move(outcome));
+}
+
+void GoalIntake::endCancelled(blocks::GoalId id, const std::string& why) {
+  blocks::Outcome outcome;
+  outcome.ending = blocks::Ending::CommandAborted;
+  outcome.error_description =
+      why + " while a frame or a file was looked up for it, or for one in front of it";
+  end(id, std::move(outcome));
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -46,9 +46,10 @@ link::OpenFailure toOpenFailure(const transport::NetworkError& error) {
 class CommandRuntime::Impl {
  public:
   Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
-       blocks::FrameFinder frames)
+       blocks::FrameFinder frames, const blocks::NewestGoal& newest)
       : observer_(std::move(observer)),
-        core_(std::move(arm), settings, std::move(frames)),
+        newest_(newest),
+        core_(std::move(arm), settings, std::move(frames), newest),
         start_(Clock::now()),
         timer_(thread_.context()) {
     thread_.post([this] { advance(); });
@@ -61,6 +62,11 @@ class CommandRuntime::Impl {
   template <class Event>
   bool post(Event event) {
     return thread_.post([this, event = std::move(event)] { handle(event); });
+  }
+
+  /// Nothing: only the core knows.
+  [[nodiscard]] std::optional<blocks::GoalId> newestGoal() const {
+    return newest_ ? std::optional(newest_()) : std::nullopt;
   }
 
   /// False: it has ended already.
@@ -169,6 +175,7 @@ class CommandRuntime::Impl {
 
   CoreThread thread_;  ///< first: the sockets and the timer live on its context
   const Observer observer_;
+  const blocks::NewestGoal newest_;
   blocks::CommandCore core_;
   const Clock::time_point start_;
   boost::asio::steady_timer timer_;
@@ -180,8 +187,9 @@ class CommandRuntime::Impl {
 };
 
 CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
-                               Observer observer, blocks::FrameFinder frames)
-    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(frames))) {}
+                               Observer observer, blocks::FrameFinder frames, blocks::NewestGoal newest)
+    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(frames),
+                                   std::move(newest))) {}
 
 CommandRuntime::~CommandRuntime() = default;
 
@@ -194,14 +202,15 @@ void CommandRuntime::keepConnected(blocks::ConnectGoal target) {
 }
 
 void CommandRuntime::cancel(blocks::GoalId id) {
-  impl_->post([id](auto& core, Instant now) { core.cancel(id, now); });
+  impl_->post([id, newest = impl_->newestGoal()](auto& core, Instant now) { core.cancel(id, now, newest); });
 }
 
 std::optional<std::future<blocks::FinishReport>> CommandRuntime::finish(blocks::FinishAfter after) {
   const auto report = std::make_shared<std::promise<blocks::FinishReport>>();
   auto reported = report->get_future();
-  const bool posted =
-      impl_->post([=](auto& core, Instant now) { report->set_value(core.finish(after, now)); });
+  const bool posted = impl_->post([=, newest = impl_->newestGoal()](auto& core, Instant now) {
+    report->set_value(core.finish(after, now, newest));
+  });
   return posted ? std::optional(std::move(reported)) : std::nullopt;
 }
 

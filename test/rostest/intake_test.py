@@ -45,15 +45,31 @@ class GoalsThatWaitForAFrame(OwnRobotTestCase):
     def test_are_taken_away_by_the_cancel_of_what_is_under_way(self):
         sent = self.send_goals_that_wait()
         self.far.cancel()
-        self.assert_taken_away(sent, "what was under way was cancelled while a frame")
+        self.assert_taken_away(sent, "move_relative, was cancelled while a frame")
         self.assert_ended(GoalStatus.PREEMPTED, self.far.finish())
         self.assert_stops_on_its_way()
 
     def test_are_taken_away_by_the_cancel_of_the_connection(self):
         sent = self.send_goals_that_wait()
         self.robot.connect.cancel()
-        self.assert_taken_away(sent, "what was under way was cancelled while a frame")
+        self.assert_taken_away(sent, "the connection is being closed while a frame")
         self.assert_ended(GoalStatus.PREEMPTED, self.far.finish())
+
+    def test_are_taken_away_by_the_failure_of_what_is_under_way_and_those_that_come_later_are_not(self):
+        sent = self.send_goals_that_wait()
+        self.robot.fault("drop_tag")  # the error itself is to be seen
+        self.robot.operate("raise_error", 0x14058, "joint 3")
+        self.assert_aborted(self.far.finish(), 0x222)
+        self.assert_taken_away(sent, "move_relative, failed while a frame")
+        self.robot.operate("clear_error")
+        self.robot.operate("clear_faults")
+        self.assert_works()
+
+    def test_are_taken_away_by_the_loss_of_the_link(self):
+        sent = self.send_goals_that_wait()
+        self.robot.operate("drop_connections")
+        self.assert_aborted(self.far.finish(), 0x99)
+        self.assert_taken_away(sent, "the link was lost")
 
     def assert_stay(self, sent):
         """Until their time is over."""

@@ -7,10 +7,13 @@ namespace cobot_command::testing {
 using namespace blocks;
 
 CoreRig::CoreRig(std::optional<arm::ArmModel> arm, link::LinkSettings settings)
-    : core(std::move(arm), settings, [this](const std::string& frame) -> std::optional<arm::Pose> {
-        const auto found = frames.find(frame);
-        return found == frames.end() ? std::nullopt : std::make_optional(found->second);
-      }) {}
+    : core(
+          std::move(arm), settings,
+          [this](const std::string& frame) -> std::optional<arm::Pose> {
+            const auto found = frames.find(frame);
+            return found == frames.end() ? std::nullopt : std::make_optional(found->second);
+          },
+          [this] { return last_goal_; }) {}
 
 CoreRig::~CoreRig() {
   EXPECT_TRUE(sent_.empty()) << sent_.size() << " frames were sent that the test did not expect; the first: "
@@ -38,10 +41,14 @@ ConnectGoal CoreRig::robot() {
 }
 
 GoalId CoreRig::submit(const Goal& goal) {
-  core.submit(++last_goal_, goal, now);
-  const GoalId id = last_goal_;
-  pump();
+  const GoalId id = come();
+  handOn(id, goal);
   return id;
+}
+
+void CoreRig::handOn(GoalId id, const Goal& goal) {
+  core.submit(id, goal, now);
+  pump();
 }
 
 void CoreRig::cancel(GoalId id) {
@@ -254,6 +261,10 @@ void CoreRig::take(const ActiveFramesChanged& action) {
 }
 
 void CoreRig::take(const PathPlanned& /*action*/) {}
+
+void CoreRig::take(const CommandsFell& action) {
+  fell.push_back(action);
+}
 
 void CoreRig::take(const FrameTraced& action) {
   traces.push_back(action);

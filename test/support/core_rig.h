@@ -39,6 +39,9 @@ class CoreRig {
   // --- Goals.
   blocks::GoalId submit(const blocks::Goal& goal);
   void cancel(blocks::GoalId id);
+  /// A goal has come and waits in front of the core, for its frame, say; pass it on with handOn().
+  blocks::GoalId come() { return ++last_goal_; }
+  void handOn(blocks::GoalId id, const blocks::Goal& goal);
   void shutDown();
   /// A connect goal that is brought to Ready (and its status link opened, if there is one).
   blocks::GoalId connect();
@@ -88,6 +91,7 @@ class CoreRig {
   std::vector<blocks::ActiveFrames> active_frames;  ///< every change
   std::vector<std::string> warnings;                ///< of the log
   std::map<std::string, arm::Pose> frames;          ///< where tf would say that they are now
+  std::vector<blocks::CommandsFell> fell;
 
   void pump();
 
@@ -102,6 +106,7 @@ class CoreRig {
   void take(const blocks::GoalAccepted& action);
   void take(const blocks::GoalProgressed& action);
   void take(const blocks::GoalEnded& action);
+  void take(const blocks::CommandsFell& action);
   void take(const blocks::StatusChanged& action);
   void take(const blocks::RobotStatusReceived& action);
   void take(const blocks::ActiveFramesChanged& action);

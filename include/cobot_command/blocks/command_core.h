@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,6 +60,13 @@ struct GoalEnded {
   GoalId goal;
   Outcome outcome;
 };
+/// The commands that wait have fallen with the one in front of them. So no command of a goal up to and with
+/// `newest` begins any more, wherever it waits: those in the core are ended, and one that is submitted later
+/// ends at once as CommandAborted (fallsWithOthers()).
+struct CommandsFell {
+  GoalId newest;
+  std::string why;
+};
 struct StatusChanged {
   CommandStatus status;
 };
@@ -90,27 +98,36 @@ struct LogMessage {
 };
 
 using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed,
-                            GoalEnded, StatusChanged, RobotStatusReceived, ActiveFramesChanged, PathPlanned,
-                            FrameTraced, LogMessage>;
+                            GoalEnded, CommandsFell, StatusChanged, RobotStatusReceived, ActiveFramesChanged,
+                            PathPlanned, FrameTraced, LogMessage>;
+
+/// The newest goal that has come anywhere, also where goals wait before they are submitted. Goals count up
+/// in the order in which they came.
+using NewestGoal = std::function<GoalId()>;
 
 class CommandCore {
  public:
   /// `arm`: the model for planning and checks; without one, moves are sent unplanned. See CoreSettings for
   /// the rest. `frames`: asked when a goal with a target in a frame has waited; without one, targets stay
-  /// where they were.
-  CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, FrameFinder frames = {});
+  /// where they were. `newest`: asked when commands fall by what happens, not by a goal; without one it is
+  /// the newest that was submitted.
+  CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, FrameFinder frames = {},
+              NewestGoal newest = {});
   ~CommandCore();
   CommandCore(CommandCore&&) noexcept;
   CommandCore& operator=(CommandCore&&) noexcept;
 
   // --- Goals.
   void submit(GoalId id, const Goal& goal, Instant now);
-  /// The falling edge of Execute while Busy. A goal that has ended already is left alone.
-  void cancel(GoalId id, Instant now);
+  /// The falling edge of Execute while Busy. A goal that has ended already is left alone. With what is under
+  /// way all that came until then falls. `newest`: the newest goal when the cancel was asked for; nothing:
+  /// that of now.
+  void cancel(GoalId id, Instant now, std::optional<GoalId> newest = {});
   /// Ends what is under way in its own time, without a stop: a move is finished and Done; a pick and place
   /// ends behind its move as CommandAborted, behind its cycle as Done. What waits ends as CommandAborted.
-  /// Returns what was found; nothing under way and nothing that waits is no error.
-  FinishReport finish(FinishAfter after, Instant now);
+  /// What is being stopped already is stopped. Returns what was found; FinishReport::foundAny() tells whether
+  /// there was anything, without which nothing has changed. `newest`: as with cancel().
+  FinishReport finish(FinishAfter after, Instant now, std::optional<GoalId> newest = {});
   /// Keeps a link by itself whenever no connect goal is Busy: tries for ever, and again after each loss. A
   /// cancelled connect goal ends that too. Precondition: the target is what a connect goal may be.
   void keepConnected(const ConnectGoal& target, Instant now);

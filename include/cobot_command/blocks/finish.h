@@ -14,10 +14,16 @@ enum class FinishAfter {
   Cycle  ///< the whole cycle of a pick and place
 };
 
+/// Why what waits ends then.
+inline constexpr const char* kNothingBehindFinish =
+    "what is under way was to be finished, and nothing behind it";
+
 /// What was found when everything was to be finished.
 struct FinishReport {
-  std::optional<Block> under_way;  ///< comes to its end in its own time; its result tells of it
-  int dropped = 0;                 ///< goals that waited behind it, and have ended
+  /// Comes to its end in its own time, and its result tells which: also a stop, or a command that is being
+  /// stopped already, which finish changes nothing of.
+  std::optional<Block> under_way;
+  int dropped = 0;        ///< goals that waited behind it, and have ended
   bool moves_on = false;  ///< what nobody waits for: blended motions, say, that are done for their goals
 
   /// There was something to finish.

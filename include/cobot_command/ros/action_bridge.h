@@ -30,8 +30,7 @@ namespace cobot_command::ros_adapter {
 struct GoalSink {
   std::function<blocks::GoalId()> new_id;
   std::function<void(blocks::GoalId, GoalReader)> submit;
-  /// `under_way`: it was its turn already.
-  std::function<void(blocks::GoalId, bool under_way)> cancel;
+  std::function<void(blocks::GoalId)> cancel;
 };
 
 /// What the core tells of goals; each bridge answers only for its own.
@@ -130,7 +129,7 @@ class ActionBridge : public GoalListener {
       if (found == open_.end()) return;
       id = found->id;
     }
-    sink_.cancel(id, !isPending(handle));
+    sink_.cancel(id);
   }
 
   bool find(blocks::GoalId id, Handle& handle) { return lookUp(id, handle, false); }

@@ -4,8 +4,10 @@
 // spun by one thread.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -46,14 +48,18 @@ class CommandNode {
   [[nodiscard]] GoalSink sink();
   [[nodiscard]] GoalIntake::Core intakeCore();
   [[nodiscard]] FileSource fileSource();
-  void endCancelled(blocks::GoalId id, const std::string& why);
+  void end(blocks::GoalId id, const blocks::Outcome& outcome);
+  /// Of the intake's goals, those that have fallen with a command of the core.
+  void endFallen();
   void submit(blocks::GoalId id, blocks::Goal goal);
   void adjustRetrying();
   bool finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response);
 
   std::string default_host_;
   int default_port_;
-  blocks::GoalId last_goal_ = 0;
+  std::atomic<blocks::GoalId> last_goal_{0};  ///< counted by the spinner, asked for by the core's thread
+  std::mutex fell_mutex_;
+  std::vector<blocks::CommandsFell> fell_;  ///< told by the core, not to the intake yet
   StatusPublisher publisher_;
   Diagnostics diagnostics_;
   TfFrames frames_;

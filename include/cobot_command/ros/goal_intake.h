@@ -1,9 +1,11 @@
 // Goals on their way from the action servers to the core.
 //
 // A goal with a target in a tf frame that tf does not know yet waits for it, one with a file until that is
-// read, both for a short time; and all that came behind it waits too, so that the order stays. What takes
-// away the commands that wait in the core takes those that wait here, too; a goal that is cancelled while it
-// waits has come to its end. Not thread-safe: ROS's spinner owns it. No clock: the time is handed in.
+// read, both for a short time; and the commands and checks that came behind it wait too, so that the order
+// stays. What takes away the commands that wait in the core takes those that wait here, too: that is the
+// core's to tell (CommandsFell), and it begins none of them even when it gets one before this is told. A goal
+// that is cancelled while it waits has come to its end. Not thread-safe: ROS's spinner owns it. No clock: the
+// time is handed in.
 #pragma once
 
 #include <deque>
@@ -12,6 +14,7 @@
 #include <string>
 
 #include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/outcome.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/ros/goal_messages.h"
 
@@ -36,18 +39,16 @@ class GoalIntake {
   struct Core {
     std::function<void(blocks::GoalId, blocks::Goal)> submit;
     std::function<void(blocks::GoalId)> cancel;
-    /// Of a goal that was taken away before the core heard of it.
-    std::function<void(blocks::GoalId, const std::string& why)> end_cancelled;
+    /// Of a goal that ends before the core heard of it.
+    std::function<void(blocks::GoalId, blocks::Outcome)> end;
   };
 
   GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core);
 
   void submit(blocks::GoalId id, GoalReader read, Instant now);
-  /// `under_way`: with the core it has had its turn, so that what waits falls with it.
-  void cancel(blocks::GoalId id, bool under_way);
-  /// Ends all commands that wait, as none shall begin any more that came until now. Connects are no commands:
-  /// they are handed on. Returns how many have ended.
-  int withdraw(const std::string& why);
+  void cancel(blocks::GoalId id);
+  /// Ends the commands that wait and came until `newest`; checks wait on. Returns how many have ended.
+  int fall(blocks::GoalId newest, const std::string& why);
   /// Hands on what need not wait any more. To be called every now and then while isWaiting().
   void advance(Instant now);
   [[nodiscard]] bool isWaiting() const { return !waiting_.empty(); }
@@ -63,10 +64,12 @@ class GoalIntake {
     GoalReader read;
     Instant frames_by;
     Instant file_by;
+    bool falls;  ///< with the commands in front of it
   };
 
   [[nodiscard]] Reading readNow(blocks::GoalId id, const GoalReader& read) const;
   void handOn(blocks::GoalId id, blocks::Goal goal);
+  void end(blocks::GoalId id, blocks::Outcome outcome);
   void endCancelled(blocks::GoalId id, const std::string& why);
 
   FrameLookup frames_;

@@ -30,9 +30,9 @@ class CommandRuntime {
   /// and cancel(), which take effect after it has returned.
   using Observer = std::function<void(const blocks::Action&, Instant now)>;
 
-  /// `frames`: see CommandCore; called on the core's thread.
+  /// `frames`, `newest`: see CommandCore; called on the core's thread, `newest` by cancel() and finish() too.
   CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
-                 blocks::FrameFinder frames = {});
+                 blocks::FrameFinder frames = {}, blocks::NewestGoal newest = {});
   ~CommandRuntime();  ///< stop()
   CommandRuntime(const CommandRuntime&) = delete;
   CommandRuntime& operator=(const CommandRuntime&) = delete;
@@ -40,7 +40,8 @@ class CommandRuntime {
   /// False, and nothing will be heard of the goal, once stop() has closed the core. Otherwise it gets its
   /// GoalEnded.
   [[nodiscard]] bool submit(blocks::GoalId id, blocks::Goal goal);
-  /// The falling edge of Execute. After stop() all goals have ended, so there is nothing to cancel.
+  /// The falling edge of Execute; what falls with it are goals that came before this call. After stop() all
+  /// goals have ended, so there is nothing to cancel.
   void cancel(blocks::GoalId id);
   /// See CommandCore. The report comes when the core's thread has come to it, so it is not to be waited for
   /// in the observer, and behind a long planning for long. Nothing once stop() has closed the core.

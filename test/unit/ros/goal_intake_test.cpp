@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "cobot_command/blocks/waiting_goals.h"
+
 namespace cobot_command::ros_adapter {
 namespace {
 
@@ -16,7 +18,6 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 constexpr auto kPatience = milliseconds(200);
-constexpr bool kUnderWay = true;
 
 /// A core that writes down what it is told, and a tf that knows the frames in `known`.
 class Intake : public testing::Test {
@@ -56,11 +57,20 @@ class Intake : public testing::Test {
                                unread ? " without its file" : ""));
   }
 
+  void noteEnd(blocks::GoalId id, const blocks::Outcome& outcome) {
+    const bool cancelled = outcome.ending == blocks::Ending::CommandAborted;
+    const std::string& why = outcome.error_description;
+    told.push_back(
+        fmt::format("{} {}: {}", cancelled ? "end" : "refuse", id, why.substr(0, why.find(" while "))));
+  }
+
   std::set<std::string> known;
   std::set<std::string> read;  ///< files
   std::vector<std::string> told;
   Duration patience = kPatience;
+  int looks = 0;  ///< for frames
   GoalIntake intake{[this](const std_msgs::Header& header) -> FramePlace {
+                      ++looks;
                       if (known.count(header.frame_id) == 0) return {std::nullopt, "not known"};
                       return {arm::Pose::Identity(), ""};
                     },
@@ -72,9 +82,7 @@ class Intake : public testing::Test {
                      [this](blocks::GoalId id) { forgotten.insert(id); }},
                     {[this](blocks::GoalId id, const blocks::Goal& goal) { note(id, goal); },
                      [this](blocks::GoalId id) { told.push_back(fmt::format("cancel {}", id)); },
-                     [this](blocks::GoalId id, const std::string& why) {
-                       told.push_back(fmt::format("end {}: {}", id, why.substr(0, why.find(" while "))));
-                     }}};
+                     [this](blocks::GoalId id, const blocks::Outcome& outcome) { noteEnd(id, outcome); }}};
   std::set<blocks::GoalId> forgotten;  ///< their files
 };
 
@@ -135,39 +143,60 @@ TEST_F(Intake, countsThePatienceOfEachGoalFromItsOwnArrival) {
   EXPECT_THAT(told, ElementsAre("submit 1 without its frame", "submit 2 without its frame"));
 }
 
-TEST_F(Intake, letsAStopTakeAwayWhatWaitsWithoutWaitingItself) {
-  move(1, "table");
-  give(2, blocks::StopGoal{});
-  EXPECT_THAT(told, ElementsAre("end 1: stopped by the stop block", "submit 2"));
-  EXPECT_FALSE(intake.isWaiting());
-}
-
-TEST_F(Intake, letsNothingMoveOnThatAStopTakesAway) {
+TEST_F(Intake, handsOnAStopAtOnceAndThenEndsWhatFellWithIt) {
   move(1, "table");
   move(2, "");
-  known = {"table"};
   give(3, blocks::StopGoal{});
-  EXPECT_THAT(
-      told, ElementsAre("end 1: stopped by the stop block", "end 2: stopped by the stop block", "submit 3"));
+  EXPECT_THAT(told, ElementsAre("submit 3"));
+  EXPECT_EQ(intake.fall(3, "stopped"), 2);
+  EXPECT_THAT(told, ElementsAre("submit 3", "end 1: stopped", "end 2: stopped"));
+  EXPECT_FALSE(intake.isWaiting());
   EXPECT_THAT(forgotten, ElementsAre(1, 2, 3));
 }
 
-TEST_F(Intake, withdrawsAllCommandsThatWaitAndHandsOnAConnect) {
+TEST_F(Intake, leavesWhatCameBehindTheFall) {
   move(1, "table");
-  give(2, blocks::ConnectGoal{});
-  cycle(3, "hangs.yaml");
-  EXPECT_EQ(intake.withdraw("to be finished"), 2);
-  EXPECT_THAT(told, ElementsAre("end 1: to be finished", "submit 2", "end 3: to be finished"));
-  EXPECT_FALSE(intake.isWaiting());
+  move(2, "table");
+  EXPECT_EQ(intake.fall(1, "the command in front failed"), 1);
+  known = {"table"};
+  intake.advance(Instant(milliseconds(10)));
+  EXPECT_THAT(told, ElementsAre("end 1: the command in front failed", "submit 2"));
 }
 
-TEST_F(Intake, letsTheCancelOfWhatIsUnderWayTakeAwayWhatWaits) {
-  move(1, "");
-  move(2, "table");
-  move(3, "");
-  intake.cancel(1, kUnderWay);
-  EXPECT_THAT(told, ElementsAre("submit 1", "end 2: what was under way was cancelled",
-                                "end 3: what was under way was cancelled", "cancel 1"));
+TEST_F(Intake, leavesChecksThatFallWithNothing) {
+  move(1, "table");
+  give(2, blocks::CheckSequenceGoal{});
+  cycle(3, "hangs.yaml");
+  EXPECT_EQ(intake.fall(3, "to be finished"), 2);
+  intake.advance(Instant(milliseconds(10)));
+  EXPECT_THAT(told, ElementsAre("end 1: to be finished", "end 3: to be finished", "submit 2"));
+}
+
+TEST_F(Intake, letsAConnectOvertakeWhatWaits) {
+  move(1, "table");
+  give(2, blocks::ConnectGoal{});
+  EXPECT_THAT(told, ElementsAre("submit 2"));
+  EXPECT_TRUE(intake.isWaiting());
+}
+
+TEST_F(Intake, looksNothingUpAgainForWhatFalls) {
+  move(1, "table");
+  move(2, "shelf");
+  const int before = looks;
+  intake.fall(2, "stopped");
+  EXPECT_EQ(looks, before);
+}
+
+TEST_F(Intake, isBoundedLikeTheQueueOfTheCoreAndLetsPastWhatHalts) {
+  const auto full = static_cast<blocks::GoalId>(blocks::kMostWaiting);
+  for (blocks::GoalId id = 1; id <= full; ++id) move(id, "table");
+  EXPECT_THAT(told, IsEmpty());
+  move(full + 1, "");
+  give(full + 2, blocks::CheckSequenceGoal{});
+  give(full + 3, blocks::StopGoal{});
+  EXPECT_THAT(told,
+              ElementsAre("refuse 65: Too many commands wait: 64 commands wait", "submit 66", "submit 67"));
+  EXPECT_EQ(forgotten.count(full + 1), 1U);
 }
 
 TEST_F(Intake, letsAPauseOvertakeWhatWaits) {
@@ -180,7 +209,7 @@ TEST_F(Intake, letsAPauseOvertakeWhatWaits) {
 TEST_F(Intake, endsAGoalThatIsCancelledWhileItWaitsAndLeavesTheOthers) {
   move(1, "table");
   move(2, "shelf");
-  intake.cancel(1, !kUnderWay);
+  intake.cancel(1);
   EXPECT_THAT(told, ElementsAre("end 1: cancelled"));
   EXPECT_THAT(forgotten, ElementsAre(1));
   EXPECT_TRUE(intake.isWaiting());
@@ -208,21 +237,22 @@ TEST_F(Intake, handsOnAGoalWhoseFileIsNotReadInTime) {
 
 TEST_F(Intake, endsACycleThatIsCancelledWhileItsFileIsRead) {
   cycle(1, "hangs.yaml");
-  intake.cancel(1, !kUnderWay);
+  intake.cancel(1);
   EXPECT_THAT(told, ElementsAre("end 1: cancelled"));
   EXPECT_FALSE(intake.isWaiting());
 }
 
-TEST_F(Intake, letsAStopTakeAwayACycleWhoseFileIsStillRead) {
+TEST_F(Intake, endsACycleThatFallsWhileItsFileIsRead) {
   cycle(1, "hangs.yaml");
-  give(2, blocks::StopGoal{});
-  EXPECT_THAT(told, ElementsAre("end 1: stopped by the stop block", "submit 2"));
+  intake.fall(1, "stopped");
+  EXPECT_THAT(told, ElementsAre("end 1: stopped"));
+  EXPECT_THAT(forgotten, ElementsAre(1));
 }
 
-TEST_F(Intake, handsOnACancelOfAGoalThatWaitsInTheCoreWhileOneWaitsHere) {
+TEST_F(Intake, handsOnACancelOfAGoalThatTheCoreHasWhileOneWaitsHere) {
   move(1, "");
   move(2, "table");
-  intake.cancel(1, !kUnderWay);
+  intake.cancel(1);
   EXPECT_THAT(told, ElementsAre("submit 1", "cancel 1"));
   EXPECT_TRUE(intake.isWaiting());
 }
