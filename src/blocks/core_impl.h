@@ -59,6 +59,7 @@ class CommandCore::Impl : private link::Wire {
   struct Waiting {
     GoalId id = 0;
     Goal goal;
+    bool takes_over = false;    ///< once the stop that is under way for it is confirmed
     int told_place = 0;         ///< in the queue, as last reported; 0: not yet
     std::optional<Origin> end;  ///< where it will leave the robot, as far as that can be foreseen
   };
@@ -108,6 +109,8 @@ class CommandCore::Impl : private link::Wire {
   void dropWaiting(const std::string& why) { dropWaiting(why, newestGoal()); }
   /// With all that came until `newest`, which is when it was asked for.
   void dropWaiting(const std::string& why, GoalId newest);
+  /// Behind a stop that failed; `found`: why.
+  void dropUnstopped(const std::string& found);
   [[nodiscard]] GoalId newestGoal() const { return newest_ ? newest_() : newest_submitted_; }
   void askForStop(Instant now);
   /// Everything that is Busy is to end as CommandAborted, with a stop when it moves; `newest`: see
@@ -142,6 +145,9 @@ class CommandCore::Impl : private link::Wire {
   void stopAll(const std::string& why, GoalId newest, Instant now);
   /// For motions that no goal waits for any more.
   void stopIfMoving(Instant now);
+  /// Something may move, or be queued, that is not of what runs here: blended, from before, or another
+  /// client's. Nobody can tell that of a robot that is not seen to stand.
+  [[nodiscard]] bool mayMoveOtherwise() const;
   /// The robot may move, and no goal answers for it: nothing may queue behind that unseen.
   [[nodiscard]] bool holdsBack() const { return orphan_.mayMove() || loose_.holdsBack(); }
   [[nodiscard]] std::string heldBackBy() const;

@@ -81,9 +81,9 @@ void CommandCore::Impl::enqueue(GoalId id, const Goal& goal, BufferMode mode, In
   const Block block = blockOf(goal);
   if (mode == BufferMode::Aborting) {
     abortAll(fmt::format("taken over by {}", toString(block)), id, now);
-    if ((loose_.mayMove() || holdsBack()) && !stop_.busy()) askForStop(now);
+    if (mayMoveOtherwise() && !stop_.busy()) askForStop(now);
   }
-  Waiting waiting{id, goal, 0, std::nullopt};
+  Waiting waiting{id, goal, mode == BufferMode::Aborting && stop_.busy(), 0, std::nullopt};
   if (busyBlock()) {
     const auto planned = planFor(goal, originBehindAll(now));
     if (!planned) {
@@ -104,6 +104,20 @@ void CommandCore::Impl::dropWaiting(const std::string& why, GoalId newest) {
   for (const Waiting& waiting : std::exchange(waiting_, {})) {
     endAborted(blockOf(waiting.goal), waiting.id, why);
   }
+}
+
+/// A take-over is in front of all others, as it has dropped what waited.
+void CommandCore::Impl::dropUnstopped(const std::string& found) {
+  const std::string why = fmt::format("{}: {}", LooseMotion::kMayStillMove, found);
+  std::optional<Waiting> take_over;
+  if (!waiting_.empty() && waiting_.front().takes_over) {
+    take_over = std::move(waiting_.front());
+    waiting_.pop_front();
+  }
+  dropWaiting(why);
+  if (!take_over) return;
+  const Block block = blockOf(take_over->goal);
+  board_.end(block, take_over->id, toRejection(block, {{own_error::kStopNotConfirmed, why, ""}}));
 }
 
 void CommandCore::Impl::abortAll(const std::string& why, GoalId newest, Instant now) {

@@ -22,6 +22,11 @@ void CommandCore::Impl::stopIfMoving(Instant now) {
   if (loose_.mayMove() && !stop_.busy()) askForStop(now);
 }
 
+bool CommandCore::Impl::mayMoveOtherwise() const {
+  const bool seen_to_stand = robot_.moving() == false && !robot_.held();  // what is held may have to go on
+  return loose_.mayMove() || orphan_.mayMove() || !seen_to_stand;
+}
+
 std::string CommandCore::Impl::heldBackBy() const {
   return orphan_.mayMove() ? orphan_.text() : loose_.text();
 }
@@ -35,9 +40,7 @@ void CommandCore::Impl::finishStops(Instant now) {
     }
     if (run_) run_->stopEnded(*result, now);
     endStopGoals(*result);
-    if (result->failed()) {
-      dropWaiting(fmt::format("{}: {}", LooseMotion::kMayStillMove, result->failure.found));
-    }
+    if (result->failed()) dropUnstopped(result->failure.found);
   }
 }
 

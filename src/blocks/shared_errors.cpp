@@ -222,15 +222,14 @@ ErrorTable& ErrorTable::anyCommand() {
 ErrorTable& ErrorTable::turn() {
   return shared({motion_error::kOtherBlockBusy, own_error::kBufferModeUnknown, own_error::kQueueFull,
                  own_error::kNotListening, own_error::kEmergencyStop, own_error::kRobotError,
-                 own_error::kOrphanMoves});
+                 own_error::kStopNotConfirmed, own_error::kOrphanMoves});
 }
 
 ErrorTable& ErrorTable::motion() {
   return shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kUnreachable,
                  own_error::kPoseBits, own_error::kJointLimit, own_error::kJointSpeed, own_error::kSingular,
                  own_error::kNotPlannable, own_error::kAmbiguousTurn, own_error::kNoFreeTag,
-                 own_error::kTagLost, own_error::kStopNotConfirmed, own_error::kNotAtTarget,
-                 own_error::kStoppedElsewhere});
+                 own_error::kTagLost, own_error::kNotAtTarget, own_error::kStoppedElsewhere});
 }
 
 ErrorTable& ErrorTable::move() {

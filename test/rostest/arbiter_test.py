@@ -83,7 +83,7 @@ class Arbiter(MotionTestCase):
     def test_does_not_run_what_would_take_over_when_the_stop_is_refused(self):
         busy = self.robot.start_slowly()
         self.robot.fault("refuse_stop", count=1)
-        self.assert_ended(GoalStatus.RECALLED, self.robot.run(to_joints(*HOME, buffer_mode=ABORTING)))
+        self.assert_rejected(self.robot.run(to_joints(*HOME, buffer_mode=ABORTING)), 0x225, "may still move")
         self.assert_aborted(busy.finish(), 0x225)
 
     # --- What falls with whom.

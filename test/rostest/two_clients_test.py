@@ -6,7 +6,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import CommandStatus, StopGoal
-from cobot_goals import HOME, SLOWLY, motions, to_joints, turn
+from cobot_goals import ABORTING, HOME, SLOWLY, motions, to_joints, turn
 from cobot_test import CobotTestCase, Latest
 
 OTHER = "other/"
@@ -60,6 +60,14 @@ class TwoClients(CobotTestCase):
                 self.assert_aborted(first.finish(), 0x228, "from its target")
                 self.robot.wait_for_standstill()
                 self.assert_done(self.robot.run(to_joints(*HOME)))
+
+    def test_are_stopped_by_a_goal_of_the_other_that_takes_over(self):
+        first = self.robot.start_slowly(turn(60, 0, 0, 0, 0, 0, command_id=TAG, **SLOWLY))
+        self.assert_done(self.robot.run(to_joints(*HOME, buffer_mode=ABORTING), OTHER))
+        state, result = first.finish()
+        self.assertEqual(state, GoalStatus.ABORTED, "it would be done if the other had queued behind it")
+        # The latter when the tag of the other has the same number.
+        self.assertIn(result.error_id, (0x228, 0x226), result.error_description)
 
     def test_notice_each_other(self):
         own = self.robot.send(turn(60, 0, 0, 0, 0, 0, command_id=5, **SLOWLY), OTHER)

@@ -9,6 +9,7 @@ namespace cobot_command::testing {
 namespace {
 
 using namespace blocks;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 MoveAbsoluteGoal moveWith(BufferMode mode, double x = 417.5) {
@@ -36,6 +37,15 @@ void expectFallen(const CoreRig& rig, GoalId id, const std::string& words) {
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
   EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr(words));
+}
+
+/// A take-over whose stop failed.
+void expectNotStopped(const CoreRig& rig, GoalId id, const std::string& words) {
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::Rejected);
+  EXPECT_EQ(rig.outcome(id)->error_id, own_error::kStopNotConfirmed);
+  EXPECT_THAT(rig.outcome(id)->error_description, AllOf(HasSubstr("may still move"), HasSubstr(words)));
+  EXPECT_THAT(rig.outcome(id)->remedy, HasSubstr("Make sure that the robot stands"));
 }
 
 void expectDone(const CoreRig& rig, GoalId id) {
@@ -190,10 +200,47 @@ TEST(Arbiter, waitsForStandstillBeforeATakeOver) {
   rig.discardSent();
 }
 
-TEST(Arbiter, takesOverAtOnceWhenNothingIsUnderWay) {
+TEST(Arbiter, takesOverAtOnceWhenNothingIsUnderWayAndTheRobotIsSeenToStand) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.connect();
+  rig.status(StatusFrames());
+  const GoalId goal = rig.submit(moveWith(BufferMode::Aborting));
+  EXPECT_TRUE(rig.accepted(goal));
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP("));
+}
+
+/// Another client's motion, or one that a pause holds in the controller, or whatever nobody can see.
+TEST(Arbiter, stopsForATakeOverAlsoWhatIsNotOfThisLayer) {
+  const std::vector<StatusFrames> kNotSeenToStand = {
+      StatusFrames().moving(), StatusFrames().paused(),
+      StatusFrames().with(protocol::item::ofBool("Safeguard_A", true)),
+      StatusFrames().without("Joint_Speed").without("Joint_Angle")};
+  for (const StatusFrames& frame : kNotSeenToStand) {
+    CoreRig rig(std::nullopt, link::LinkSettings{});
+    rig.connect();
+    rig.status(StatusFrames());
+    rig.pass(500ms);
+    rig.status(frame);
+    const GoalId goal = rig.submit(moveWith(BufferMode::Aborting));
+    const auto stop = rig.takeScript();
+    EXPECT_EQ(stop.script, "StopAndClearBuffer()");
+    EXPECT_TRUE(rig.nothingSent());
+    EXPECT_FALSE(rig.accepted(goal));
+    rig.reply(stop.id);
+    rig.stream(StatusFrames());
+    EXPECT_TRUE(rig.accepted(goal));
+    EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP("));
+  }
+}
+
+TEST(Arbiter, stopsForATakeOverWhereNoStreamTellsThatTheRobotStands) {
   CoreRig rig;
   rig.connect();
   const GoalId goal = rig.submit(moveWith(BufferMode::Aborting));
+  const auto stop = rig.takeScript();
+  EXPECT_EQ(stop.script, "StopAndClearBuffer()");
+  EXPECT_FALSE(rig.accepted(goal));
+  rig.reply(stop.id);
   EXPECT_TRUE(rig.accepted(goal));
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP("));
 }
@@ -229,7 +276,23 @@ TEST(Arbiter, endsATakeOverToWhenTheStopIsNotConfirmed) {
   const GoalId second = rig.submit(moveWith(BufferMode::Aborting));
   rig.reply(rig.takeScript().id, false, {1});
   EXPECT_EQ(rig.outcome(first)->error_id, own_error::kStopNotConfirmed);
-  expectFallen(rig, second, "may still move");
+  expectNotStopped(rig, second, "the controller refused StopAndClearBuffer()");
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+/// Its stop was for nobody else: so there is no other goal that could tell it.
+TEST(Arbiter, endsATakeOverWithTheErrorOfItsOwnStop) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  rig.connect();
+  rig.status(StatusFrames().moving());
+  const GoalId goal = rig.submit(moveWith(BufferMode::Aborting));
+  const GoalId behind = rig.submit(moveWith(BufferMode::Buffered));
+  rig.reply(rig.takeScript().id);
+  rig.stream(StatusFrames().moving(), 150);
+  expectNotStopped(rig, goal, "the robot still moves after the accepted stop");
+  EXPECT_TRUE(rig.outputs(Block::MoveAbsolute).error);
+  expectFallen(rig, behind, "may still move");
+  EXPECT_FALSE(rig.accepted(goal));
   EXPECT_TRUE(rig.nothingSent());
 }
 

@@ -19,12 +19,16 @@ void connect(CoreRig& rig) {
   rig.status(StatusFrames());
 }
 
-Goal buffered(Goal goal) {
+Goal inMode(BufferMode mode, Goal goal) {
   std::visit(
       Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {}, [](CheckSequenceGoal&) {},
-                 [](auto& command) { command.buffer_mode = static_cast<int>(BufferMode::Buffered); }},
+                 [mode](auto& command) { command.buffer_mode = static_cast<int>(mode); }},
       goal);
   return goal;
+}
+
+Goal buffered(const Goal& goal) {
+  return inMode(BufferMode::Buffered, goal);
 }
 
 /// A command that was sent; `fault` gets the rig and the script id.
@@ -95,6 +99,15 @@ Scenarios turnScenarios(const Goal& goal) {
            while (rig.outcome(rig.submit(buffered(CoreRig::move()))) == nullptr) {
            }
          });
+       }},
+      {row(own_error::kStopNotConfirmed),
+       [=] {
+         CoreRig rig(std::nullopt, link::LinkSettings{});
+         connect(rig);
+         rig.status(StatusFrames().moving());
+         const GoalId id = rig.submit(inMode(BufferMode::Aborting, goal));
+         rig.reply(rig.takeScript().id, false, {1});
+         return *rig.outcome(id);
        }},
       {row(own_error::kEmergencyStop),
        [=] {
