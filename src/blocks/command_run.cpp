@@ -18,6 +18,7 @@ namespace {
 constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
 /// The end of a motion is told by its tag, not by the clock.
 constexpr double kNearlyDone = 0.99;
+constexpr const char* kBehindAnother = "accepted, waits for the motion in front of it";
 
 Duration timeFor(const CommandOrder& order, const link::LinkSettings& settings) {
   if (!order.plan) return settings.unplanned_motion_timeout;
@@ -116,7 +117,7 @@ void CommandRun::followHold(Instant now) {
   const bool held = under_way && context_.robot.held();
   if (held) {
     if (!held_since_) held_since_ = now;
-    if (phase_ == Phase::Active) report(Phase::Held, holdText(), now);
+    if (phase_ == Phase::Active || phase_ == Phase::Queued) report(Phase::Held, holdText(), now);
   } else if (held_since_) {
     const Duration pause = now - *held_since_;
     held_since_.reset();
@@ -125,15 +126,27 @@ void CommandRun::followHold(Instant now) {
     if (active_at_) *active_at_ += pause;
     if (moving_from_) *moving_from_ += pause;
     give_up_at_ += pause;
-    if (phase_ == Phase::Held) becomeActive(now);
+    if (phase_ == Phase::Held) goOn(now);
+  }
+}
+
+void CommandRun::goOn(Instant now) {
+  if (moving_from_ || !active_at_ || now >= *active_at_) {
+    becomeActive(now);
+  } else {
+    report(Phase::Queued, kBehindAnother, now);
   }
 }
 
 std::string CommandRun::holdText() const {
   constexpr const char* kResume = "program_control with RESUME, or the pendant, continues it";
-  if (!context_.robot.paused()) return "held by a safeguard: it goes on when that is released";
-  return fmt::format(
-      "{}: {}", order_.pauses ? "held by a Pause() in the script" : "held, the project is paused", kResume);
+  const char* in_front = phase_ == Phase::Queued ? "waits for the motion in front of it, " : "";
+  if (!context_.robot.paused()) {
+    return fmt::format("{}held by a safeguard: it goes on when that is released", in_front);
+  }
+  return fmt::format("{}{}: {}", in_front,
+                     order_.pauses ? "held by a Pause() in the script" : "held, the project is paused",
+                     kResume);
 }
 
 void CommandRun::fire(Event event, Instant now) {
@@ -199,10 +212,11 @@ void CommandRun::awaitTag(Instant now) {
   deadline_ = now + timeFor(order_, context_.settings);
   if (order_.plan && order_.plan->start_delay > Duration::zero()) {
     active_at_ = now + order_.plan->start_delay;
-    report(Phase::Queued, "accepted, waits for the motion in front of it", now);
+    report(Phase::Queued, kBehindAnother, now);
   } else {
     becomeActive(now);
   }
+  followHold(now);
 }
 
 void CommandRun::askTag(bool early, Instant now) {

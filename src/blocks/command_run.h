@@ -77,6 +77,7 @@ class CommandRun {
   void extend(Instant now);
   void askForStop(Instant now);
   void followHold(Instant now);
+  void goOn(Instant now);
   [[nodiscard]] std::string holdText() const;
 
   // --- Evidence (command_run_evidence.cpp).

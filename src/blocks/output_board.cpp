@@ -59,10 +59,10 @@ void OutputBoard::accept(Block block, GoalId goal, int command_id_ack) {
 }
 
 void OutputBoard::progress(Block block, GoalId goal, Progress progress) {
-  // A goal that waits says nothing of what the block does meanwhile.
-  if (progress.place_in_queue == 0) {
-    of(block).active = progress.phase == Phase::Active || progress.phase == Phase::Held ||
-                       progress.phase == Phase::Dwelling || progress.phase == Phase::Connected;
+  // A goal that waits says nothing of what the block does meanwhile. What is held may not have begun.
+  if (progress.place_in_queue == 0 && progress.phase != Phase::Held) {
+    of(block).active = progress.phase == Phase::Active || progress.phase == Phase::Dwelling ||
+                       progress.phase == Phase::Connected;
   }
   actions_.push_back(GoalProgressed{goal, std::move(progress)});
 }

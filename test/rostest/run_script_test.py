@@ -48,6 +48,15 @@ class RunScript(MotionTestCase):
     def test_is_held_by_a_pause_and_stopped_by_a_cancel(self):
         self.assert_is_held_by_a_pause(move_script(5))
 
+    def test_is_held_behind_a_motion_that_a_script_has_paused(self):
+        self.assert_done(self.robot.run(script("Pause()", *move_script(5, await_motion=False).script.split("\n"))))
+        sent = self.robot.send(script('PTP("JPP",5,0,90,0,90,0,50,200,0,false)', await_motion=True))
+        held = sent.wait_for_feedback(lambda f: f.phase == f.HELD, "HELD")
+        self.assertIn("the project is paused: program_control with RESUME", held.text)
+        self.robot.operate("resume_project")
+        self.assert_done(sent.finish())
+        self.assert_stands_at((5, 0, 90, 0, 90, 0))
+
     # --- Inputs.
     def test_refuses_scripts_that_it_must_not_send(self):
         self.assert_refuses([

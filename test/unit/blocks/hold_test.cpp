@@ -96,6 +96,39 @@ TEST_F(Hold, thatBeganBeforeTheAcceptanceIsToldAndTakesNoTime) {
   endIt(id);
 }
 
+/// What is held is the motion in front of it, which was done for its goal when it was accepted.
+TEST_F(Hold, inFrontOfAMotionThatWaitsForAnotherIsToldToo) {
+  RunScriptGoal front = pausing();
+  front.await_motion = false;
+  rig.submit(front);
+  rig.reply(rig.takeScript().id);
+  rig.status(StatusFrames().paused());
+  RunScriptGoal second = pausing();
+  second.script = "PTP(\"JPP\",20,0,90,0,90,0,30,300,0,false)";
+  const GoalId id = rig.submit(second);
+  rig.reply(rig.takeScript().id);
+  expectHeld(id, HasSubstr("the motion in front of it"));
+  for (int i = 0; i < 40; ++i) {
+    rig.pass(500ms);
+    rig.status(StatusFrames().paused());
+  }
+  expectHeld(id, AllOf(HasSubstr("the motion in front of it"), HasSubstr("held, the project is paused"),
+                       HasSubstr("program_control")));
+  EXPECT_FALSE(rig.outputs(Block::RunScript).active) << "nothing of it is executed";
+  rig.status(StatusFrames().moving());
+  EXPECT_EQ(rig.progress(id).back().phase, Phase::Queued) << "its turn is still to come";
+  EXPECT_FALSE(rig.outputs(Block::RunScript).active);
+  for (int i = 0; i < 4; ++i) {
+    rig.pass(500ms);
+    rig.status(StatusFrames().moving());
+  }
+  EXPECT_EQ(rig.progress(id).back().phase, Phase::Active);
+  rig.tag(rig.latest().open_tags.at(0));
+  rig.status(StatusFrames().at({20, 0, 90, 0, 90, 0}));
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::Done) << rig.outcome(id)->error_description;
+}
+
 TEST_F(Hold, byAPauseThatTheStreamDoesNotShowIsToldWithTheAcceptance) {
   rig.status(StatusFrames().without("Project_Pause"));
   const GoalId id = rig.submit(pausing());
