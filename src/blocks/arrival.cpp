@@ -90,13 +90,18 @@ std::optional<TargetKind> targetKindOf(const Command& command) {
   }
 }
 
+/// Whatever was queued before it leaves the robot somewhere on its way.
+bool stops(const protocol::ScriptCommand& command) {
+  return std::holds_alternative<protocol::StopAndClearBuffer>(command);
+}
+
 }  // namespace
 
 std::optional<TargetKind> targetKindOf(const std::vector<protocol::ScriptCommand>& commands) {
   std::optional<TargetKind> last;
   for (const auto& command : commands) {
     const auto kind = std::visit([](const auto& c) { return targetKindOf(c); }, command);
-    if (kind) last = kind;
+    if (kind || stops(command)) last = kind;
   }
   return last;
 }
@@ -108,7 +113,7 @@ std::optional<Target> jointTargetOf(const std::vector<protocol::ScriptCommand>& 
     if (ptp != nullptr && ptp->format.target == protocol::DataFormat::Target::Joint) {
       // Where it began is not known, so that it may be there.
       last = Target{TargetKind::Joints, arm::toJointVector(ptp->target), arm::Pose::Identity(), true};
-    } else if (std::visit([](const auto& c) { return targetKindOf(c); }, command)) {
+    } else if (stops(command) || std::visit([](const auto& c) { return targetKindOf(c); }, command)) {
       last.reset();
     }
   }

@@ -30,7 +30,7 @@ struct Target {
   bool is_the_start = false;  ///< it ends where it began, or next to it: to be there says little
 };
 
-/// Of the last motion among them; nothing when there is none.
+/// Of the last motion among them; nothing when there is none, or a stop behind it.
 [[nodiscard]] std::optional<TargetKind> targetKindOf(const std::vector<protocol::ScriptCommand>& commands);
 
 /// Of a last motion to joints: that is known also where it cannot be planned, for want of a start or a model.

@@ -76,6 +76,8 @@ Result<PlannedStep, motion::Refusal> ScriptPlanner::append(const protocol::Scrip
           return append(ScriptMotion(one), arrival);
         } else if constexpr (std::is_same_v<decltype(one), const protocol::PvtExit&>) {
           return append(ScriptMotion(pvt_), arrival);
+        } else if constexpr (std::is_same_v<decltype(one), const protocol::StopAndClearBuffer&>) {
+          return stop(arrival);
         } else {
           note(one);
           PlannedStep no_motion;
@@ -153,6 +155,18 @@ std::optional<BlendMisfit> ScriptPlanner::misfitOf(const motion::Trajectory& tra
   const double allowed = 0.5 * toolWay(arm_, trajectory, setting().tcp);
   const BlendMisfit misfit{std::max(before, behind), allowed, before > behind};
   return misfit.radius > allowed + kRounding ? std::optional(misfit) : std::nullopt;
+}
+
+PlannedStep ScriptPlanner::stop(Duration arrival) {
+  PlannedStep step;
+  step.start = std::min(arrival, duration_);
+  step.planned = arrival >= duration_;
+  if (!step.planned) {
+    end_.reset();
+    blend_.reset();
+    duration_ = arrival;
+  }
+  return step;
 }
 
 ScriptPlanner::Appended ScriptPlanner::appendUnplanned(const motion::Command& command) {

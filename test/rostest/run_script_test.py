@@ -57,6 +57,9 @@ class RunScript(MotionTestCase):
         self.assert_done(sent.finish())
         self.assert_stands_at((5, 0, 90, 0, 90, 0))
 
+    def test_is_done_wherever_its_own_stop_leaves_the_robot(self):
+        self.assert_done(self.robot.run(script(move_script(5).script, "StopAndClearBuffer()", await_motion=True)))
+
     # --- Inputs.
     def test_refuses_scripts_that_it_must_not_send(self):
         self.assert_refuses([

@@ -31,7 +31,7 @@ struct BlendMisfit {
 };
 
 struct PlannedStep {
-  /// False: a motion of which nobody can say more, as its start, base or TCP is not known.
+  /// False: a motion of which nobody can say more, as its start, base or TCP is not known; or a stop of one.
   bool planned = true;
   /// As the arm makes it if nothing comes behind; null for what is no motion, and for what is not planned.
   motion::TrajectoryPtr trajectory;
@@ -62,8 +62,9 @@ class ScriptPlanner {
   /// any other name that frame is unknown, and only motions in joint space are planned. After a motion that
   /// was not planned nothing is, until the next joint target says where the arm is again. Everything else
   /// takes no time; so do the points of a PVT, which is one motion, made at its PVTExit. Velocities that are
-  /// set are no motions here: nobody knows how long they last. A motion with a blend value passes into the
-  /// next one, unless the TCP changes or the script waits for a tag between them.
+  /// set are no motions here: nobody knows how long they last. A stop while there is motion leaves the arm
+  /// where nobody knows: it is no step that is planned. A motion with a blend value passes into the next one,
+  /// unless the TCP changes or the script waits for a tag between them.
   ///
   /// `arrival`: when the robot gets the command, since the sequence began. One that arrives after the motion
   /// before it has ended starts from rest then; one that arrives after the place where it could have blended
@@ -91,6 +92,7 @@ class ScriptPlanner {
   using Appended = Result<PlannedStep, motion::Refusal>;
 
   [[nodiscard]] Appended append(const ScriptMotion& motion, Duration arrival);
+  PlannedStep stop(Duration arrival);
   void note(const protocol::ChangeBase& change);
   void note(const protocol::ChangeTcp& change);
   void note(const protocol::QueueTag& tag);

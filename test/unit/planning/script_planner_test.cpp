@@ -96,6 +96,26 @@ TEST_F(ScriptPlannerTest, knowsTheArmAgainAfterTheNextJointTarget) {
   EXPECT_TRUE(append(planner, "Move_Line(\"CAP\",0,0,-50,0,0,0,100,200,0,false)").planned);
 }
 
+TEST_F(ScriptPlannerTest, doesNotKnowWhereAStopLeavesTheArm) {
+  EXPECT_TRUE(append(planner, "StopAndClearBuffer()").planned) << "nothing moves yet";
+  EXPECT_TRUE(planner.jointsKnown());
+  append(planner, "PTP(\"JPP\",0,0,90,0,90,0,50,200,0,false)");
+  EXPECT_FALSE(append(planner, "StopAndClearBuffer()").planned);
+  EXPECT_FALSE(planner.jointsKnown());
+  EXPECT_FALSE(append(planner, "Move_Line(\"CAP\",0,0,-50,0,0,0,100,200,0,false)").planned);
+  append(planner, "PTP(\"JPP\",0,0,90,0,90,0,50,200,0,false)");
+  EXPECT_TRUE(planner.jointsKnown());
+}
+
+TEST_F(ScriptPlannerTest, knowsTheArmBehindAStopThatComesWhenAllIsDone) {
+  append(planner, "PTP(\"JPP\",0,0,90,0,90,0,50,200,0,false)");
+  const auto stop =
+      planner.append(protocol::ScriptCommand(protocol::StopAndClearBuffer{}), planner.duration());
+  ASSERT_TRUE(stop);
+  EXPECT_TRUE(stop->planned);
+  EXPECT_EQ(planner.joints(), arm::toJointVector({0, 0, 90, 0, 90, 0}));
+}
+
 TEST_F(ScriptPlannerTest, refusesAJointTargetOutsideTheLimitsFromAnUnknownStartToo) {
   ScriptPlanner lost(model(), ScriptPlanner::Start{});
   EXPECT_EQ(refusalOf(lost, "PTP(\"JPP\",0,0,170,0,90,0,50,200,0,false)").reason,
