@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Runs pick-and-place cycles through the action `pick_and_place` and prints what became of each step.
+A link that is there already is used, and stays; else it makes one, and closes it.
 
 Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 only if every step is Done, 1 if not, 2 if the command node or the steps
 cannot be used.
@@ -44,8 +45,11 @@ def main():
             return 2
     link = None
     try:
-        link = connect.send_goal(ConnectGoal(host=arguments.host, port=arguments.port, timeout=CONNECT_TIMEOUT))
-        return run(pick_and_place, arguments) if is_ready(link) else 1
+        if not is_there(arguments):
+            link = connect.send_goal(ConnectGoal(host=arguments.host, port=arguments.port, timeout=CONNECT_TIMEOUT))
+            if not is_ready(link):
+                return 1
+        return run(pick_and_place, arguments)
     except KeyboardInterrupt:
         return 1
     finally:
@@ -72,6 +76,23 @@ def parse_arguments():
     return parser.parse_args(rospy.myargv()[1:])
 
 
+def is_there(arguments):
+    """A link to the right controller is there already, of another connect goal or of ~auto_connect."""
+    try:
+        status = rospy.wait_for_message("command_status", CommandStatus, timeout=10.0)
+    except rospy.ROSException:
+        return False
+    right = arguments.host in ("", status.host) and arguments.port in (0, status.port)
+    return right and is_usable(status)
+
+
+def is_usable(status):
+    if status.link_state != CommandStatus.READY or not status.status_stream:
+        return False
+    print(f"connected to {status.host}:{status.port}, in Listen node \"{status.listen_node}\"\n")
+    return True
+
+
 def is_ready(link):
     """Waits until commands can be sent over the link, whose goal stays active; False when it has ended."""
     deadline = rospy.Time.now() + rospy.Duration(CONNECT_TIMEOUT + 5.0)
@@ -82,8 +103,7 @@ def is_ready(link):
             continue
         if link.get_comm_state() == CommState.DONE:
             break
-        if status.link_state == CommandStatus.READY and status.status_stream:
-            print(f"connected to {status.host}:{status.port}, in Listen node \"{status.listen_node}\"\n")
+        if is_usable(status):
             return True
     result = link.get_result()
     print("not connected: " + (f"{result.error_description} -> {result.remedy}" if result else "no answer"))

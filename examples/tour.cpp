@@ -1,6 +1,6 @@
 // A tour of the actions: connects, checks before it moves, moves in three ways with blending, works in
 // another base with another tool, pauses and resumes, stops, and comes back. Needs about 1 m of free space
-// around the robot.
+// around the robot. A link that is there already is used, and stays; else the tour makes one, and closes it.
 //
 // Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 when everything went as it should, 1
 // with the reason when not. The same in Python: tour.py.
@@ -130,11 +130,16 @@ class Client {
   /// Returns when the goal is taken, that is when it may be cancelled.
   void start(const Goal& goal) {
     if (interrupted != 0) throw std::runtime_error("interrupted");
-    if (!client_.waitForServer(kTimeout)) {
-      throw std::runtime_error("no action server " + name_ + ": is the command node running?");
-    }
+    waitForServer();
     client_.sendGoal(goal);
     while (ros::ok() && client_.getState() == State::PENDING) ros::Duration(0.01).sleep();
+  }
+
+  /// The last goal of all, which nothing interrupts; how it ends changes nothing any more.
+  void runLast(const Goal& goal) {
+    if (client_.isServerConnected() || client_.waitForServer(kCloseTimeout)) {
+      client_.sendGoalAndWait(goal, kCloseTimeout, kCloseTimeout);
+    }
   }
 
   Result expect(State::StateEnum state) {
@@ -150,6 +155,11 @@ class Client {
     return result;
   }
 
+  void waitForServer() {
+    if (client_.waitForServer(kTimeout)) return;
+    throw std::runtime_error("no action server " + name_ + ": is the command node running?");
+  }
+
   bool isActive() { return client_.getState() == State::ACTIVE; }
   void cancelAndWait() {
     client_.cancelGoal();
@@ -161,27 +171,47 @@ class Client {
   actionlib::SimpleActionClient<Action> client_;
 };
 
+/// Commands can be sent.
+bool isReady() {
+  // Latched: the newest is there at once.
+  const auto status = ros::topic::waitForMessage<CommandStatus>("command_status", ros::Duration(10));
+  return status && status->link_state == CommandStatus::READY && status->status_stream;
+}
+
 /// Ready to send commands as long as it lives.
 class Link {
  public:
   Link() {
+    client_.waitForServer();
+    is_others_ = isReady();
+    std::puts(is_others_ ? "A link is there: it is used, and stays"
+                         : "Connect: the goal stays active as long as the link lives");
+    if (!is_others_) open();
+  }
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+  /// Leaves a robot that stands: by the normal end of connect, or, over a link of somebody else, by a stop.
+  ~Link() {
+    if (is_others_) {
+      Client<StopAction>("stop").runLast(StopGoal());
+    } else {
+      client_.cancelAndWait();
+    }
+  }
+
+ private:
+  void open() {
     ConnectGoal goal;
     goal.timeout = 20;
     client_.start(goal);
     while (client_.isActive()) {
-      // Latched: the newest is there at once.
-      const auto status = ros::topic::waitForMessage<CommandStatus>("command_status", ros::Duration(10));
-      if (status && status->link_state == CommandStatus::READY && status->status_stream) return;
+      if (isReady()) return;
     }
     client_.expect(State::ACTIVE);
   }
-  Link(const Link&) = delete;
-  Link& operator=(const Link&) = delete;
-  /// The normal end of connect.
-  ~Link() { client_.cancelAndWait(); }
 
- private:
   Client<ConnectAction> client_{"connect"};
+  bool is_others_ = false;
 };
 
 void show(const Transformation& tool) {
@@ -253,7 +283,6 @@ int main(int argc, char** argv) {
   heedSignals();
   const ros::NodeHandle node;
   try {
-    std::puts("Connect: the goal stays active as long as the link lives");
     const Link link;
     checkBeforeMoving();
     moveInThreeWays();

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """A tour of the actions: connects, checks before it moves, moves in three ways with blending, works in another base
 with another tool, pauses and resumes, stops, and comes back. Needs about 1 m of free space around the robot.
+A link that is there already is used, and stays; else the tour makes one, and closes it.
 
 Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 when everything went as it should, 1 with the
 reason when not. The same in C++: tour.cpp.
@@ -41,10 +42,10 @@ class Failed(Exception):
 class Tour:
     def __init__(self):
         self.clients = {}  # not simple ones, which would miss an answer that comes at once (doc/actions/README.md)
-        self.link = None
+        self.link = None  # the goal of one of its own
+        self.uses_others_link = False
 
     def run(self):
-        print("Connect: the goal stays active as long as the link lives")
         self.connect()
 
         print("Check a sequence that begins at home: nothing is sent")
@@ -87,17 +88,23 @@ class Tour:
         self.do("move_absolute", HOME)
 
     def connect(self):
+        self.client("connect", msg.ConnectAction)
+        if is_ready():
+            print("A link is there: it is used, and stays")
+            self.uses_others_link = True
+            return
+        print("Connect: the goal stays active as long as the link lives")
         self.link = self.start("connect", msg.ConnectGoal(timeout=20))
         while self.link.get_goal_status() == GoalStatus.ACTIVE:
-            # Latched: the newest is there at once.
-            status = rospy.wait_for_message("command_status", CommandStatus, timeout=10)
-            if status.link_state == CommandStatus.READY and status.status_stream:
+            if is_ready():
                 return
         self.expect("connect", self.link, GoalStatus.ACTIVE)
 
-    def disconnect(self):
-        """The normal end of connect. Without one it does nothing."""
-        if self.link and self.link.get_goal_status() == GoalStatus.ACTIVE:
+    def leave(self):
+        """Leaves a robot that stands: by the normal end of connect, or, over a link of somebody else, by a stop."""
+        if self.uses_others_link:
+            self.expect("stop", self.start("stop", msg.StopGoal()), GoalStatus.SUCCEEDED, CLOSE_TIMEOUT)
+        elif self.link and self.link.get_goal_status() == GoalStatus.ACTIVE:
             self.link.cancel()
             self.expect("connect", self.link, GoalStatus.SUCCEEDED, CLOSE_TIMEOUT)
 
@@ -107,14 +114,16 @@ class Tour:
 
     def start(self, action, goal):
         """Sends a goal and waits until it is taken, that is until it may be cancelled."""
+        sent = self.client(action, getattr(msg, type(goal).__name__.replace("Goal", "Action"))).send_goal(goal)
+        wait_until(lambda: sent.get_goal_status() != GoalStatus.PENDING, f"an answer of {action}")
+        return sent
+
+    def client(self, action, kind):
         if action not in self.clients:
-            kind = getattr(msg, type(goal).__name__.replace("Goal", "Action"))
             self.clients[action] = actionlib.ActionClient(action, kind)
         if not self.clients[action].wait_for_server(rospy.Duration(TIMEOUT)):
             raise Failed(f"no action server {rospy.resolve_name(action)}: is the command node running?")
-        sent = self.clients[action].send_goal(goal)
-        wait_until(lambda: sent.get_goal_status() != GoalStatus.PENDING, f"an answer of {action}")
-        return sent
+        return self.clients[action]
 
     @staticmethod
     def expect(action, sent, state, timeout=TIMEOUT):
@@ -123,6 +132,13 @@ class Tour:
         if sent.get_goal_status() != state:
             raise Failed(f"{action}: 16#{result.error_id:X} {result.error_description} -> {result.remedy}")
         return result
+
+
+def is_ready():
+    """Commands can be sent."""
+    # Latched: the newest is there at once.
+    status = rospy.wait_for_message("command_status", CommandStatus, timeout=10)
+    return status.link_state == CommandStatus.READY and status.status_stream
 
 
 def wait_until(condition, what, timeout=TIMEOUT):
@@ -147,15 +163,23 @@ def main():
         if signal.getsignal(number) != signal.SIG_IGN:  # nohup ignores SIGHUP
             signal.signal(number, interrupt)
     tour = Tour()
+    over = False
     try:
-        tour.run()
+        over = succeeds(tour.run)
+    finally:
+        over = succeeds(tour.leave) and over
+    if over:
+        print("The tour is over")
+    return 0 if over else 1
+
+
+def succeeds(part):
+    try:
+        part()
     except (Failed, rospy.ROSException) as failure:
         print(f"The tour ends here: {failure}")
-        return 1
-    finally:
-        tour.disconnect()
-    print("The tour is over")
-    return 0
+        return False
+    return True
 
 
 if __name__ == "__main__":

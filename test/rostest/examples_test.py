@@ -17,6 +17,7 @@ from cobot_test import program
 from motion_checks import MotionTestCase
 
 CLIENT_DEADLINE = 120  # [s]
+CLIENTS = (["pick_and_place.py", "--cycles", "0"], ["tour.py"], ["tour"])
 PACKAGE = pathlib.Path(rospkg.RosPack().get_path("cobot_command"))
 # ```sh example [state [error id]]; the state is SUCCEEDED when it is not given
 EXAMPLE = re.compile(r"^```sh example *(?P<state>\w*) *(?:16#(?P<error_id>\w+))?\n(?P<command>.*?)^```$", re.M | re.S)
@@ -58,21 +59,32 @@ class Examples(MotionTestCase):
             self.assertEqual(len(re.findall(rf"^ +[12] +\d  {name}  .*  Done$", output, re.M)), 2, output)
         self.assertIn("2 cycle(s), all steps Done", output)
 
+    def test_clients_use_a_link_that_is_there_and_leave_it(self):
+        for command, end in ((["tour.py"], "The tour is over"), (["tour"], "The tour is over"),
+                             (["pick_and_place.py"], "1 cycle(s), all steps Done")):
+            with self.subTest(command=command):
+                self.assertIn(end, self.run_client(*command, closed=False))
+                self.assertEqual(self.robot.connect.state(), GoalStatus.ACTIVE)
+        for command in CLIENTS:
+            with self.subTest(interrupted=command):
+                self.interrupt(command, signal.SIGINT)
+                self.assertEqual(self.robot.connect.state(), GoalStatus.ACTIVE)
+
     def test_clients_stop_the_robot_when_they_are_told_to_end(self):
-        for command in (["pick_and_place.py", "--cycles", "0"], ["tour.py"], ["tour"]):
+        for command in CLIENTS:
             for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
                 with self.subTest(command=command, signal=number.name):
-                    self.interrupt([program(command[0]), *command[1:]], number)
+                    self.robot.close()
+                    self.interrupt(command, number)
+                    self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.DISCONNECTED, "the closed link")
 
     def interrupt(self, command, number):
-        self.robot.close()
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as client:
+        with subprocess.Popen([program(command[0]), *command[1:]], stdout=subprocess.PIPE, text=True) as client:
             self.robot.wait_for_motion()
             client.send_signal(number)
             output, _ = client.communicate(timeout=CLIENT_DEADLINE)
         self.assertEqual(client.returncode, 1, output)
         self.assertIn("interrupted", output)
-        self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.DISCONNECTED, "the closed link")
         self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill")
 
     def test_pick_and_place_tells_steps_that_it_cannot_use(self):
@@ -86,8 +98,9 @@ class Examples(MotionTestCase):
         for goal in (base(base_name="RobotBase"), tcp(tcp_name="NOTOOL")):
             self.assert_done(self.robot.run(goal))
 
-    def run_client(self, name, *arguments, exit_status=0):
-        self.robot.close()
+    def run_client(self, name, *arguments, exit_status=0, closed=True):
+        if closed:
+            self.robot.close()
         done = subprocess.run([program(name), *arguments], capture_output=True, text=True, timeout=CLIENT_DEADLINE,
                               check=False)
         self.assertEqual(done.returncode, exit_status, done.stdout + done.stderr)
