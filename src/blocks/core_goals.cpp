@@ -191,7 +191,7 @@ Outcome CommandCore::Impl::checkCycle(const PickAndPlaceGoal& goal,
 
 CommandCore::Impl::Failures CommandCore::Impl::checkLink() const {
   if (!connect_.busy() || connect_.disconnecting() || !script_.established()) {
-    return {{motion_error::kNotConnected, script_.diagnosis(), ""}};
+    return {{motion_error::kNotConnected, linkDiagnosis(), ""}};
   }
   if (script_.state() != link::ScriptLinkState::Ready) {
     return {{own_error::kNotListening, script_.diagnosis(), ""}};
@@ -201,7 +201,7 @@ CommandCore::Impl::Failures CommandCore::Impl::checkLink() const {
 
 CommandCore::Impl::Failures CommandCore::Impl::checkConnection() const {
   if (script_.connected()) return {};
-  return {{motion_error::kNotConnected, script_.diagnosis(), ""}};
+  return {{motion_error::kNotConnected, linkDiagnosis(), ""}};
 }
 
 CommandCore::Impl::Failures CommandCore::Impl::checkReadiness(BufferMode mode) const {
@@ -247,6 +247,7 @@ void CommandCore::Impl::cancel(GoalId id, Instant now, std::optional<GoalId> new
                 newest.value_or(newestGoal()));
     abortRunning("cancelled", now);
   } else if (connect_.busy() && connect_.goal() == id) {
+    if (kept_) kept_no_more_ = true;
     kept_.reset();
     connect_.cancel(now);
     abortAll("the connection is being closed", newest.value_or(newestGoal()), now);
@@ -268,6 +269,7 @@ FinishReport CommandCore::Impl::finish(FinishAfter after, Instant now, std::opti
 
 void CommandCore::Impl::keepConnected(const ConnectGoal& target, Instant now) {
   kept_ = target;
+  kept_no_more_ = false;
   settle(now);
 }
 

@@ -176,6 +176,7 @@ class CommandCore::Impl : private link::Wire {
   void robotChanged(Instant now);
 
   // --- What everyone may know (core_status.cpp).
+  [[nodiscard]] std::string linkDiagnosis() const;
   void publishStatus();
   void publishFrames();
   void tellPath(GoalId goal, const Plan& plan);
@@ -209,6 +210,7 @@ class CommandCore::Impl : private link::Wire {
   std::deque<Waiting> waiting_;
   LooseMotion loose_;
   std::optional<ConnectGoal> kept_;  ///< the link to keep while no connect goal is Busy
+  bool kept_no_more_ = false;        ///< a connect goal was cancelled: who disconnects means it
   Life life_ = Life::Working;
   std::uint64_t late_events_ = 0;
   CommandStatus published_;

@@ -130,8 +130,9 @@ SettingTable deadlineTable(link::LinkSettings& l) {
 SettingTable behaviourTable(CommandParameters& p) {
   return {
       {"auto_connect", flag(p.auto_connect),
-       "connects by itself and keeps the link; a connect goal takes it over. Nothing that was under way "
-       "resumes"},
+       "connects by itself and keeps the link. A connect goal takes it over: when that fails, or its link is "
+       "lost, the node's own comes back; when it is cancelled, there is no link until the next connect goal. "
+       "Nothing that was under way resumes"},
       {"auto_reconnect", flag(p.link.auto_reconnect),
        "a connect goal whose link is lost stays active and tries again"},
       {"stop_orphaned_motion", flag(p.link.stop_orphaned_motion),

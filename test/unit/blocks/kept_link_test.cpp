@@ -1,12 +1,15 @@
 // A link that is kept without a goal: it comes by itself, comes again, and gives way to a connect goal.
 
 #include "core_rig.h"
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace cobot_command::testing {
 namespace {
 
 using namespace blocks;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using State = CommandStatus::LinkState;
 
 struct Rig : CoreRig {
@@ -61,6 +64,39 @@ TEST(KeptLink, isTakenOverByAConnectGoalForTheSameController) {
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
   rig.pass(10s);
   EXPECT_FALSE(rig.pendingOpen(link::Channel::Script)) << "who disconnects means it";
+}
+
+TEST(KeptLink, saysThatACancelledConnectGoalHasEndedIt) {
+  Rig rig;
+  rig.open();
+  rig.cancel(rig.submit(CoreRig::robot()));
+  EXPECT_EQ(rig.latest().link, State::Disconnected);
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("has ended the automatic link"));
+  const GoalId move = rig.submit(CoreRig::move());
+  EXPECT_EQ(rig.outcome(move)->error_id, motion_error::kNotConnected);
+  EXPECT_THAT(rig.outcome(move)->error_description, HasSubstr("send a connect goal"));
+  rig.submit(CoreRig::robot());
+  rig.open();
+  EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("automatic link")));
+}
+
+TEST(KeptLink, comesBackWhenAConnectGoalForAnotherControllerFails) {
+  Rig rig;
+  rig.open();
+  ConnectGoal wrong = CoreRig::robot();
+  wrong.host = "wrong";
+  const GoalId goal = rig.submit(wrong);
+  for (int i = 0; i < 1000 && rig.outcome(goal) == nullptr; ++i) {
+    rig.failOpen(link::OpenFailure::Kind::UnknownHost);
+    rig.pass(1s);
+  }
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->error_id, connect_error::kConnection);
+  rig.pass(1s);
+  ASSERT_TRUE(rig.pendingOpen(link::Channel::Script));
+  EXPECT_EQ(rig.pendingOpen(link::Channel::Script)->host, CoreRig::robot().host);
+  rig.open();
+  EXPECT_EQ(rig.latest().link, State::Ready);
 }
 
 TEST(KeptLink, tellsAConnectGoalThatTakesItOverWhenItWasMade) {
