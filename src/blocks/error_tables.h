@@ -29,6 +29,9 @@ class ErrorTable {
   /// The same, raised under another condition here.
   ErrorTable& shared(int id, const char* raised_when);
 
+  /// Another remedy for a row that is there already.
+  ErrorTable& remedy(int id, const char* remedy);
+
   /// The steps of the thesis that every one of its command blocks has: build, send, receive.
   ErrorTable& thesisCommand();
   /// A command_id that is only echoed. The thesis has no such row in the blocks without a queue tag: it sends

@@ -49,7 +49,10 @@ void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
       return;
     }
     const int id = state_ == State::Setting ? own_error::kOutputFailed : own_error::kStepFailed;
-    failStep(id, {outcome.error_id, outcome.error_description, ""}, outcome.remedy, now);
+    // Nobody who gave an output has lines to correct: 16#257 has a remedy of its own.
+    const bool refused_output = state_ == State::Setting && outcome.error_id == motion_error::kRejected;
+    failStep(id, {outcome.error_id, outcome.error_description, ""}, refused_output ? "" : outcome.remedy,
+             now);
     return;
   }
   if (outcome.ending == Ending::CommandAborted || beginsNoMore()) {

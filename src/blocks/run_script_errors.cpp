@@ -7,6 +7,9 @@ namespace cobot_command::blocks {
 std::vector<ErrorEntry> runScriptErrors() {
   return ErrorTable(Block::RunScript)
       .anyCommand()
+      .remedy(motion_error::kRejected,
+              "Correct the lines that the description names; sent again as they are they "
+              "fail again")
       .turn()
       .motion()
       .row(

@@ -204,6 +204,13 @@ ErrorTable& ErrorTable::shared(int id, const char* raised_when) {
   return row(id, error.description, error.remedy, raised_when);
 }
 
+ErrorTable& ErrorTable::remedy(int id, const char* remedy) {
+  for (ErrorEntry& row : rows_) {
+    if (row.id == id) row.remedy = remedy;
+  }
+  return *this;
+}
+
 ErrorTable& ErrorTable::thesisCommand() {
   return shared({motion_error::kClearBuffer, motion_error::kChecksumLength, motion_error::kFrameBuilding,
                  motion_error::kSend});
