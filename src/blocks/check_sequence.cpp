@@ -59,9 +59,9 @@ std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, bo
   }
   if (!has_model) failures.push_back({own_error::kNoModel, "", ""});
   if (!goal.steps_fault.empty()) {
-    failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, ""});
+    failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, "", {goal.faulty_step, 0, ""}});
   } else if (goal.steps.empty() || goal.steps.size() > kMostSequenceSteps) {
-    failures.push_back({own_error::kStepCount, fmt::format("{} steps", goal.steps.size()), ""});
+    failures.push_back({own_error::kStepCount, foundSteps(goal.steps.size(), kMostSequenceSteps), ""});
   }
   return failures;
 }
@@ -151,19 +151,17 @@ class Sequence {
     const Outcome refusal = toRejection(blockOf(goal_.steps[step]), fault.failures);
     outcome_.steps.resize(step + 1);
     planned_.resize(std::min(planned_.size(), outcome_.steps.size()));
+    const Outcome rejection =
+        toRejection(Block::CheckSequence, {stepRefused(step, goal_.steps.size(), refusal)});
     StepReport& report = outcome_.steps.back();
     report.error_id = refusal.error_id;
-    report.error_description = refusal.error_description + ". " + refusal.remedy;
+    report.error_description = rejection.steps.back().error_description;
     report.offending_point = fault.point;
-    const std::string found = fmt::format("step {} of {}: 16#{:X} {}", step + 1, goal_.steps.size(),
-                                          refusal.error_id, refusal.error_description);
-    const Outcome rejection =
-        toRejection(Block::CheckSequence, {{own_error::kStepRefused, found, refusal.remedy}});
     outcome_.ending = rejection.ending;
     outcome_.error_id = rejection.error_id;
     outcome_.error_description = rejection.error_description;
     outcome_.remedy = rejection.remedy;
-    outcome_.failed_step = static_cast<int>(step);
+    outcome_.failed_step = rejection.failed_step;
   }
 
   /// Each to where the next motion takes over, which is before its own end where they blend.

@@ -43,21 +43,6 @@ std::optional<Failure> findIn(const MoveCircleGoal& goal, const FrameFinder& fin
   return find("end_pose", goal.end_pose, finder);
 }
 
-/// In the form of a cycle whose plan was refused.
-Outcome refusalOfStep(const PickAndPlaceGoal& goal, std::size_t step, const Failure& failure) {
-  const Outcome own = toRejection(Block::MoveAbsolute, {failure});
-  Outcome outcome =
-      toRejection(Block::PickAndPlace, {{own_error::kStepRefused,
-                                         fmt::format("step {} of {}: 16#{:X} {}", step + 1, goal.steps.size(),
-                                                     own.error_id, own.error_description),
-                                         own.remedy}});
-  outcome.failed_step = static_cast<int>(step);
-  outcome.steps.resize(step + 1);
-  outcome.steps.back().error_id = own.error_id;
-  outcome.steps.back().error_description = own.error_description + ". " + own.remedy;
-  return outcome;
-}
-
 }  // namespace
 
 std::optional<Failure> findMovedFrame(const MoveAbsoluteGoal& goal, const FrameFinder& finder) {
@@ -68,7 +53,8 @@ std::optional<Outcome> refusalOfMovedFrame(const Goal& goal, const FrameFinder& 
   if (const auto* cycle = std::get_if<PickAndPlaceGoal>(&goal)) {
     for (std::size_t i = 0; i < cycle->steps.size(); ++i) {
       if (const auto moved = findMovedFrame(cycle->steps[i].move, finder)) {
-        return refusalOfStep(*cycle, i, *moved);
+        const Outcome own = toRejection(Block::MoveAbsolute, {*moved});
+        return toRejection(Block::PickAndPlace, {stepRefused(i, cycle->steps.size(), own)});
       }
     }
     return std::nullopt;

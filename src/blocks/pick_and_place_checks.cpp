@@ -1,6 +1,7 @@
 // What is wrong with a pick-and-place goal before anything is planned.
 
 #include <algorithm>
+#include <utility>
 
 #include "block_rules.h"
 #include "command_order.h"
@@ -22,26 +23,29 @@ bool isOutput(const OutputAction& output) {
   return module && output.output >= 0 && output.output < protocol::ioCount(*module);
 }
 
-void checkStep(const PickAndPlaceStep& step, std::size_t number, std::vector<Failure>& failures) {
+/// What is wrong with a step besides its move.
+Failure blame(int error_id, std::string found, std::size_t index) {
+  return {error_id, std::move(found), "", {static_cast<int>(index), 0, ""}};
+}
+
+void checkStep(const PickAndPlaceGoal& goal, std::size_t index, std::vector<Failure>& failures) {
+  const PickAndPlaceStep& step = goal.steps[index];
+  const std::size_t number = index + 1;
   if (const auto own = check(step.move); !own.empty()) {
-    const Outcome refusal = toRejection(Block::MoveAbsolute, own);
-    failures.push_back(
-        {own_error::kStepRefused,
-         fmt::format("step {}: 16#{:X} {}", number, refusal.error_id, refusal.error_description),
-         refusal.remedy});
+    failures.push_back(stepRefused(index, goal.steps.size(), toRejection(Block::MoveAbsolute, own)));
   }
   if (!(step.dwell >= 0 && step.dwell <= kMaxDwell)) {
-    failures.push_back(
-        {own_error::kDwellRange, fmt::format("the dwell of step {} is {} s", number, step.dwell), ""});
+    failures.push_back(blame(own_error::kDwellRange,
+                             fmt::format("the dwell of step {} is {} s", number, step.dwell), index));
   }
   if (step.output && !isOutput(*step.output)) {
-    failures.push_back({own_error::kOutputInvalid,
-                        fmt::format("step {}: output {} of module '{}'", number, step.output->output,
-                                    foreignText(step.output->module, kQuoteLimit)),
-                        ""});
+    failures.push_back(blame(own_error::kOutputInvalid,
+                             fmt::format("step {}: output {} of module '{}'", number, step.output->output,
+                                         foreignText(step.output->module, kQuoteLimit)),
+                             index));
   }
   if (step.move.blending_enable && (step.dwell > 0 || step.output)) {
-    failures.push_back({own_error::kBlendBeforeDwell, fmt::format("step {}", number), ""});
+    failures.push_back(blame(own_error::kBlendBeforeDwell, fmt::format("step {}", number), index));
   }
 }
 
@@ -51,12 +55,12 @@ void checkExits(const PickAndPlaceGoal& goal, std::vector<Failure>& failures) {
     if (!goal.steps[i].move.exit_node) continue;
     if (i + 1 < goal.steps.size()) {
       failures.push_back(
-          {own_error::kExitBeforeEnd, fmt::format("step {} of {}", i + 1, goal.steps.size()), ""});
+          blame(own_error::kExitBeforeEnd, fmt::format("step {} of {}", i + 1, goal.steps.size()), i));
     } else if (goal.cycles == 0) {
-      failures.push_back({own_error::kExitBeforeEnd, "cycles is 0: there is no last cycle", ""});
+      failures.push_back(blame(own_error::kExitBeforeEnd, "cycles is 0: there is no last cycle", i));
     } else if (goal.steps[i].output) {
       failures.push_back(
-          {own_error::kExitBeforeEnd, fmt::format("step {} has an output behind it", i + 1), ""});
+          blame(own_error::kExitBeforeEnd, fmt::format("step {} has an output behind it", i + 1), i));
     } else {
       continue;
     }
@@ -71,7 +75,7 @@ std::vector<Failure> checkPickAndPlace(const PickAndPlaceGoal& goal) {
   if (!goal.steps_fault.empty()) {
     failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, ""});
   } else if (goal.steps.empty() || goal.steps.size() > kMostCycleSteps) {
-    failures.push_back({own_error::kStepCount, fmt::format("{} steps", goal.steps.size()), ""});
+    failures.push_back({own_error::kStepCount, foundSteps(goal.steps.size(), kMostCycleSteps), ""});
   }
   if (goal.cycles < 0 || goal.cycles > kMaxCycles) {
     failures.push_back({own_error::kCycleRange, fmt::format("cycles is {}", goal.cycles), ""});
@@ -82,7 +86,7 @@ std::vector<Failure> checkPickAndPlace(const PickAndPlaceGoal& goal) {
         {own_error::kBufferModeUnknown, fmt::format("buffer_mode is {}", goal.buffer_mode), ""});
   }
   for (std::size_t i = 0; i < goal.steps.size() && failures.empty(); ++i) {
-    checkStep(goal.steps[i], i + 1, failures);
+    checkStep(goal, i, failures);
   }
   checkExits(goal, failures);
   return failures;

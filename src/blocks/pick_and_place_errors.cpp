@@ -12,8 +12,7 @@ std::vector<ErrorEntry> pickAndPlaceErrors() {
       .shared(own_error::kStepCount, "there are no steps, or more than 50")
       .shared({own_error::kStepRefused})
       .row(own_error::kStepFailed, "Step failed", kExecuteAgain,
-           "a move of the cycle failed in execution; the description tells its error and the index of the "
-           "step")
+           "a move of the cycle failed in execution; the description tells its error and which step")
       .row(own_error::kDwellRange, "Dwell range: 0~3600 s", kSetInRange,
            "the dwell of a step is negative, above 3600, or not a number")
       .row(own_error::kCycleRange, "Cycles range: 0~1000000", kSetInRange,

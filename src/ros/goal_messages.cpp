@@ -181,8 +181,9 @@ blocks::CheckSequenceGoal toGoal(const cobot_command::CheckSequenceGoal& message
     if (auto step = toStep(message.steps[i], lookups)) {
       goal.steps.push_back(std::move(*step));
     } else if (goal.steps_fault.empty()) {
-      goal.steps_fault = fmt::format("step {}: kind is {}; allowed: 0 to 4, as in SequenceStep.msg", i,
+      goal.steps_fault = fmt::format("step {}: kind is {}; allowed: 0 to 4, as in SequenceStep.msg", i + 1,
                                      message.steps[i].kind);
+      goal.faulty_step = static_cast<int>(i);
     }
   }
   return goal;

@@ -178,6 +178,7 @@ struct CheckSequenceGoal {
   std::vector<SequenceStep> steps;   ///< 1..200
   std::string steps_fault;           ///< why the steps could not be read; empty: they could
   std::vector<double> start_joints;  ///< [deg], six; empty: where the robot is, or what is sent will leave it
+  int faulty_step = -1;              ///< the one that steps_fault is about, from 0; -1: none
 };
 
 /// A digital output of the controller.

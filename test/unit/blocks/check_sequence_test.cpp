@@ -308,6 +308,15 @@ TEST(CheckSequence, needsAModel) {
             own_error::kNoModel);
 }
 
+TEST(CheckSequence, blamesAStepThatCannotBeRead) {
+  CheckSequenceGoal goal = sequence({toJoints(kAside)});
+  goal.steps_fault = "step 2: kind is 9";
+  goal.faulty_step = 1;
+  const Outcome outcome = checkSequence(goal, model(), at(kHome));
+  EXPECT_EQ(outcome.error_id, own_error::kStepsUnreadable);
+  EXPECT_EQ(outcome.failed_step, 1);
+}
+
 TEST(CheckSequence, takesOneTo200Steps) {
   const auto steps = [](std::size_t count) {
     return checked(sequence(std::vector<SequenceStep>(count, toJoints(kAside)))).error_id;
@@ -316,6 +325,7 @@ TEST(CheckSequence, takesOneTo200Steps) {
   EXPECT_EQ(steps(1), 0);
   EXPECT_EQ(steps(200), 0);
   EXPECT_EQ(steps(201), own_error::kStepCount);
+  EXPECT_THAT(checked(sequence({})).error_description, HasSubstr("0 steps; allowed: 1 to 200"));
 }
 
 TEST(CheckSequence, namesAllThatKeepsItFromBeginning) {

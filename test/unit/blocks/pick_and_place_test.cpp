@@ -282,19 +282,20 @@ TEST(PickAndPlace, refusesWhatCannotBeACycle) {
   const struct {
     void (*spoil)(PickAndPlaceGoal&);
     int error_id;
+    int failed_step = -1;
   } kRows[] = {
       {[](PickAndPlaceGoal& g) { g.steps.clear(); }, own_error::kStepCount},
       {[](PickAndPlaceGoal& g) { g.steps.resize(51, g.steps[0]); }, own_error::kStepCount},
       {[](PickAndPlaceGoal& g) { g.steps_fault = "line 3: no such key"; }, own_error::kStepsUnreadable},
       {[](PickAndPlaceGoal& g) { g.cycles = -1; }, own_error::kCycleRange},
       {[](PickAndPlaceGoal& g) { g.cycles = 1000001; }, own_error::kCycleRange},
-      {[](PickAndPlaceGoal& g) { g.steps[2].dwell = -1; }, own_error::kDwellRange},
-      {[](PickAndPlaceGoal& g) { g.steps[2].dwell = 3601; }, own_error::kDwellRange},
-      {[](PickAndPlaceGoal& g) { g.steps[2].dwell = std::nan(""); }, own_error::kDwellRange},
-      {[](PickAndPlaceGoal& g) { g.steps[2].output->module = "Gripper"; }, own_error::kOutputInvalid},
-      {[](PickAndPlaceGoal& g) { g.steps[2].output->output = 4; }, own_error::kOutputInvalid},
-      {[](PickAndPlaceGoal& g) { g.steps[2].move.blending_enable = true; }, own_error::kBlendBeforeDwell},
-      {[](PickAndPlaceGoal& g) { g.steps[3].move.speed = 0; }, own_error::kStepRefused},
+      {[](PickAndPlaceGoal& g) { g.steps[2].dwell = -1; }, own_error::kDwellRange, 2},
+      {[](PickAndPlaceGoal& g) { g.steps[2].dwell = 3601; }, own_error::kDwellRange, 2},
+      {[](PickAndPlaceGoal& g) { g.steps[2].dwell = std::nan(""); }, own_error::kDwellRange, 2},
+      {[](PickAndPlaceGoal& g) { g.steps[2].output->module = "Gripper"; }, own_error::kOutputInvalid, 2},
+      {[](PickAndPlaceGoal& g) { g.steps[2].output->output = 4; }, own_error::kOutputInvalid, 2},
+      {[](PickAndPlaceGoal& g) { g.steps[2].move.blending_enable = true; }, own_error::kBlendBeforeDwell, 2},
+      {[](PickAndPlaceGoal& g) { g.steps[3].move.speed = 0; }, own_error::kStepRefused, 3},
       {[](PickAndPlaceGoal& g) { g.buffer_mode = 3; }, own_error::kBufferModeUnknown},
   };
   for (const auto& row : kRows) {
@@ -306,7 +307,27 @@ TEST(PickAndPlace, refusesWhatCannotBeACycle) {
     ASSERT_NE(rig.outcome(id), nullptr) << row.error_id;
     EXPECT_EQ(rig.outcome(id)->ending, Ending::Rejected);
     EXPECT_EQ(rig.outcome(id)->error_id, row.error_id) << rig.outcome(id)->error_description;
+    EXPECT_EQ(rig.outcome(id)->failed_step, row.failed_step) << rig.outcome(id)->error_description;
   }
+}
+
+TEST(PickAndPlace, tellsTheErrorOfAStepThatIsRefused) {
+  CoreRig rig;
+  rig.connect();
+  PickAndPlaceGoal goal = cycle();
+  goal.steps[3].move.speed = 0;
+  const GoalId id = rig.submit(goal);
+  EXPECT_EQ(rig.outcome(id)->steps.at(3).error_id, motion_error::kSpeedRangePercent);
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("step 4 of 6"));
+}
+
+TEST(PickAndPlace, tellsHowManyStepsThereMayBe) {
+  CoreRig rig;
+  rig.connect();
+  PickAndPlaceGoal goal = cycle();
+  goal.steps.clear();
+  const GoalId id = rig.submit(goal);
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("0 steps; allowed: 1 to 50"));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ Scenarios checkSequenceScenarios() {
       {row(own_error::kStepsUnreadable),
        [] {
          CheckSequenceGoal goal = sequence();
-         goal.steps_fault = "step 1: kind is 9";
+         goal.steps_fault = "step 2: kind is 9";
          return checked(CoreRig(model()), goal);
        }},
       {row(own_error::kStepsUnreadable),

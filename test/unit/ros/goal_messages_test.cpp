@@ -289,7 +289,9 @@ TEST(GoalMessages, aStepOfAKindThatThereIsNotIsNamed) {
   message.steps.resize(3);
   message.steps[1].kind = 5;
   message.steps[2].kind = 255;
-  EXPECT_THAT(toGoal(message, noTf).steps_fault, HasSubstr("step 1: kind is 5"));
+  const auto goal = toGoal(message, noTf);
+  EXPECT_THAT(goal.steps_fault, HasSubstr("step 2: kind is 5"));
+  EXPECT_EQ(goal.faulty_step, 1);
 }
 
 TEST(GoalMessages, aSequenceOfMoreStepsThanThereMayBeIsToldByTheirNumberAndNothingIsLookedUpForThem) {
