@@ -93,6 +93,7 @@ class Sequence {
       }
       const auto misfit = planned->misfit;
       keep(std::move(*planned));
+      noteTool(i);
       if (misfit) failBlend(*misfit);
     }
     addJointPaths();
@@ -128,6 +129,20 @@ class Sequence {
     outcome_.steps.push_back(std::move(report));
     planned_.push_back(std::move(planned));
     settings_.push_back(planner_.setting());
+  }
+
+  /// The controller takes a tool that is too heavy, and data sheets are not the last word: it is told, and no
+  /// reason to refuse (doc/actions/change_tcp.md).
+  void noteTool(std::size_t step) {
+    const auto* tool = std::get_if<ChangeTcpGoal>(&goal_.steps[step]);
+    const double payload = arm_.ratings().payload;
+    if (tool == nullptr || !tool->tcp_name.empty() || tool->weight <= payload) return;
+    const std::string note = fmt::format(
+        "the tool has {} kg, {} carries {} kg: expect its motions to fail in the controller (16#222)",
+        tool->weight, arm_.name(), payload);
+    outcome_.steps[step].error_description = note;
+    std::string& text = outcome_.error_description;
+    text += fmt::format("{}step {}: {}", text.empty() ? "" : "; ", step + 1, note);
   }
 
   /// The step whose radius it is fails, which may be the motion before. The point is the corner.

@@ -308,6 +308,19 @@ TEST(CheckSequence, needsAModel) {
             own_error::kNoModel);
 }
 
+TEST(CheckSequence, notesAToolThatIsTooHeavyForTheArm) {
+  const auto withTool = [](double weight) {
+    const auto tool = with<ChangeTcpGoal>([&](auto& g) { g.weight = weight; });
+    return checked(sequence({tool, toJoints(kAside)}));
+  };
+  const Outcome heavy = withTool(14);
+  EXPECT_EQ(heavy.ending, Ending::Done);
+  EXPECT_EQ(heavy.steps[0].error_id, 0);
+  EXPECT_THAT(heavy.steps[0].error_description, HasSubstr("14 kg, tm5-900 carries 4 kg"));
+  EXPECT_THAT(heavy.error_description, HasSubstr("step 1: the tool has 14 kg"));
+  EXPECT_EQ(withTool(4).error_description, "");
+}
+
 TEST(CheckSequence, blamesAStepThatCannotBeRead) {
   CheckSequenceGoal goal = sequence({toJoints(kAside)});
   goal.steps_fault = "step 2: kind is 9";
