@@ -57,7 +57,8 @@ Complaint checkItems(SetFault& order) {
   std::istringstream names(order.text);
   bool any = false;
   for (std::string name; names >> name; any = true) {
-    if (!isItem(name)) return fmt::format("there is no item \"{}\"", name);
+    if (!isItem(name))
+      return fmt::format("there is no item \"{}\"; names stand with blanks between them", name);
   }
   if (!any) return std::string("give the names of the items, with blanks between them");
   return checkUncounted(order);
@@ -103,7 +104,7 @@ constexpr Row kRows[] = {
      "the script port is closed though the project runs"},
     {"impostor", &FaultSwitches::impostor, checkGreeting, "the greeting (SSH-2.0-OpenSSH_8.9)",
      "a new connection to the script port gets this line, and no answer ever"},
-    {"hide_items", &FaultSwitches::hide_items, checkItems, "names of items",
+    {"hide_items", &FaultSwitches::hide_items, checkItems, "names of items with blanks between",
      "the status port does not have these items"},
 };
 
