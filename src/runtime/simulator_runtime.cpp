@@ -49,9 +49,9 @@ SimulatorError cannotServe(const std::string& address, int port, const transport
       return {SimulatorError::Kind::Unavailable,
               found + "; another program serves it: stop that, or choose another port (0: any free one)"};
     case transport::NetworkError::Kind::BadAddress:
-      return {
-          SimulatorError::Kind::BadOption,
-          found + "; give an address of this machine: 127.0.0.1 for programs on it alone, 0.0.0.0 for all"};
+      return {SimulatorError::Kind::BadOption, found +
+                                                   "; bind_address is to be an address of this machine: "
+                                                   "127.0.0.1 for programs on it alone, 0.0.0.0 for all"};
     default:
       return {SimulatorError::Kind::Unavailable, found};
   }

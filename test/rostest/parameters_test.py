@@ -34,7 +34,7 @@ SIMULATED_CONTROLLER = [
     ({"publish_rate": float("inf")}, "publish_rate is inf"),
     ({"publish_rate": NAN}, "publish_rate is nan"),
     ({"bind_address": "nowhere"}, 'bind_address is the text "nowhere"; allowed: an address of this machine in numbers'),
-    ({"bind_address": "192.0.2.1"}, "cannot serve port 0 on 192.0.2.1"),
+    ({"bind_address": "192.0.2.1"}, "bind_address is to be an address of this machine"),
     ({"prefix": "a b"}, 'prefix is the text "a b"'),
     ({"points": ["P=0,0,170,0,0,0"]}, 'points "P" has joint 3 at 170 deg, outside its limits'),
     ({"variables": ["int PTP"]}, 'variables holds "int PTP": PTP is a function'),
@@ -91,6 +91,16 @@ class Parameters(unittest.TestCase):
                 rospy.set_param(DESCRIPTION, description)
                 self.assert_refused(run("command_node", {}, namespace="/described/"),
                                     "parameter /described/tried/robot_model is empty, and " + words)
+
+    def test_that_launch_files_miss(self):
+        for arguments, words in ((["bringup.launch"], "requires the 'robot_ip' arg to be set"),
+                                 (["fleet.launch", "count:=0"], "count_must_be_1_or_more"),
+                                 (["fleet.launch", "count:=-2"], "count_must_be_1_or_more")):
+            with self.subTest(arguments):
+                done = subprocess.run(["roslaunch", "--nodes", "cobot_command", *arguments], capture_output=True, text=True,
+                                      timeout=DEADLINE, check=False)
+                self.assertNotEqual(done.returncode, 0)
+                self.assertIn(words, done.stdout + done.stderr)
 
     def test_that_are_misspelt_are_named_and_the_node_goes_on(self):
         process = start("simulated_controller_node", {"robot_model": "tm5-900", "project_sped": 50, **FREE_PORTS})
