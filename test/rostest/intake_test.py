@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Goals that wait for a frame: what takes away the commands that wait takes those, too, and nothing else does."""
-from actionlib_msgs.msg import GoalStatus
+import rospy
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
-from cobot_command.msg import ProgramControlGoal, StopGoal
+from cobot_command.msg import MoveRelativeActionGoal, MoveRelativeActionResult, ProgramControlGoal, StopGoal
 from cobot_command.srv import FinishRequest
 from cobot_goals import BUFFERED, line_to, relative
+from cobot_test import Latest, wait_until
 from own_robot import OwnRobotTestCase
 from tf_frames import pose_in
 
@@ -29,6 +31,32 @@ class GoalsThatWaitForAFrame(OwnRobotTestCase):
             outcome = goal.finish()
             self.assert_ended(GoalStatus.RECALLED, outcome)
             self.assertIn(words, outcome[1].error_description)
+
+    def test_that_were_cancelled_before_they_came_say_so(self):
+        name = self.robot.name_of("move_relative")
+        results = Latest(f"{name}/result", MoveRelativeActionResult)
+        goals = rospy.Publisher(f"{name}/goal", MoveRelativeActionGoal, queue_size=10)
+        cancels = rospy.Publisher(f"{name}/cancel", GoalID, queue_size=10)
+        statuses = Latest(f"{name}/status", GoalStatusArray)
+        wait_until(lambda: goals.get_num_connections() and cancels.get_num_connections(), "the action server")
+
+        cancels.publish(GoalID(id="early"))
+        statuses.wait_for(lambda m: any(s.goal_id.id == "early" for s in m.status_list), "the cancel")
+        goals.publish(MoveRelativeActionGoal(goal_id=GoalID(id="early"), goal=relative(0, 0, 1)))
+        self.assert_says_why(results, "early", "cancelled by its id before it came")
+
+        now = rospy.Time.now()
+        cancels.publish(GoalID(id="marker", stamp=now))
+        statuses.wait_for(lambda m: any(s.goal_id.id == "marker" for s in m.status_list), "the cancel")
+        old = GoalID(id="old", stamp=now - rospy.Duration(1))
+        goals.publish(MoveRelativeActionGoal(goal_id=old, goal=relative(0, 0, 1)))
+        self.assert_says_why(results, "old", "cancelled before it came: a cancel took away all goals")
+
+    def assert_says_why(self, results, goal_id, words):
+        result = results.wait_for(lambda m: m.status.goal_id.id == goal_id, "the result")
+        self.assertEqual(result.status.status, GoalStatus.RECALLED)
+        self.assertIn(words, result.result.error_description)
+        self.assertIn("new goal", result.result.remedy)
 
     def test_are_taken_away_by_a_stop(self):
         sent = self.send_goals_that_wait()
@@ -92,7 +120,6 @@ class GoalsThatWaitForAFrame(OwnRobotTestCase):
 
 
 if __name__ == "__main__":
-    import rospy
     import rostest
 
     rospy.init_node("intake_test")

@@ -6,6 +6,7 @@
 //   that each status message carries would never end to grow.
 // - A cancel with a stamp in the future, from a machine whose clock is ahead, would cancel on arrival all
 //   goals until then. Here it counts until it came.
+// - A goal that was cancelled before it came ends without a word why.
 //
 // Threads: as actionlib's server; one thread spins.
 #pragma once
@@ -16,6 +17,7 @@
 
 #include <actionlib/server/action_server.h>
 #include <actionlib_msgs/GoalID.h>
+#include <actionlib_msgs/GoalStatus.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
@@ -34,6 +36,21 @@ class TidyActionServer : public actionlib::ActionServer<Action> {
         tidying_(node.createSteadyTimer(ros::WallDuration(kTidyPeriod),
                                         [this](const ros::SteadyTimerEvent&) { tidy(); })) {
     widenQueues(action_);
+    results_ =
+        action_.advertise<typename Base::ActionResult>("result", action_.param(kPublishing, kQueueSize));
+  }
+
+  /// As actionlib's own, which is out of reach from here, but with the reason of what it ends by itself.
+  void publishResult(const actionlib_msgs::GoalStatus& status, const typename Base::Result& result) override {
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    typename Base::ActionResult message;
+    message.header.stamp = ros::Time::now();
+    message.status = status;
+    message.result = result;
+    const bool recalled = status.status == actionlib_msgs::GoalStatus::RECALLED;
+    if (recalled && result.error_description.empty()) explain(message);
+    results_.publish(message);
+    publishStatus();
   }
 
   void start() {
@@ -44,15 +61,29 @@ class TidyActionServer : public actionlib::ActionServer<Action> {
   }
 
  private:
+  using actionlib::ActionServerBase<Action>::publishStatus;
+
   static constexpr double kTidyPeriod = 1.0;  // [s]
   // Of goals that come, or messages that go, at once.
   static constexpr int kQueueSize = 1000;
+  static constexpr const char* kPublishing = "actionlib_server_pub_queue_size";
 
   /// What somebody has set already stays.
   static void widenQueues(const ros::NodeHandle& action) {
-    for (const char* name : {"actionlib_server_sub_queue_size", "actionlib_server_pub_queue_size"}) {
+    for (const char* name : {"actionlib_server_sub_queue_size", kPublishing}) {
       if (!action.hasParam(name)) action.setParam(name, kQueueSize);
     }
+  }
+
+  /// Nobody was told of that goal. actionlib has words of its own only for the stamp.
+  static void explain(typename Base::ActionResult& message) {
+    const bool by_stamp = !message.status.text.empty();
+    message.result.error_description =
+        by_stamp ? "cancelled before it came: a cancel took away all goals until its stamp, and that of this "
+                   "goal is not later"
+                 : "cancelled by its id before it came";
+    message.result.remedy = by_stamp ? "Send it again as a new goal; compare the clocks of the clients"
+                                     : "Send it again as a new goal";
   }
 
   void tidy() {
@@ -73,6 +104,7 @@ class TidyActionServer : public actionlib::ActionServer<Action> {
   }
 
   ros::NodeHandle action_;
+  ros::Publisher results_;
   ros::Subscriber cancels_;
   ros::SteadyTimer tidying_;
 };
