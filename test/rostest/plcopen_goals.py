@@ -14,7 +14,7 @@ from plcopen_status import QUEUED_BLOCKS
 LOOKED_UP = " while a frame or a file was looked up for it, or for one in front of it"
 MOVES = (MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal)
 # For the state of the layer or the robot, not for what the goal says.
-NOT_READY = {0x10, 0x11, 0x208, 0x216, 0x220, 0x221, 0x222, 0x227, 0x231, 0x242}
+NOT_READY = {0x10, 0x11, 0x208, 0x216, 0x220, 0x221, 0x222, 0x225, 0x227, 0x231, 0x242}
 FAILED = (GoalStatus.REJECTED, GoalStatus.ABORTED)
 WITHDRAWN = (GoalStatus.RECALLED, GoalStatus.PREEMPTED)
 QUEUED = 1  # phase
