@@ -57,8 +57,9 @@ Complaint checkItems(SetFault& order) {
   std::istringstream names(order.text);
   bool any = false;
   for (std::string name; names >> name; any = true) {
-    if (!isItem(name))
+    if (!isItem(name)) {
       return fmt::format("there is no item \"{}\"; names stand with blanks between them", name);
+    }
   }
   if (!any) return std::string("give the names of the items, with blanks between them");
   return checkUncounted(order);
