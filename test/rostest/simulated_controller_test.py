@@ -6,7 +6,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import CommandStatus, RobotStatus
-from cobot_goals import ELSEWHERE, HOME, SLOWLY, to_joints
+from cobot_goals import BUFFERED, ELSEWHERE, HOME, SLOWLY, to_joints
 from cobot_test import CobotTestCase
 
 
@@ -104,7 +104,8 @@ class Operator(CobotTestCase):
         self.robot.fault("cperr_script", text="02")
         self.assert_aborted(self.robot.run(to_joints(*HOME)), 0x224)
         self.robot.fault("cperr_script", active=False)
-        self.assert_done(self.robot.run(to_joints(*HOME)))
+        # The layer's own stop was answered so, too: it waits until the robot is seen to stand.
+        self.assert_done(self.robot.run(to_joints(*HOME, buffer_mode=BUFFERED)))
         self.robot.fault("delay_reply", count=1, seconds=0.2)
         self.assert_done(self.robot.run(to_joints(*ELSEWHERE)))
 
