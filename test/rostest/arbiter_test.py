@@ -5,9 +5,9 @@ import math
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus
 
-from cobot_command.msg import CommandStatus, RobotStatus
-from cobot_goals import (ABORTING, BUFFERED, HOME, MODERATELY, SLOWLY, base, line_to, relative, script, tcp, to_joints,
-                         turn)
+from cobot_command.msg import CommandStatus, RobotStatus, StopGoal
+from cobot_goals import (ABORTING, BUFFERED, HOME, MODERATELY, SLOWLY, base, line_to, queued, relative, script, tcp,
+                         to_joints, turn)
 from cobot_test import wait_until
 from motion_checks import MotionTestCase
 from tf_frames import pose_in
@@ -81,10 +81,14 @@ class Arbiter(MotionTestCase):
         busy.finish()
 
     def test_does_not_run_what_would_take_over_when_the_stop_is_refused(self):
-        busy = self.robot.start_slowly()
-        self.robot.fault("refuse_stop", count=1)
-        self.assert_rejected(self.robot.run(to_joints(*HOME, buffer_mode=ABORTING)), 0x225, "may still move")
-        self.assert_aborted(busy.finish(), 0x225)
+        for goal in queued(buffer_mode=ABORTING):
+            with self.subTest(type(goal).__name__):
+                busy = self.robot.start_slowly()
+                self.robot.fault("refuse_stop", count=1)
+                self.assert_rejected(self.robot.run(goal), 0x225, "may still move")
+                self.assert_aborted(busy.finish(), 0x225)
+                self.assert_done(self.robot.run(StopGoal()))
+                self.assert_done(self.robot.run(to_joints(*HOME)))
 
     # --- What falls with whom.
     def test_ends_what_waits_behind_a_goal_that_is_cancelled_or_fails(self):
