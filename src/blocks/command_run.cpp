@@ -113,8 +113,7 @@ void CommandRun::linkLost(const std::string& reason, Instant now) {
 
 /// A paused robot gets the time back that the pause took.
 void CommandRun::followHold(Instant now) {
-  const bool under_way = state_ == State::Sent || state_ == State::Executing || state_ == State::Confirming;
-  const bool held = under_way && context_.robot.held();
+  const bool held = underWay() && context_.robot.held();
   if (held) {
     if (!held_since_) held_since_ = now;
     if (phase_ == Phase::Active || phase_ == Phase::Queued) report(Phase::Held, holdText(), now);
@@ -128,6 +127,10 @@ void CommandRun::followHold(Instant now) {
     give_up_at_ += pause;
     if (phase_ == Phase::Held) goOn(now);
   }
+}
+
+bool CommandRun::underWay() const {
+  return state_ == State::Sent || state_ == State::Executing || state_ == State::Confirming;
 }
 
 void CommandRun::goOn(Instant now) {

@@ -76,6 +76,8 @@ class CommandRun {
   void askTag(bool early, Instant now);
   void extend(Instant now);
   void askForStop(Instant now);
+  /// The controller has it, or may have it, and its end is not known.
+  [[nodiscard]] bool underWay() const;
   void followHold(Instant now);
   void goOn(Instant now);
   [[nodiscard]] std::string holdText() const;

@@ -14,8 +14,7 @@ using State = CommandRunState;
 /// A stop by somebody else is reported to nobody. But the robot then stands away from the target, and the
 /// controller, asked, no longer knows the tag. The question alone changes nothing, so it needs no certainty.
 void CommandRun::watchForStall(Instant now) {
-  const bool under_way = state_ == State::Sent || state_ == State::Executing || state_ == State::Confirming;
-  if (!under_way || !order_.tag) return;
+  if (!underWay() || !order_.tag) return;
   stall_.see(context_.robot, now);
   if (state_ != State::Executing || !stall_.stalled(context_.settings.evidence_timeout)) return;
   const auto to_go = gap();
@@ -25,9 +24,8 @@ void CommandRun::watchForStall(Instant now) {
 std::string CommandRun::stallText() const {
   const auto to_go = gap();
   return fmt::format(
-      "the robot stands{}, nothing holds it, and the controller does not know tag {} any more: another "
-      "client "
-      "or the project has stopped the robot",
+      "the robot stands{}, nothing holds it, and the controller does not know tag {} any more: "
+      "another client or the project has stopped the robot",
       to_go ? ", " + to_go->text : "", *order_.tag);
 }
 

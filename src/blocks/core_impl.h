@@ -176,6 +176,8 @@ class CommandCore::Impl : private link::Wire {
   void robotChanged(Instant now);
 
   // --- What everyone may know (core_status.cpp).
+  /// By a connect goal that was cancelled, and no other has come since.
+  [[nodiscard]] bool automaticLinkEnded() const { return kept_no_more_ && !connect_.busy(); }
   [[nodiscard]] std::string linkDiagnosis() const;
   void publishStatus();
   void publishFrames();

@@ -36,7 +36,7 @@ CommandStatus::LinkState toLinkState(link::ScriptLinkState state) {
 
 std::string CommandCore::Impl::linkDiagnosis() const {
   std::string text = script_.diagnosis();
-  if (kept_no_more_ && !connect_.busy()) {
+  if (automaticLinkEnded()) {
     text += text.empty() ? "" : "; ";
     text +=
         "the connect goal that was cancelled has ended the automatic link (auto_connect): send a connect "
@@ -52,7 +52,7 @@ void CommandCore::Impl::publishStatus() {
     status.link = CommandStatus::LinkState::Probing;
   }
   status.diagnosis = diagnose(script_, robot_);
-  if (!connect_.busy() && kept_no_more_) status.diagnosis = linkDiagnosis();
+  if (automaticLinkEnded()) status.diagnosis = linkDiagnosis();
   if (orphan_.mayMove()) status.diagnosis += fmt::format("; {}", orphan_.text());
   if (const std::string text = strangers_.text(); !text.empty()) status.diagnosis += "; " + text;
   if (!loose_.text().empty()) status.diagnosis += "; " + loose_.text();

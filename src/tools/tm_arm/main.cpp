@@ -116,7 +116,8 @@ int printUrdf(const Arguments& arguments) {
     return kSuccess;
   }
   // A prefix that looks like a number has the blank of numbersAndWordsOf().
-  const auto renamed = arm::withPrefix(urdf, arguments.prefix.substr(arguments.prefix.rfind(" -", 0) == 0));
+  const bool has_blank = arguments.prefix.rfind(" -", 0) == 0;
+  const auto renamed = arm::withPrefix(urdf, arguments.prefix.substr(has_blank ? 1 : 0));
   if (!renamed) {
     std::cerr << "tm_arm: --prefix: " << renamed.error().message << '\n';
     return kBadUsage;
