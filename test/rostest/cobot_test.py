@@ -217,9 +217,10 @@ class Robot:
         name = self.name_of(namespace + block)
         if name not in self._clients:
             kind = {"change_tcp": "ChangeTCP"}.get(block) or block.title().replace("_", "")
-            self._clients[name] = actionlib.ActionClient(name, getattr(cobot_command.msg, f"{kind}Action"))
-            if not self._clients[name].wait_for_server(rospy.Duration(DEADLINE)):
+            client = actionlib.ActionClient(name, getattr(cobot_command.msg, f"{kind}Action"))
+            if not client.wait_for_server(rospy.Duration(DEADLINE)):
                 raise AssertionError(f"no server for {name}")
+            self._clients[name] = client
         return self._clients[name]
 
     def send(self, goal, namespace=""):

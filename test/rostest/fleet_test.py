@@ -38,6 +38,11 @@ class Member:
     def is_accepted(self):
         return self.sent.state() != GoalStatus.PENDING
 
+    def words(self):
+        """What there is to say of its goal."""
+        result = self.sent.handle.get_result()
+        return f"{self.name}: {result.error_description if result else 'no result'}; {self.status.message.diagnosis}"
+
     def operate(self, service):
         name = f"{self.name}/{CONTROLLER}/{service}"
         rospy.wait_for_service(name, PATIENCE)
@@ -62,7 +67,8 @@ class Fleet(unittest.TestCase):
         for member in fleet:
             member.start(PickAndPlaceGoal(steps_file=STEPS_FILE, cycles=1))
         self.wait_for_all(fleet, Member.is_accepted, "accepted")
-        self.assertEqual({member.sent.state() for member in fleet}, {GoalStatus.ACTIVE})
+        for member in fleet:
+            self.assertEqual(member.sent.state(), GoalStatus.ACTIVE, member.words())
         for member in fleet:
             member.operate("resume_project")
         self.wait_for_all(fleet, lambda member: member.sent.ended(), "at the end of its goal")

@@ -12,6 +12,7 @@ from motion_checks import AS_REPORTED
 from plcopen_status import QUEUED_BLOCKS
 
 LOOKED_UP = " while a frame or a file was looked up for it, or for one in front of it"
+CANCELLED_EARLY = ("cancelled by its id before it came", "cancelled before it came")  # the action server says so
 MOVES = (MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal)
 # For the state of the layer or the robot, not for what the goal says.
 NOT_READY = {0x10, 0x11, 0x208, 0x216, 0x220, 0x221, 0x222, 0x225, 0x227, 0x231, 0x242}
@@ -120,7 +121,7 @@ def shown_faults(records, status):
     last = {}
     for record in sorted(records, key=lambda r: r.end[0]):
         description = record.end[2].error_description
-        if description.endswith(LOOKED_UP) or not (description or record.end[1] == GoalStatus.SUCCEEDED):
+        if description.endswith(LOOKED_UP) or description.startswith(CANCELLED_EARLY):
             continue  # it has not come to its block
         last[record.block] = record
     for outputs in status.blocks:

@@ -190,9 +190,10 @@ class GoalRulesTest(unittest.TestCase):
         ended = record("a", to_joints(*HOME), 1, 2, GoalStatus.SUCCEEDED)
         self.assert_found("R4", plcopen_goals.shown_faults([ended], status(move_absolute=ERROR)))
         self.assert_found("", plcopen_goals.shown_faults([ended], status(move_absolute={"done": True})))
-        looked_up = record("b", to_joints(*HOME), None, 3, GoalStatus.RECALLED,
-                           error_description="cancelled" + plcopen_goals.LOOKED_UP)
-        self.assert_found("", plcopen_goals.shown_faults([ended, looked_up], status(move_absolute={"done": True})))
+        for why in ("cancelled" + plcopen_goals.LOOKED_UP, *plcopen_goals.CANCELLED_EARLY):
+            with self.subTest(why):
+                early = record("b", to_joints(*HOME), None, 3, GoalStatus.RECALLED, error_description=why)
+                self.assert_found("", plcopen_goals.shown_faults([ended, early], status(move_absolute={"done": True})))
 
 
 class RandomGoalsTest(unittest.TestCase):
