@@ -85,23 +85,28 @@ class Sequence {
       : goal_(goal), arm_(arm), planner_(arm, start) {}
 
   Outcome run() {
-    for (std::size_t i = 0; i < goal_.steps.size() && outcome_.failed_step < 0; ++i) {
-      auto planned = std::visit([this](const auto& step) { return plan(step); }, goal_.steps[i]);
+    const std::size_t all = goal_.steps.size() + (goal_.comes_round ? 1 : 0);
+    for (std::size_t i = 0; i < all && outcome_.failed_step < 0; ++i) {
+      auto planned = std::visit([this](const auto& step) { return plan(step); }, stepAt(i));
       if (!planned) {
         fail(i, planned.error());
         continue;
       }
       const auto misfit = planned->misfit;
       keep(std::move(*planned));
-      noteTool(i);
+      if (i < goal_.steps.size()) noteTool(i);
       if (misfit) failBlend(*misfit);
     }
     addJointPaths();
     if (outcome_.failed_step < 0) outcome_.planned = planner_.duration();
+    outcome_.steps.resize(std::min(outcome_.steps.size(), goal_.steps.size()));
     return std::move(outcome_);
   }
 
  private:
+  /// From 0; the one behind the last is the first again.
+  [[nodiscard]] const SequenceStep& stepAt(std::size_t i) const { return goal_.steps[i % goal_.steps.size()]; }
+
   template <class Step>
   Result<planning::PlannedStep, Fault> plan(const Step& step) {
     if (auto failures = check(step); !failures.empty()) return refuse(Fault{std::move(failures), {}});
@@ -162,13 +167,15 @@ class Sequence {
           arm::toControllerPose(setting.base.inverse() * flange * setting.tcp)});
   }
 
-  void fail(std::size_t step, const Fault& fault) {
-    const Outcome refusal = toRejection(blockOf(goal_.steps[step]), fault.failures);
-    outcome_.steps.resize(step + 1);
+  void fail(std::size_t place, const Fault& fault) {
+    const std::size_t step = place % goal_.steps.size();
+    Outcome refusal = toRejection(blockOf(goal_.steps[step]), fault.failures);
+    if (place != step) refusal.error_description += "; that is when it comes again, behind the last step";
+    outcome_.steps.resize(place + 1);
     planned_.resize(std::min(planned_.size(), outcome_.steps.size()));
     const Outcome rejection =
         toRejection(Block::CheckSequence, {stepRefused(step, goal_.steps.size(), refusal)});
-    StepReport& report = outcome_.steps.back();
+    StepReport& report = outcome_.steps[step];
     report.error_id = refusal.error_id;
     report.error_description = rejection.steps.back().error_description;
     report.offending_point = fault.point;

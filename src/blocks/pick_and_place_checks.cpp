@@ -106,7 +106,7 @@ std::optional<Duration> plannedCycle(const PickAndPlaceGoal& goal, const std::ve
 CheckSequenceGoal asSequence(const PickAndPlaceGoal& goal) {
   CheckSequenceGoal sequence;
   for (const PickAndPlaceStep& step : goal.steps) sequence.steps.emplace_back(step.move);
-  if (goal.cycles != 1 && !goal.steps.empty()) sequence.steps.emplace_back(goal.steps.front().move);
+  sequence.comes_round = goal.cycles != 1;
   return sequence;
 }
 

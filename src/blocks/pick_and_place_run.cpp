@@ -13,7 +13,6 @@ using State = PickAndPlaceState;
 PickAndPlaceRun::PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<StepReport> steps, Instant now)
     : id_(id), goal_(std::move(goal)), started_at_(now) {
   outcome_.planned = plannedCycle(goal_, steps);
-  // The check looks at the first step twice; see asSequence().
   steps.resize(goal_.steps.size());
   outcome_.steps = std::move(steps);
 }

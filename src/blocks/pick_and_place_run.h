@@ -23,8 +23,7 @@ namespace cobot_command::blocks {
 /// All violations of the goal's own parameters, and the first of its steps that is wrong by itself.
 [[nodiscard]] std::vector<Failure> checkPickAndPlace(const PickAndPlaceGoal& goal);
 
-/// What to plan to check the cycle as a whole: its steps, and the first again when there is more than one
-/// cycle.
+/// What to plan to check the cycle as a whole: its steps, which come round when there is more than one cycle.
 [[nodiscard]] CheckSequenceGoal asSequence(const PickAndPlaceGoal& goal);
 
 /// How long one cycle takes, its dwells included, by what the check of its steps found; nothing when that did

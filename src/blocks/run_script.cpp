@@ -17,6 +17,8 @@ constexpr std::size_t kMaxScript = 4096;
 constexpr double kMinReplyTimeout = 0.05;
 constexpr double kMaxReplyTimeout = 3600;
 
+constexpr const char* kBlanks = " \t";
+
 struct Line {
   int number = 1;  ///< from 1, empty lines count
   std::string_view text;
@@ -30,13 +32,27 @@ std::vector<Line> split(std::string_view script) {
     std::string_view text = script.substr(0, end);
     script.remove_prefix(std::min(end + 1, script.size()));
     if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-    if (text.find_first_not_of(" \t") != std::string_view::npos) lines.push_back({number, text});
+    if (text.find_first_not_of(kBlanks) != std::string_view::npos) lines.push_back({number, text});
   }
   return lines;
 }
 
 bool isWordCharacter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// StopAndClearBuffer or ScriptExit with a number: from TMflow 1.82 on handled at once, and nothing else of
+/// its frame is executed.
+bool isPriority(std::string_view line) {
+  for (const std::string_view name : {"StopAndClearBuffer", "ScriptExit"}) {
+    for (auto at = line.find(name); at != std::string_view::npos; at = line.find(name, at + 1)) {
+      const auto open = line.find_first_not_of(kBlanks, at + name.size());
+      if (open == std::string_view::npos || line[open] != '(') continue;
+      const auto inside = line.find_first_not_of(kBlanks, open + 1);
+      if (inside != std::string_view::npos && line[inside] != ')') return true;
+    }
+  }
+  return false;
 }
 
 /// The word in any case, anywhere: whether it stands in a text, a comment or a call is not told apart, as it
@@ -76,7 +92,7 @@ std::string withoutExit(std::vector<Line> lines) {
 }
 
 /// What is wrong with the script, at its first faulty line; empty: nothing.
-std::string faultOf(const std::string& script) {
+std::string faultOf(const std::string& script, bool await_motion) {
   if (script.size() > kMaxScript) return fmt::format("it has {} bytes", script.size());
   const std::vector<Line> lines = split(script);
   if (lines.empty()) return "it is empty";
@@ -91,6 +107,12 @@ std::string faultOf(const std::string& script) {
     }
     if (isScriptExit(line) && line.number != lines.back().number) {
       return fmt::format("the lines behind line {}, ScriptExit(), would never run", line.number);
+    }
+    if (isPriority(line.text) && (lines.size() > 1 || await_motion)) {
+      return fmt::format(
+          "line {} is a priority command, which the controller executes alone, without the other lines and "
+          "without the queue tag of await_motion",
+          line.number);
     }
   }
   // Else the controller would read the queue tag, or the exit, as part of it, and never report it.
@@ -111,7 +133,7 @@ CommandTraits traitsOf(const RunScriptGoal& goal) {
 std::vector<Failure> check(const RunScriptGoal& goal) {
   ParameterChecks checks;
   checks.bufferMode(goal.buffer_mode);
-  const std::string fault = faultOf(goal.script);
+  const std::string fault = faultOf(goal.script, goal.await_motion);
   checks.require(fault.empty(), own_error::kScriptInvalid, fault);
   checks.require(goal.reply_timeout == 0 || isWithin(goal.reply_timeout, kMinReplyTimeout, kMaxReplyTimeout),
                  own_error::kReplyTimeoutRange, fmt::format("reply_timeout is {} s", goal.reply_timeout));

@@ -179,6 +179,7 @@ struct CheckSequenceGoal {
   std::string steps_fault;           ///< why the steps could not be read; empty: they could
   std::vector<double> start_joints;  ///< [deg], six; empty: where the robot is, or what is sent will leave it
   int faulty_step = -1;              ///< the one that steps_fault is about, from 0; -1: none
+  bool comes_round = false;          ///< behind the last step comes the first again, as in a cycle
 };
 
 /// A digital output of the controller.

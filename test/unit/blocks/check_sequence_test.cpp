@@ -181,6 +181,32 @@ TEST(CheckSequence, namesTheStepWithABadParameter) {
   EXPECT_FALSE(outcome.steps[1].offending_point);
 }
 
+TEST(CheckSequence, countsTheFirstStepOnceWhenItComesRound) {
+  CheckSequenceGoal goal = sequence({lineTo(poseAt(kAside)), toJoints(kHome)});
+  goal.start_joints = {30, 0, 90, 0, 90, 0};
+  const Outcome once = checked(goal);
+  goal.comes_round = true;
+  const Outcome round = checked(goal);
+  ASSERT_EQ(round.ending, Ending::Done) << round.error_description;
+  EXPECT_EQ(round.steps.size(), 2u);
+  EXPECT_GT(*round.planned, *once.planned) << "its way from the end of the last step is planned, too";
+}
+
+TEST(CheckSequence, namesTheFirstStepWhenItCannotBeMadeFromTheEndOfTheLast) {
+  CheckSequenceGoal goal = sequence({lineTo(poseAt(kAside)), toJoints({-150, 0, 90, 0, 90, 0})});
+  goal.start_joints = {30, 0, 90, 0, 90, 0};
+  ASSERT_EQ(checked(goal).ending, Ending::Done);
+  goal.comes_round = true;
+  const Outcome round = checked(goal);
+  EXPECT_EQ(round.ending, Ending::Rejected);
+  EXPECT_EQ(round.failed_step, 0);
+  EXPECT_THAT(round.error_description, HasSubstr("step 1 of 2"));
+  EXPECT_THAT(round.error_description, HasSubstr("when it comes again, behind the last step"));
+  ASSERT_EQ(round.steps.size(), 2u);
+  EXPECT_NE(round.steps[0].error_id, 0);
+  EXPECT_EQ(round.steps[1].error_id, 0);
+}
+
 TEST(CheckSequence, namesTheOffendingPointOfAPathThatCannotBeMade) {
   const SixValues far{3000, 0, 500, 180, 0, 90};
   const Outcome outcome =

@@ -86,6 +86,17 @@ TEST(RunScriptRules, refuseLinesThatWouldNeverRun) {
   EXPECT_EQ(faultOf("a()\nScriptExit()\nb()"), "the lines behind line 2, ScriptExit(), would never run");
 }
 
+TEST(RunScriptRules, takePriorityCommandsOnlyByThemselves) {
+  for (const char* line : {"StopAndClearBuffer(0)", "StopAndClearBuffer ( 2 )", "ScriptExit(1) // now"}) {
+    EXPECT_EQ(faultOf(line), "") << line;
+    EXPECT_THAT(faultOf(std::string("a()\n") + line), HasSubstr("line 2 is a priority command")) << line;
+    auto awaited = script(line);
+    awaited.await_motion = true;
+    EXPECT_EQ(errorOf(awaited), own_error::kScriptInvalid) << line;
+  }
+  EXPECT_EQ(faultOf("a()\nStopAndClearBuffer( )\nb()"), "");
+}
+
 TEST(RunScriptRules, takeReplyTimeoutsOfTheirRangeAndZero) {
   const auto timeout = [](double seconds) {
     return with<RunScriptGoal>([&](auto& g) { g.reply_timeout = seconds; });
