@@ -4,7 +4,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import ExitListenNodeGoal, ProgramControlGoal, StopGoal
-from cobot_goals import HOME, base, cycle, motions, move_script, relative, script, step, tcp, to_joints
+from cobot_goals import HOME, base, cycle, motions, move_script, relative, script, step, tcp, to_joints, turn
 from cobot_test import CobotTestCase
 
 SLOWLY = {"speed": 5}
@@ -100,7 +100,7 @@ class Failures(CobotTestCase):
     def test_of_the_stop_block_when_it_is_refused_or_does_nothing(self):
         for fault, words in (("refuse_stop", "refused"), ("ignore_stop", "still moves")):
             with self.subTest(fault):
-                self.robot.start_slowly()
+                self.robot.start_slowly(turn(120, 0, 0, 0, 0, 0, speed=2))  # outlasts all that is waited for
                 self.robot.fault(fault, count=2)
                 self.assert_aborted(self.robot.run(StopGoal()), 0x225, words)
                 self.robot.operate("clear_faults")
