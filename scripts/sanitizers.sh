@@ -5,9 +5,9 @@ readonly core_tests=(test_protocol test_language test_link test_blocks test_peer
 readonly core_tests_pattern='^(protocol|language|link|blocks|peers|simulator|fuzz)\.'
 # Both nodes as processes: goals and cancels of four clients at once, connections made and lost, ends and kills.
 readonly node_tests_pattern='^rostest\.(load|ends)$'
-readonly threaded_targets=(test_transport test_runtime test_runtime_clock test_ros command_node simulated_controller_node
+readonly threaded_targets=(test_transport test_runtime test_runtime_parts test_ros command_node simulated_controller_node
   cobot_command_generate_messages_py)
-readonly threaded_tests_pattern="^(transport|runtime|runtime_clock|ros)\\.|$node_tests_pattern"
+readonly threaded_tests_pattern="^(transport|runtime|runtime_parts|ros)\\.|$node_tests_pattern"
 
 # build_sanitized address|thread [target...]
 build_sanitized() {
