@@ -105,7 +105,9 @@ class Sequence {
 
  private:
   /// From 0; the one behind the last is the first again.
-  [[nodiscard]] const SequenceStep& stepAt(std::size_t i) const { return goal_.steps[i % goal_.steps.size()]; }
+  [[nodiscard]] const SequenceStep& stepAt(std::size_t i) const {
+    return goal_.steps[i % goal_.steps.size()];
+  }
 
   template <class Step>
   Result<planning::PlannedStep, Fault> plan(const Step& step) {

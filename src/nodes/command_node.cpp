@@ -1,12 +1,20 @@
-// The ROS node that commands one robot. Exit status: 0 at the end, 2 when a parameter cannot be used.
+// The ROS node that commands one robot. Exit status: 0 at the end, 2 when a parameter
+// or an argument cannot be used.
 #include "cobot_command/ros/command_node.h"
 
+#include "node_arguments.h"
 #include <ros/ros.h>
 
 #include "cobot_command/ros/node_end.h"
 
 int main(int argc, char** argv) {
   namespace ros_adapter = cobot_command::ros_adapter;
+  if (const auto status = cobot_command::nodes::answerArguments(
+          argc, argv,
+          {"command_node", "Commands one Omron/Techman TM cobot, by goals of its actions.",
+           "_robot_ip:=192.168.1.10"})) {
+    return *status;
+  }
   ros_adapter::NodeEnd end(argc, argv, "command_node");
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");

@@ -1,7 +1,8 @@
 // The simulated controller as a ROS node. Exit status: 0 at the end, 1 when a port cannot be had, 2 when a
-// parameter cannot be used.
+// parameter or an argument cannot be used.
 #include "cobot_command/ros/simulated_controller_node.h"
 
+#include "node_arguments.h"
 #include <ros/ros.h>
 
 #include "cobot_command/ros/node_end.h"
@@ -9,6 +10,12 @@
 int main(int argc, char** argv) {
   using cobot_command::runtime::SimulatorError;
   namespace ros_adapter = cobot_command::ros_adapter;
+  if (const auto status = cobot_command::nodes::answerArguments(
+          argc, argv,
+          {"simulated_controller_node",
+           "A simulated TM controller with its arm, and its operator's services.", "_script_port:=5890"})) {
+    return *status;
+  }
   ros_adapter::NodeEnd end(argc, argv, "simulated_controller");
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
