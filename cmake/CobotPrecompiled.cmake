@@ -1,7 +1,7 @@
 # The headers that most sources include, read once for all rooms and once for all tests: a third to a half of the time
-# of a compilation. For whoever builds everything from scratch, as the scripts do. Each source includes what it uses all
-# the same: the core-only build of scripts/test has no precompiled headers.
-option(COBOT_PRECOMPILE "Precompile the headers that most sources include" OFF)
+# of a compilation. For whoever builds everything from scratch, as the scripts do. Each source of a room includes what it
+# uses all the same: the core-only build of scripts/test precompiles those of the tests only.
+set(COBOT_PRECOMPILE OFF CACHE STRING "Precompile the headers that most sources include: ON, OFF, or TESTS for the tests only")
 
 set(cobot_room_headers
     <algorithm>
@@ -34,7 +34,7 @@ function(cobot_precompiled_headers name)
 endfunction()
 
 function(cobot_use_precompiled target name)
-  if(COBOT_PRECOMPILE)
+  if(TARGET ${name})
     target_precompile_headers(${target} REUSE_FROM ${name})
     # For ccache, which looks into what the preprocessor makes of a source.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)

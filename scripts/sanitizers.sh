@@ -19,9 +19,9 @@ build_sanitized() {
   watch
 }
 
-# What ROS and precompiled headers could hide shows here: the core is built without both.
+# What ROS and precompiled headers could hide shows here: the rooms of the core are built without both.
 build_core() {
-  configure "$build/core" -DCOBOT_CORE_ONLY=ON -DCOBOT_PRECOMPILE=OFF -DCOBOT_SANITIZE=address,undefined
+  configure "$build/core" -DCOBOT_CORE_ONLY=ON -DCOBOT_PRECOMPILE=TESTS -DCOBOT_SANITIZE=address,undefined
   ninja -C "$build/core" rooms_and_programs "${core_tests[@]}"
   watch
 }
