@@ -88,7 +88,12 @@ void CommandRun::awaitReason(Instant now) {
   deadline_ = now + context_.settings.evidence_timeout;
   active_at_.reset();
   held_since_.reset();
-  if (!context_.robot.status()) fire(Event::Overdue, now);
+  if (!context_.robot.status()) {
+    fire(Event::Overdue, now);
+    return;
+  }
+  // It does not execute any more: a stop may go on beside it, on a link that is there again.
+  report(Phase::Stopping, fmt::format("failed, {}; the status stream may tell why", failure_.found), now);
 }
 
 /// An error that was acknowledged, and is still there when the next motion fails, is the reason for that.

@@ -95,6 +95,18 @@ TEST_F(Explanation, ofALostLinkIsTheEmergencyStop) {
   EXPECT_FALSE(rig.connectionOpen(link::Channel::Status));
 }
 
+TEST_F(Explanation, isLookedForByABlockThatIsNotActiveAnyMore) {
+  EXPECT_TRUE(rig.outputs(Block::MoveAbsolute).active);
+  rig.close("closed by the peer");
+  EXPECT_TRUE(rig.outputs(Block::MoveAbsolute).busy);
+  EXPECT_FALSE(rig.outputs(Block::MoveAbsolute).active);
+  EXPECT_EQ(rig.progress(motion).back().phase, Phase::Stopping);
+  EXPECT_THAT(rig.progress(motion).back().text,
+              HasSubstr("failed, the connection was closed: closed by the peer"));
+  frame(StatusFrames().moving());
+  EXPECT_FALSE(rig.outputs(Block::MoveAbsolute).active);
+}
+
 TEST_F(Explanation, ofALostLinkIsTheErrorOfAProjectThatStopsWithIt) {
   rig.close("closed by the peer");
   frame(StatusFrames().error(0x13, "PTP"));
