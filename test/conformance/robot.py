@@ -66,10 +66,10 @@ class Robot:
         return self._svr
 
     def connect_script(self):
-        return self._opened(tm_client.ScriptConnection(self.script_address))
+        return self._opened(tm_client.ScriptConnection(self.script_address, self._connections))
 
     def connect_status(self):
-        return self._opened(tm_client.StatusConnection(self.status_address))
+        return self._opened(tm_client.StatusConnection(self.status_address, self._connections))
 
     def _opened(self, connection):
         self._connections.append(connection)

@@ -4,6 +4,7 @@ It shares nothing with the sources of this project, so that both can be wrong on
 from the robot that break the grammar of frames (fact sheet 1.1) are an error wherever they turn up.
 """
 import re
+import select
 import socket
 import struct
 import time
@@ -100,10 +101,13 @@ class FrameReader:
 
 
 class Connection:
-    """One TCP connection to a port of the robot. `frames` holds everything received on it."""
+    """One TCP connection to a port of the robot. `frames` holds everything received on it.
 
-    def __init__(self, address):
+    `beside`: connections that are read too while this one waits, as the robot drops whoever does not read its stream."""
+
+    def __init__(self, address, beside=()):
         self.frames = []
+        self.beside = beside
         self._reader = FrameReader()
         self._read = 0  # of `frames`
         self._socket = socket.create_connection(address, timeout=DEADLINE)
@@ -126,7 +130,30 @@ class Connection:
         self._read += 1
         return self.frames[self._read - 1]
 
+    def _read_others(self, timeout):
+        """Until there is something to read here, or the time is over."""
+        deadline = time.monotonic() + timeout
+        others = [other for other in self.beside if other is not self and other._socket.fileno() >= 0]
+        while others:
+            sockets = [self._socket, *(other._socket for other in others)]
+            ready, _, _ = select.select(sockets, [], [], max(deadline - time.monotonic(), 0))
+            if not ready or self._socket in ready:
+                return
+            others = [other for other in others if other._socket not in ready or other._goes_on()]
+
+    def _goes_on(self):
+        """Takes what has arrived; False at the end of the connection, which shows when it is read itself."""
+        try:
+            self.poll()
+        except Closed:
+            return False
+        return True
+
     def _take(self, timeout):
+        if timeout > 0:
+            deadline = time.monotonic() + timeout
+            self._read_others(timeout)
+            timeout = max(deadline - time.monotonic(), 0)
         try:
             self._socket.settimeout(timeout)
             piece = self._socket.recv(1 << 16)
@@ -208,8 +235,8 @@ class ScriptConnection(Connection):
 class StatusConnection(Connection):
     """To the status port (TMSVR): the stream and requests. Ids of requests hold a letter: none is a stream's."""
 
-    def __init__(self, address):
-        super().__init__(address)
+    def __init__(self, address, beside=()):
+        super().__init__(address, beside)
         self._requests = 0
 
     def stream_frame(self):

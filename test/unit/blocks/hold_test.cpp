@@ -87,7 +87,7 @@ TEST_F(Hold, thatBeganBeforeTheAcceptanceIsToldAndTakesNoTime) {
   expectHeld(id, HasSubstr("Pause()"));
   rig.pass(500ms);
   rig.status(StatusFrames());
-  const Progress& going = rig.progress(id).back();
+  const Progress going = rig.progress(id).back();
   EXPECT_EQ(going.phase, Phase::Active);
   EXPECT_EQ(going.remaining, going.planned) << "it begins now";
   rig.pass(150ms);
