@@ -192,6 +192,12 @@ class Robot:
         self.operate("enter_listen_node")
         self.close()
 
+    def clear_error(self):
+        """By the operator; returns when the command layer has heard of it too."""
+        self.robot_status.wait_for(lambda s: s.in_error == RobotStatus.TRUE, "the error")
+        self.operate("clear_error")
+        self.robot_status.wait_for(lambda s: s.in_error == RobotStatus.FALSE, "the end of the error")
+
     # --- Connect.
     def connect_goal(self, **changes):
         return with_changes(ConnectGoal(host="127.0.0.1", port=self.port(), status_port=self.port("status_port"),

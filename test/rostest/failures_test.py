@@ -121,7 +121,7 @@ class Failures(CobotTestCase):
                 self.assert_done(self.robot.run(StopGoal()))  # acknowledges it
                 self.assert_aborted(self.robot.run(to_joints(*HOME)), 0x222, "0x14058: no posture")  # it stands
                 self.assert_done(self.robot.run(StopGoal()))
-                self.robot.operate("clear_error")
+                self.robot.clear_error()
                 self.return_home()
 
     def test_of_motions_whose_tag_comes_before_the_robot_is_there(self):

@@ -89,7 +89,7 @@ class GoalsThatWaitForAFrame(OwnRobotTestCase):
         self.robot.operate("raise_error", 0x14058, "joint 3")
         self.assert_aborted(self.far.finish(), 0x222)
         self.assert_taken_away(sent, "move_relative, failed while a frame")
-        self.robot.operate("clear_error")
+        self.robot.clear_error()
         self.robot.operate("clear_faults")
         self.assert_works()
 

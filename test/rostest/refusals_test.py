@@ -61,8 +61,7 @@ class Refusals(CobotTestCase):
         self.robot.operate("raise_error", 0x14058, "joint 3")
         self.robot.robot_status.wait_for(lambda s: s.in_error == RobotStatus.TRUE, "the error")
         self.assert_all_rejected(queued(), 0x222, "error 0x14058: no posture")
-        self.robot.operate("clear_error")
-        self.robot.robot_status.wait_for(lambda s: s.in_error == RobotStatus.FALSE, "the end of the error")
+        self.robot.clear_error()
         self.assert_done(self.robot.run(to_joints(*HOME)))
 
     def test_of_all_until_a_stop_acknowledges_the_error_which_the_next_motion_then_clears(self):
