@@ -21,6 +21,7 @@ from random_goals import Drawn
 ROUND = 250  # goals
 MOST_SHOWN = 20  # faults; the first is what counts
 MOST_GROWTH = 8 * 1024  # [KiB] of the node; a goal that stayed in memory would need more
+WATCHED = {"ASAN_OPTIONS", "TSAN_OPTIONS"} & set(os.environ)  # sanitizers keep books of all memory, freed or not
 IN_ONE_CYCLE = 300  # goals of one action; actionlib's own queue has 50
 
 
@@ -43,7 +44,8 @@ class LoadTest(unittest.TestCase):
         self.assertEqual(load.succeeded, set(BLOCKS), "every action succeeds now and then")
         for name in ("descriptors", "threads"):
             self.assertEqual(len({getattr(s, name) for s in load.samples}), 1, load.samples)
-        self.assertLess(load.samples[-1].kibibytes - load.samples[0].kibibytes, MOST_GROWTH, load.samples)
+        if not WATCHED:
+            self.assertLess(load.samples[-1].kibibytes - load.samples[0].kibibytes, MOST_GROWTH, load.samples)
 
     # --- Many at once.
     def test_of_a_burst_of_goals_in_one_callback_cycle_ends_each(self):
