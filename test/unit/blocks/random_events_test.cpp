@@ -178,10 +178,11 @@ class Chaos {
     }
     rig_.tag(tag, state);
   }
-  /// The tag is back, and the robot goes on for longer than one waits for it.
+  /// The tag is back, and the robot goes on for longer than one waits for it. Before the first frame of a
+  /// stream the tag is all that is known, and enough: reportTag().
   void reportEarly() {
     const auto tags = rig_.latest().open_tags;
-    if (tags.empty() || !open(link::Channel::Script) || !open(link::Channel::Status)) return;
+    if (tags.empty() || !open(link::Channel::Script) || !rig_.latest().status_stream) return;
     for (auto& [goal, motion] : motions_) {
       if (motion.tag == tags[0]) motion.reported = true;
     }
