@@ -18,15 +18,17 @@ constexpr double kLimitMs = 500;
 /// Far more than kRetirement to plan, on the core's thread, and no motion.
 // What takes two seconds takes a hundred under a sanitizer: time for a heap of status frames.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kLinesOfALongPlanning = 2;
+constexpr int kLines = 1;
+constexpr double kLength = 100;  // [mm]
 #else
-constexpr int kLinesOfALongPlanning = 20;
+constexpr int kLines = 20;
+constexpr double kLength = 300;  // [mm]
 #endif
 
 blocks::CheckSequenceGoal longPlanning() {
   blocks::CheckSequenceGoal check;
-  for (int i = 0; i < kLinesOfALongPlanning; ++i) {
-    check.steps.emplace_back(moveLine(kStartJoints, {0, 0, i % 2 == 0 ? -300.0 : 0.0}, 1));
+  for (int i = 0; i < kLines; ++i) {
+    check.steps.emplace_back(moveLine(kStartJoints, {0, 0, i % 2 == 0 ? -kLength : 0.0}, 1));
   }
   check.start_joints.assign(kStartJoints.begin(), kStartJoints.end());
   return check;
