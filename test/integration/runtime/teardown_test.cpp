@@ -15,7 +15,6 @@ namespace {
 constexpr auto kQuickEnough = std::chrono::seconds(10);
 constexpr double kLimitMs = 500;
 
-/// Far more than kRetirement to plan, on the core's thread, and no motion.
 // What takes two seconds takes a hundred under a sanitizer: time for a heap of status frames.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int kLines = 1;
@@ -25,6 +24,7 @@ constexpr int kLines = 20;
 constexpr double kLength = 300;  // [mm]
 #endif
 
+/// Far more than kRetirement to plan, on the core's thread, and no motion.
 blocks::CheckSequenceGoal longPlanning() {
   blocks::CheckSequenceGoal check;
   for (int i = 0; i < kLines; ++i) {
