@@ -130,7 +130,8 @@ def shown_faults(records, status):
         _, state, result = last[outputs.block].end
         shown = (outputs.done, outputs.error, outputs.command_aborted, outputs.error_id)
         if shown != (state == GoalStatus.SUCCEEDED, state in FAILED, state in WITHDRAWN, result.error_id):
-            yield f"R4: {outputs.block} shows {shown} behind {last[outputs.block]}, state {state}, 16#{result.error_id:X}"
+            yield (f"R4: {outputs.block} shows {shown} behind {last[outputs.block]}, state {state}, 16#{result.error_id:X} "
+                   f"'{result.error_description}'")
 
 
 class Round:
