@@ -15,8 +15,8 @@ if(COBOT_SANITIZE)
   if(COBOT_SANITIZE MATCHES thread)
     # The thread sanitizer knows no fences, and g++ refuses them with it. Asio's locks say what it has to know.
     target_compile_definitions(cobot_sanitizers INTERFACE BOOST_ASIO_DISABLE_FENCED_BLOCK)
-    # Else ROS's libraries take boost's inline locks out of ours, with the sanitizer's eyes on, and its unlocks out of
-    # themselves, which it does not look into (test/tsan-suppressions.txt): locks that nobody ever gives back.
+    # ROS's libraries keep to their own copies of boost's inline functions, and do not take ours, which are watched: a lock
+    # and its unlock are then of one kind.
     target_compile_options(cobot_sanitizers INTERFACE -fvisibility-inlines-hidden)
   endif()
 endif()

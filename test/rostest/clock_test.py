@@ -10,7 +10,7 @@ from tf2_msgs.msg import TFMessage
 
 from cobot_command.msg import CommandStatus
 from cobot_goals import HOME, MODERATELY, line_to, ptp_to, to_joints, turn
-from cobot_test import DEADLINE
+from cobot_test import DEADLINE, wait_until
 from motion_checks import MotionTestCase
 from tf_frames import pose_in
 
@@ -49,7 +49,8 @@ class ClockTest(MotionTestCase):
     def setUpClass(cls):
         cls.clock = JumpingClock()
         cls.clock.start()
-        rospy.sleep(STEP)  # from a time of zero on, the first /clock would end every wait with a limit
+        # From a time of zero on, the first /clock would end every wait with a limit.
+        wait_until(lambda: rospy.get_time() > 0, "the first /clock")
         super().setUpClass()
 
     def test_lets_a_motion_come_to_its_end_and_keeps_the_link_when_the_time_jumps(self):
