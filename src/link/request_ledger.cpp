@@ -5,45 +5,66 @@
 namespace cobot_command::link {
 
 template <class Predicate>
-std::optional<Request> RequestLedger::takeFirst(Predicate matches) {
-  const auto found = std::find_if(open_.begin(), open_.end(), matches);
-  if (found == open_.end()) return std::nullopt;
-  Request request = std::move(*found);
-  open_.erase(found);
-  return request;
+RequestLedger::Open::iterator RequestLedger::findAwaited(Predicate matches) {
+  return std::find_if(open_.begin(), open_.end(),
+                      [&](const Request& request) { return !request.given_up && matches(request); });
+}
+
+std::optional<Request> RequestLedger::take(const Open::iterator& request) {
+  if (request == open_.end()) return std::nullopt;
+  Request taken = std::move(*request);
+  open_.erase(request);
+  return taken;
+}
+
+std::optional<Request> RequestLedger::giveUp(const Open::iterator& request) {
+  if (request == open_.end() || request->kind != Request::Kind::TagQuery) return take(request);
+  request->given_up = true;
+  return *request;
 }
 
 std::optional<Request> RequestLedger::takeScript(std::string_view id) {
-  return takeFirst([&](const Request& r) { return r.kind == Request::Kind::Script && r.script_id == id; });
+  return take(
+      findAwaited([&](const Request& r) { return r.kind == Request::Kind::Script && r.script_id == id; }));
 }
 
 std::optional<Request> RequestLedger::takeNodeQuery() {
-  return takeFirst([](const Request& r) { return r.kind == Request::Kind::NodeQuery; });
+  const auto found = findAwaited([](const Request& r) { return r.kind == Request::Kind::NodeQuery; });
+  if (found == open_.end()) return std::nullopt;
+  const auto older = found - open_.begin();
+  auto request = take(found);
+  // Answers come in the order of the questions: those of before will not come any more.
+  open_.erase(
+      std::remove_if(open_.begin(), open_.begin() + older, [](const Request& r) { return r.given_up; }),
+      open_.begin() + older);
+  return request;
 }
 
 std::optional<Request> RequestLedger::takeTagQuery(int tag) {
-  return takeFirst([&](const Request& r) { return r.kind == Request::Kind::TagQuery && r.tag == tag; });
+  return take(std::find_if(open_.begin(), open_.end(), [&](const Request& r) {
+    return r.kind == Request::Kind::TagQuery && r.tag == tag;
+  }));
 }
 
 std::optional<Request> RequestLedger::takeOldest() {
-  return takeFirst([](const Request&) { return true; });
+  return giveUp(findAwaited([](const Request&) { return true; }));
 }
 
 std::optional<Request> RequestLedger::takeOldestScript() {
-  return takeFirst([](const Request& r) { return r.kind == Request::Kind::Script; });
+  return take(findAwaited([](const Request& r) { return r.kind == Request::Kind::Script; }));
 }
 
 std::optional<Request> RequestLedger::takeExpired(Instant now) {
   for (Request& request : open_) {
     if (request.patience && !request.deadline) request.deadline = now + *request.patience;
   }
-  return takeFirst([&](const Request& r) { return r.deadline && *r.deadline <= now; });
+  return giveUp(findAwaited([&](const Request& r) { return r.deadline && *r.deadline <= now; }));
 }
 
 std::optional<Instant> RequestLedger::nextDeadline() const {
   std::optional<Instant> next;
   for (const Request& request : open_) {
-    if (!request.patience) continue;
+    if (!request.patience || request.given_up) continue;
     const Instant due = request.deadline.value_or(request.handed_over);
     if (!next || due < *next) next = due;
   }

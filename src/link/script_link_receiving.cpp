@@ -95,8 +95,12 @@ void ScriptLink::take(const protocol::ScriptReply& message, Instant /*now*/) {
 }
 
 void ScriptLink::take(const protocol::TagReport& message, Instant /*now*/) {
-  const bool asked = ledger_.takeTagQuery(message.tag).has_value();
-  outputs_.push_back(TagReported{message.tag, asked, message.state});
+  const auto question = ledger_.takeTagQuery(message.tag);
+  if (question && question->given_up && message.state != protocol::TagState::Complete) {
+    ++late_replies_;  // what is complete stays so, anything else may have changed since
+    return;
+  }
+  outputs_.push_back(TagReported{message.tag, question.has_value(), message.state});
 }
 
 void ScriptLink::take(const protocol::ListenData& /*message*/, Instant /*now*/) {

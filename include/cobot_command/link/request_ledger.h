@@ -2,7 +2,8 @@
 //
 // Script replies are matched by their id, exactly; TMSTA answers by what was asked; a CPERR, which carries no
 // id, belongs to the oldest request. What nobody waits for is told apart, so that it can be counted and never
-// applied.
+// applied. A TMSTA 01 has no id, and its answer reads like a report that nobody asked for: so a question that
+// was given up is remembered until the answer of a later TMSTA 00 shows that its own will not come.
 #pragma once
 
 #include <deque>
@@ -22,6 +23,7 @@ struct Request {
   Instant handed_over{};             ///< by the event that made it; planning may have taken long since then
   std::optional<Duration> patience;  ///< until its answer counts as missing; nothing: it never does
   std::optional<Instant> deadline;   ///< from the first look at the time behind that event: then it is out
+  bool given_up = false;             ///< a TagQuery whose answer counts as missing: it would be late now
 };
 
 class RequestLedger {
@@ -34,6 +36,7 @@ class RequestLedger {
   // --- Taking out what an answer belongs to; nothing when nobody waits for it.
   std::optional<Request> takeScript(std::string_view id);
   std::optional<Request> takeNodeQuery();
+  /// The oldest of this tag; one that was given up, too.
   std::optional<Request> takeTagQuery(int tag);
   std::optional<Request> takeOldest();
   std::optional<Request> takeOldestScript();
@@ -46,10 +49,13 @@ class RequestLedger {
   void clear() { open_.clear(); }
 
  private:
+  using Open = std::deque<Request>;
   template <class Predicate>
-  std::optional<Request> takeFirst(Predicate matches);
+  Open::iterator findAwaited(Predicate matches);
+  std::optional<Request> take(const Open::iterator& request);
+  std::optional<Request> giveUp(const Open::iterator& request);
 
-  std::deque<Request> open_;
+  Open open_;
   unsigned long long last_id_ = 0;
 };
 

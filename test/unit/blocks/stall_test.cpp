@@ -159,11 +159,18 @@ TEST_F(Stall, mayBeOverBeforeTheAnswer) {
 TEST_F(Stall, isLeftToTheDeadlineWhenTheQuestionGetsNoAnswer) {
   const GoalId id = moving();
   expectQuestion();
+  rig.answers_lifesigns = false;
   stream(1100ms, passing(30));
+  EXPECT_EQ(rig.outcome(id), nullptr);
+  rig.tag(1, TagState::Incomplete);  // the answer, late: it reads like the report of a motion that failed
+  EXPECT_EQ(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.latest().late_replies, 1U);
+  stream(100ms, passing(31));
   EXPECT_EQ(rig.outcome(id), nullptr);
   rig.tag(1);
   rig.status(at(60));
   EXPECT_EQ(rig.outcome(id)->ending, Ending::Done);
+  rig.discardSent();  // lifesigns
 }
 
 TEST_F(Stall, canBeCancelledWhileTheControllerIsAsked) {

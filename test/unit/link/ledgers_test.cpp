@@ -20,10 +20,11 @@ Request script(std::string id, std::optional<Duration> patience = std::nullopt) 
   return request;
 }
 
-Request tagQuery(int tag) {
+Request tagQuery(int tag, std::optional<Duration> patience = std::nullopt) {
   Request request;
   request.kind = Request::Kind::TagQuery;
   request.tag = tag;
+  request.patience = patience;
   return request;
 }
 
@@ -56,6 +57,39 @@ TEST(RequestLedger, tellsTheKindsApart) {
   EXPECT_FALSE(ledger.takeNodeQuery());
   EXPECT_EQ(ledger.takeTagQuery(3)->tag, 3);
   EXPECT_FALSE(ledger.takeOldest());
+}
+
+TEST(RequestLedger, remembersAQuestionThatItGaveUpUntilItsAnswer) {
+  RequestLedger ledger;
+  ledger.add(tagQuery(3, 1s));
+  EXPECT_FALSE(ledger.takeExpired(Instant(1s)));
+  ASSERT_TRUE(ledger.takeExpired(Instant(2s)));
+  EXPECT_FALSE(ledger.takeExpired(Instant(9s)));
+  EXPECT_FALSE(ledger.nextDeadline());
+  EXPECT_FALSE(ledger.takeOldest());
+  ledger.add(tagQuery(3));
+  EXPECT_TRUE(ledger.takeTagQuery(3)->given_up);  // answers come in the order of the questions
+  EXPECT_FALSE(ledger.takeTagQuery(3)->given_up);
+  EXPECT_FALSE(ledger.takeTagQuery(3));
+}
+
+TEST(RequestLedger, remembersAQuestionWhoseErrorMayHaveBeenAnothersToo) {
+  RequestLedger ledger;
+  ledger.add(tagQuery(3));
+  EXPECT_EQ(ledger.takeOldest()->tag, 3);
+  EXPECT_FALSE(ledger.takeOldest());
+  EXPECT_TRUE(ledger.takeTagQuery(3)->given_up);
+}
+
+TEST(RequestLedger, forgetsWhatItGaveUpWithTheAnswerToALaterQuestion) {
+  RequestLedger ledger;
+  ledger.add(tagQuery(3));
+  ledger.add(Request{});
+  ledger.add(tagQuery(4));
+  ASSERT_TRUE(ledger.takeOldest());
+  ASSERT_TRUE(ledger.takeNodeQuery());
+  EXPECT_FALSE(ledger.takeTagQuery(3));
+  EXPECT_FALSE(ledger.takeTagQuery(4)->given_up);
 }
 
 TEST(RequestLedger, knowsItsEarliestDeadline) {
