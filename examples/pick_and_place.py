@@ -67,8 +67,8 @@ def interrupt(*_):
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--host", default="", help="address of the controller (default: the command node's robot_ip)")
-    parser.add_argument("--port", type=int, default=0, help="script port (default: the command node's script_port)")
+    parser.add_argument("--host", default="", help="address of the controller (default: that of the link that is there, else the node's robot_ip)")
+    parser.add_argument("--port", type=int, default=0, help="script port (default: that of the link, else the node's script_port)")
     parser.add_argument("--cycles", type=int, default=1,
                         help="how many cycles to run; 0: until interrupted (default: %(default)s)")
     parser.add_argument("--steps", default="package://cobot_command/config/pick_and_place.yaml",

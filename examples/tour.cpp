@@ -35,6 +35,7 @@ const ros::Duration kCloseTimeout(5);  // a command node that hangs must not hol
 const ros::Duration kGlance(0.02);
 
 volatile std::sig_atomic_t interrupted = 0;
+bool has_moved = false;  // a motion of this tour was taken
 
 void interrupt(int /*signal*/) {
   interrupted = 1;
@@ -133,6 +134,7 @@ class Client {
     waitForServer();
     client_.sendGoal(goal);
     while (ros::ok() && client_.getState() == State::PENDING) ros::Duration(0.01).sleep();
+    has_moved = has_moved || (name_.rfind("move_", 0) == 0 && client_.getState() != State::REJECTED);
   }
 
   /// The last goal of all, which nothing interrupts; how it ends changes nothing any more.
@@ -148,7 +150,7 @@ class Client {
       if (interrupted != 0) throw std::runtime_error("interrupted");
       if (ros::Time::now() > deadline) throw std::runtime_error(name_ + " did not end");
     }
-    const Result result = *client_.getResult();
+    Result result = *client_.getResult();
     if (client_.getState() != state) {
       throw std::runtime_error(name_ + ": " + result.error_description + " -> " + result.remedy);
     }
@@ -190,12 +192,13 @@ class Link {
   }
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
-  /// Leaves a robot that stands: by the normal end of connect, or, over a link of somebody else, by a stop.
-  ~Link() {
-    if (is_others_) {
-      Client<StopAction>("stop").runLast(StopGoal());
-    } else {
+  /// Leaves a robot that stands: by the normal end of connect, or, over a link of somebody else, by a stop. A
+  /// robot that was never ours to move, as somebody else moves it, is left alone.
+  void leave() {
+    if (!is_others_) {
       client_.cancelAndWait();
+    } else if (has_moved) {
+      Client<StopAction>("stop").runLast(StopGoal());
     }
   }
 
@@ -276,22 +279,35 @@ void pauseResumeAndStop() {
   Client<MoveAbsoluteAction>("move_absolute").run(home());
 }
 
+/// False, and why, when a part of the tour did not end as it should.
+template <class Part>
+bool succeeds(Part part) {
+  try {
+    part();
+    return true;
+  } catch (const std::exception& failure) {
+    std::printf("The tour ends here: %s\n", failure.what());
+    return false;
+  }
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   ros::init(argc, argv, "tour", ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
   heedSignals();
   const ros::NodeHandle node;
-  try {
-    const Link link;
+  Link link;
+  const bool is_over = succeeds([] {
     checkBeforeMoving();
     moveInThreeWays();
     workInAnotherBase();
     pauseResumeAndStop();
-  } catch (const std::exception& failure) {
-    std::printf("The tour ends here: %s\n", failure.what());
-    return 1;
-  }
-  std::puts("The tour is over");
-  return 0;
+  });
+  link.leave();
+  if (is_over) std::puts("The tour is over");
+  return is_over ? 0 : 1;
+} catch (const std::exception& failure) {
+  std::printf("The tour ends here: %s\n", failure.what());
+  return 1;
 }

@@ -44,6 +44,7 @@ class Tour:
         self.clients = {}  # not simple ones, which would miss an answer that comes at once (doc/actions/README.md)
         self.link = None  # the goal of one of its own
         self.uses_others_link = False
+        self.has_moved = False
 
     def run(self):
         self.connect()
@@ -101,10 +102,11 @@ class Tour:
         self.expect("connect", self.link, GoalStatus.ACTIVE)
 
     def leave(self):
-        """Leaves a robot that stands: by the normal end of connect, or, over a link of somebody else, by a stop."""
-        if self.uses_others_link:
+        """Leaves a robot that stands: by the normal end of connect, or, over a link of somebody else, by a stop. A robot that
+        was never ours to move, as somebody else moves it, is left alone."""
+        if self.uses_others_link and self.has_moved:
             self.expect("stop", self.start("stop", msg.StopGoal()), GoalStatus.SUCCEEDED, CLOSE_TIMEOUT)
-        elif self.link and self.link.get_goal_status() == GoalStatus.ACTIVE:
+        if self.link and self.link.get_goal_status() == GoalStatus.ACTIVE:
             self.link.cancel()
             self.expect("connect", self.link, GoalStatus.SUCCEEDED, CLOSE_TIMEOUT)
 
@@ -116,6 +118,8 @@ class Tour:
         """Sends a goal and waits until it is taken, that is until it may be cancelled."""
         sent = self.client(action, getattr(msg, type(goal).__name__.replace("Goal", "Action"))).send_goal(goal)
         wait_until(lambda: sent.get_goal_status() != GoalStatus.PENDING, f"an answer of {action}")
+        taken = sent.get_goal_status() != GoalStatus.REJECTED
+        self.has_moved = self.has_moved or (taken and action.startswith("move_"))
         return sent
 
     def client(self, action, kind):
