@@ -130,14 +130,18 @@ void CommandCore::Impl::settle(Instant now) {
   publishStatus();
 }
 
-/// A stop or a pause that was tried on a connection which never was more than that: its end is no LinkLost.
-/// Nor is one that was closed on purpose.
+/// Whatever ended it: that of a connection which never was more than that, for a stop or a pause to be tried
+/// on, is no LinkLost. Nor is one that was closed on purpose.
 void CommandCore::Impl::tellOfClosedConnection(Instant now) {
   if (script_.connected()) return;
   if (stop_.busy()) stop_.linkLost(script_.diagnosis());
   for (CommandRun& run : direct_) run.linkLost(script_.diagnosis(), now);
   finish(now);
   loose_.end();  // whether it moves on is for the next connection to find (orphan_watch.h)
+  // Behind the next connection there may be another robot, or a project that has begun anew.
+  preflight_.forget();
+  frames_.forget();
+  burden_.forget();
 }
 
 /// A motion of before this connection: whoever commands now has to know of it, and must not queue behind it.
@@ -172,9 +176,6 @@ void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) 
 
 void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   log(Severity::Warning, "link lost: " + event.reason);
-  preflight_.forget();
-  frames_.forget();
-  burden_.forget();
   dropWaiting("the link was lost: " + event.reason);
   if (run_) run_->linkLost(event.reason, now);
   for (CommandRun& run : direct_) run.linkLost(event.reason, now);

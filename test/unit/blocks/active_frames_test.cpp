@@ -1,5 +1,7 @@
 // The active base and TCP: a change counts at once, and the stream is believed when it has caught up.
 
+#include <functional>
+
 #include "core_rig.h"
 #include "status_frames.h"
 #include <gtest/gtest.h>
@@ -115,6 +117,44 @@ TEST(ActiveFrames, turnATargetInAnotherFrameIntoTheActiveBase) {
   const auto script = rig.takeScript();
   EXPECT_EQ(script.script.substr(0, 33), "PTP(\"CPP\",500,100,200,0,0,0,10,20") << script.script;
   rig.discardSent();
+}
+
+/// Behind the next connection there may be another robot, or another project.
+TEST(ActiveFrames, thatWereCommandedEndWithTheConnectionHoweverThatEnds) {
+  const std::function<void(CoreRig&, GoalId)> ends[] = {
+      [](CoreRig& rig, GoalId connection) { rig.cancel(connection); },
+      [](CoreRig& rig, GoalId) { rig.close("closed by the peer"); },
+  };
+  for (const auto& end : ends) {
+    CoreRig rig;
+    const GoalId connection = rig.connect();
+    ChangeBaseGoal goal;
+    goal.transformation = kBase;
+    rig.submit(goal);
+    rig.reply(rig.takeScript().id);
+    ASSERT_TRUE(rig.active_frames.back().base);
+    end(rig, connection);
+    EXPECT_FALSE(rig.active_frames.back().base);
+    rig.connect();
+    EXPECT_FALSE(rig.active_frames.back().base);
+  }
+}
+
+TEST(ActiveFrames, thatWereCommandedEndWithALinkThatGivesWayToAnother) {
+  CoreRig rig;
+  rig.core.keepConnected(CoreRig::robot(), rig.now);
+  rig.pump();
+  rig.open();
+  ChangeBaseGoal goal;
+  goal.transformation = kBase;
+  rig.submit(goal);
+  rig.reply(rig.takeScript().id);
+  ASSERT_TRUE(rig.active_frames.back().base);
+  ConnectGoal other = CoreRig::robot();
+  other.host = "another";
+  rig.submit(other);
+  rig.open();
+  EXPECT_FALSE(rig.active_frames.back().base);
 }
 
 TEST(ActiveFrames, unknownRefuseATargetInAnotherFrame) {
