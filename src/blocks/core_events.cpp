@@ -196,6 +196,11 @@ void CommandCore::Impl::handle(const link::ScriptAnswered& event, Instant now) {
   if (!before && run_->accepted()) commandAccepted(run_->order(), now);
 }
 
+LooseMotion::End CommandCore::Impl::endOf(const CommandOrder& order) {
+  const bool known = order.plan && order.plan->end.start.joints;
+  return known ? LooseMotion::End::Planned : LooseMotion::End::Unknown;
+}
+
 void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) {
   if (!order.commands) {
     frames_.forget();
@@ -208,7 +213,7 @@ void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) 
       takeBurden(command, behind_motion);
     }
   }
-  if (order.moves && !order.tag) loose_.begin(order.target, now);
+  if (order.moves && !order.tag) loose_.begin(order.target, endOf(order), now);
 }
 
 /// A controller may take a tool that the arm cannot carry, and fail in the first motion (FB section 5).
@@ -238,7 +243,7 @@ void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
     if (!open) return;
     preflight_.arrive(run_->order().plan, now);
     loose_.end();  // tags complete in the order of the queue
-    if (!run_->order().stands_at_end) loose_.begin(std::nullopt, now);
+    if (!run_->order().stands_at_end) loose_.begin(std::nullopt, LooseMotion::End::Unknown, now);
     run_->tagCompleted(now);
   } else if (event.asked) {
     run_->tagIncomplete(event.state, now);

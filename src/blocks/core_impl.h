@@ -100,6 +100,10 @@ class CommandCore::Impl : private link::Wire {
 
   // --- The queue (core_queue.cpp).
   /// Where a command starts that comes behind all that is on the wire and waits; nothing when nobody knows.
+  /// Where a command starts that is sent now.
+  [[nodiscard]] Origin originNow(Instant now) const {
+    return preflight_.origin(robot_, frames_, loose_, now);
+  }
   [[nodiscard]] std::optional<Origin> originBehindAll(Instant now) const;
   [[nodiscard]] Result<std::optional<Plan>, Failure> planFor(const Goal& goal,
                                                              const std::optional<Origin>& origin) const;
@@ -172,6 +176,7 @@ class CommandCore::Impl : private link::Wire {
   void handle(const link::RobotStatus& status, Instant now);
   void commandAccepted(const CommandOrder& order, Instant now);
   void takeBurden(const protocol::ScriptCommand& command, bool behind_motion);
+  [[nodiscard]] static LooseMotion::End endOf(const CommandOrder& order);
   void weigh();
   void robotChanged(Instant now);
 

@@ -55,7 +55,7 @@ std::optional<Origin> CommandCore::Impl::originBehindAll(Instant now) const {
     const bool known = run_->order().plan && !run_->stopping();
     return known ? std::make_optional(run_->order().plan->end) : std::nullopt;
   }
-  return preflight_.origin(robot_, frames_, now);
+  return originNow(now);
 }
 
 Result<std::optional<Plan>, Failure> CommandCore::Impl::planFor(const Goal& goal,
@@ -202,7 +202,7 @@ Result<CommandOrder, Failure> CommandCore::Impl::prepare(const Goal& goal, Insta
     if (traits.needs_base && !frames.base) return refuse(Failure{own_error::kBaseUnknown, "", ""});
     CommandOrder order = orderOf(command, frames.base.value_or(arm::Pose::Identity()));
     if (order.commands) {
-      auto plan = preflight_.plan(*order.commands, preflight_.origin(robot_, frames_, now));
+      auto plan = preflight_.plan(*order.commands, originNow(now));
       if (!plan) return refuse(plan.error());
       order.plan = std::move(*plan);
       order.target = order.plan ? order.plan->target : jointTargetOf(*order.commands);
@@ -236,7 +236,7 @@ void CommandCore::Impl::start(CommandOrder order, Instant now) {
 // --- Pick and place.
 
 void CommandCore::Impl::beginCycle(const Waiting& next, const PickAndPlaceGoal& goal, Instant now) {
-  Outcome found = checkCycle(goal, preflight_.origin(robot_, frames_, now));
+  Outcome found = checkCycle(goal, originNow(now));
   const bool not_checkable = found.error_id == own_error::kStartUnknown ||
                              found.error_id == own_error::kNoModel ||
                              found.error_id == own_error::kBaseUnknown;

@@ -10,14 +10,16 @@ constexpr Duration kBegins = std::chrono::milliseconds(500);
 
 }  // namespace
 
-void LooseMotion::begin(const std::optional<Target>& target, Instant now) {
+void LooseMotion::begin(const std::optional<Target>& target, End end, Instant now) {
   if (state_ == State::None) state_ = State::Blended;
+  end_ = end;
   since_ = now;
   target_ = target;
 }
 
 void LooseMotion::stopFailed(const std::string& why, const std::optional<Target>& target, Instant now) {
   state_ = State::Unstopped;
+  end_ = End::Unknown;
   since_ = now;
   target_ = target;
   text_ = fmt::format("a stop was not confirmed ({}): {}", why, kMayStillMove);

@@ -17,8 +17,11 @@ class LooseMotion {
  public:
   static constexpr const char* kMayStillMove = "the robot may still move";
 
-  /// The controller has a motion whose end no tag will tell; `target`: where that leaves the robot, if known.
-  void begin(const std::optional<Target>& target, Instant now);
+  /// Does the layer know where the robot will come to rest?
+  enum class End { Planned, Unknown };
+  /// The controller has a motion whose end no tag will tell; `target`: where that is to be seen at its end,
+  /// if known.
+  void begin(const std::optional<Target>& target, End end, Instant now);
   /// Nobody knows what the robot does; `why`: what was found. `target`: of what was to be stopped.
   void stopFailed(const std::string& why, const std::optional<Target>& target, Instant now);
   /// It was stopped, is done, or nobody can be told any more.
@@ -27,6 +30,8 @@ class LooseMotion {
   void see(const RobotWatch& robot, Instant now);
 
   [[nodiscard]] bool mayMove() const { return state_ != State::None; }
+  /// It may move, and nobody can plan from where it will stand.
+  [[nodiscard]] bool endsUnknown() const { return mayMove() && end_ == End::Unknown; }
   /// Of a stop that failed: nothing may queue behind it unseen.
   [[nodiscard]] bool holdsBack() const { return state_ == State::Unstopped; }
   [[nodiscard]] const std::optional<Target>& target() const { return target_; }
@@ -37,6 +42,7 @@ class LooseMotion {
   enum class State { None, Blended, Unstopped };
 
   State state_ = State::None;
+  End end_ = End::Planned;
   Instant since_{};
   std::optional<Target> target_;
   std::string text_;

@@ -21,9 +21,11 @@ bool Preflight::isQueued(const RobotWatch& robot, Instant now) const {
   return now < queue_->end() || !seen_since || robot.moving().value_or(false) || robot.held();
 }
 
-Origin Preflight::origin(const RobotWatch& robot, const FrameWatch& frames, Instant now) const {
+Origin Preflight::origin(const RobotWatch& robot, const FrameWatch& frames, const LooseMotion& loose,
+                         Instant now) const {
   const bool queued = isQueued(robot, now);
-  const bool moves_to_unknown_place = !queued && robot.moving().value_or(false);
+  // The stream shows a motion a little after its acceptance.
+  const bool moves_to_unknown_place = !queued && (robot.moving().value_or(false) || loose.endsUnknown());
   Origin origin;
   if (queued) {
     origin.start.joints = queue_->planner.joints();

@@ -7,6 +7,7 @@
 #include "arrival.h"
 #include "failure.h"
 #include "frame_watch.h"
+#include "loose_motion.h"
 #include "robot_watch.h"
 
 #include "cobot_command/arm/arm_model.h"
@@ -43,8 +44,10 @@ class Preflight {
 
   [[nodiscard]] const std::optional<arm::ArmModel>& arm() const { return arm_; }
 
-  /// Where the robot stands, or where the blended motions in front will leave it.
-  [[nodiscard]] Origin origin(const RobotWatch& robot, const FrameWatch& frames, Instant now) const;
+  /// Where the robot stands, or where the blended motions in front will leave it; `loose`: also those that
+  /// were not planned, which leave it nobody knows where.
+  [[nodiscard]] Origin origin(const RobotWatch& robot, const FrameWatch& frames, const LooseMotion& loose,
+                              Instant now) const;
 
   /// No plan without a model, or when the start or the effect of a command is not known.
   [[nodiscard]] Result<std::optional<Plan>, Failure> plan(

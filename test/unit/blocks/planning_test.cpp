@@ -245,6 +245,28 @@ TEST_F(Planning, isLeftOutWithoutAStatusStreamAndWhileTheRobotMovesFromNobodyKno
   rig.takeScript();
 }
 
+/// The next one begins with the acceptance, before any frame can show that the robot moves.
+TEST_F(Planning, isLeftOutBehindAMotionThatCouldNotBePlanned) {
+  rig.status(StatusFrames());
+  RunScriptGoal raw;
+  raw.script = "float speed = 30\nPTP(\"JPP\",60,0,90,0,90,0,speed,200,0,false)";
+  rig.submit(raw);
+  MoveAbsoluteGoal next = toJoints(kBack);
+  next.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  const GoalId waits = rig.submit(next);
+  rig.reply(rig.takeScript().id);
+  ASSERT_TRUE(rig.accepted(waits));
+  EXPECT_FALSE(rig.progress(waits).back().planned);
+  rig.reply(rig.takeScript().id);
+  rig.pass(300ms);
+  rig.tag(1);
+  rig.status(StatusFrames().at({-30, 10, 80, 0, 90, 0}));
+  EXPECT_EQ(rig.outcome(waits)->ending, Ending::Done) << rig.outcome(waits)->error_description;
+  const GoalId known = rig.submit(toJoints(kHome));
+  EXPECT_TRUE(rig.progress(known).back().planned);
+  rig.takeScript();
+}
+
 TEST_F(Planning, countsTheActiveBaseAndTheTcpThatFlangeAndToolTell) {
   const std::array<double, 6> base{100, 50, -30, 0, 0, 40};
   const arm::Pose tool = arm::toPose({0, 0, 200, 0, 0, 0});
