@@ -43,7 +43,9 @@ std::vector<ErrorEntry> connectErrors() {
            "port is 0, on which nothing can listen, negative, or above 65535; or status_port is negative or "
            "above 65535")
       .row(own_error::kConnectBusy, "Connect is under execution",
-           "Cancel the running connect, or use the connection that it made", "another connect goal is Busy")
+           "Cancel the running connect, or use the connection that it made",
+           "another connect goal is Busy, a command is under way on the link that is there, or the robot of "
+           "another controller may still move by what was commanded over it")
       .rows();
 }
 

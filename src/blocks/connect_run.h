@@ -56,6 +56,8 @@ class ConnectRun {
   }
   [[nodiscard]] bool disconnecting() const { return state_ == ConnectState::Disconnecting; }
   [[nodiscard]] std::optional<GoalId> goal() const { return id_; }
+  /// Is the link that there is one to where the goal wants one?
+  [[nodiscard]] bool isSameController(const ConnectGoal& goal) const;
   /// Of the goal that is Busy, or of the last one.
   [[nodiscard]] const ConnectGoal& target() const { return goal_; }
   [[nodiscard]] std::optional<Instant> lastConnected() const { return times_.last_connected; }
@@ -69,7 +71,6 @@ class ConnectRun {
   void becomeReadyWhenDue(Instant now);
   void start(Instant now);
   void lookForReason(Instant now);
-  [[nodiscard]] bool isSameController(const ConnectGoal& goal) const;
   [[nodiscard]] int statusPort() const { return goal_.status_port.value_or(settings_.status_port); }
 
   const link::LinkSettings& settings_;

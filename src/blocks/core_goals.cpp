@@ -56,9 +56,14 @@ void CommandCore::Impl::submit(GoalId id, const Goal& goal, Instant now) {
 void CommandCore::Impl::execute(GoalId id, const ConnectGoal& goal, Instant now) {
   Failures failures = checkConnect(goal);
   const bool taken = !connect_.mayExecute() || (connect_.busy() && busyBlock());
+  const bool leaves_a_motion =
+      connect_.busy() && !connect_.isSameController(goal) && (loose_.mayMove() || stop_.busy());
+  const auto target = fmt::format("{}:{}", connect_.target().host, connect_.target().port);
   if (taken) {
-    failures.push_back({own_error::kConnectBusy,
-                        fmt::format("with {}:{}", connect_.target().host, connect_.target().port), ""});
+    failures.push_back({own_error::kConnectBusy, "with " + target, ""});
+  } else if (leaves_a_motion) {
+    failures.push_back({own_error::kConnectBusy, fmt::format("the robot at {} may still move", target),
+                        "Stop that robot first (stop), or wait until it stands"});
   }
   if (!failures.empty()) {
     board_.reject(Block::Connect, id, toRejection(Block::Connect, failures));

@@ -122,6 +122,30 @@ TEST(KeptLink, givesWayToAConnectGoalForAnotherController) {
   EXPECT_EQ(rig.progress(goal).back().phase, Phase::Connected);
 }
 
+/// Whose goal has ended with its acceptance: nobody would be left to stop it.
+TEST(KeptLink, isNotTakenAwayFromABlendedMotion) {
+  Rig rig;
+  rig.open();
+  MoveAbsoluteGoal blended = CoreRig::move();
+  blended.blending_enable = true;
+  blended.blending_value = 50;
+  const GoalId motion = rig.submit(blended);
+  rig.reply(rig.takeScript().id);
+  ASSERT_NE(rig.outcome(motion), nullptr);
+  ConnectGoal other = CoreRig::robot();
+  other.host = "another";
+  const GoalId refused = rig.submit(other);
+  ASSERT_NE(rig.outcome(refused), nullptr);
+  EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kConnectBusy);
+  EXPECT_THAT(rig.outcome(refused)->error_description, ::testing::HasSubstr("may still move"));
+  const GoalId same = rig.submit(CoreRig::robot());
+  EXPECT_EQ(rig.progress(same).back().phase, Phase::Connected) << "the same robot can be stopped";
+  rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  rig.cancel(same);
+  EXPECT_EQ(rig.outcome(rig.submit(other)), nullptr);
+}
+
 TEST(KeptLink, isNotTakenAwayFromACommandThatIsUnderWay) {
   Rig rig;
   rig.open();
