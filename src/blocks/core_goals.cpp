@@ -38,19 +38,20 @@ void CommandCore::Impl::submit(GoalId id, const Goal& goal, Instant now) {
   newest_submitted_ = std::max(newest_submitted_, id);
   const bool fell = id <= fell_.newest && fallsWithOthers(goal);
   if (life_ == Life::Retiring && !halts(goal)) {
-    board_.wait(blockOf(goal), id);
-    endAborted(blockOf(goal), id, kShuttingDown);
+    abortAsItComes(blockOf(goal), id, kShuttingDown);
   } else if (life_ == Life::Over) {
     board_.reject(blockOf(goal), id, toRejection(blockOf(goal), {{own_error::kShutDown, "", ""}}));
   } else if (fell) {
-    Outcome outcome;
-    outcome.ending = Ending::CommandAborted;
-    outcome.error_description = fell_.why;
-    actions_.emplace_back(GoalEnded{id, std::move(outcome)});  // it has not come to its block
+    abortAsItComes(blockOf(goal), id, fell_.why);
   } else {
     std::visit([&](const auto& g) { execute(id, g, now); }, goal);
   }
   settle(now);
+}
+
+void CommandCore::Impl::abortAsItComes(Block block, GoalId id, const std::string& why) {
+  board_.wait(block, id);
+  endAborted(block, id, why);
 }
 
 void CommandCore::Impl::execute(GoalId id, const ConnectGoal& goal, Instant now) {
@@ -108,12 +109,11 @@ void CommandCore::Impl::checkOnly(GoalId id, const Goal& goal, Failures failures
     board_.reject(block, id, toRejection(block, failures));
     return;
   }
-  board_.accept(block, id, 0);
   Outcome outcome;
   outcome.planned = plan->duration;
   outcome.joint_path = jointPath(plan->motions);
   tellPath(id, *plan);
-  board_.end(block, id, std::move(outcome));
+  board_.answer(block, id, std::move(outcome));
 }
 
 void CommandCore::Impl::execute(GoalId id, const ProgramControlGoal& goal, Instant now) {
@@ -154,8 +154,7 @@ void CommandCore::Impl::execute(GoalId id, const CheckSequenceGoal& goal, Instan
     board_.reject(Block::CheckSequence, id, std::move(outcome));
     return;
   }
-  board_.accept(Block::CheckSequence, id, 0);
-  board_.end(Block::CheckSequence, id, std::move(outcome));
+  board_.answer(Block::CheckSequence, id, std::move(outcome));
 }
 
 void CommandCore::Impl::execute(GoalId id, const PickAndPlaceGoal& goal, Instant now) {
@@ -176,8 +175,7 @@ void CommandCore::Impl::execute(GoalId id, const PickAndPlaceGoal& goal, Instant
     board_.reject(Block::PickAndPlace, id, std::move(outcome));
     return;
   }
-  board_.accept(Block::PickAndPlace, id, 0);
-  board_.end(Block::PickAndPlace, id, std::move(outcome));
+  board_.answer(Block::PickAndPlace, id, std::move(outcome));
 }
 
 Outcome CommandCore::Impl::checkCycle(const PickAndPlaceGoal& goal,

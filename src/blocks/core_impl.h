@@ -80,6 +80,7 @@ class CommandCore::Impl : private link::Wire {
              std::string meaning) override;
 
   // --- Goals: checked, refused or taken (core_goals.cpp).
+  void abortAsItComes(Block block, GoalId id, const std::string& why);
   void execute(GoalId id, const ConnectGoal& goal, Instant now);
   void execute(GoalId id, const ProgramControlGoal& goal, Instant now);
   void execute(GoalId id, const StopGoal& goal, Instant now);
@@ -99,11 +100,11 @@ class CommandCore::Impl : private link::Wire {
   [[nodiscard]] Outcome checkCycle(const PickAndPlaceGoal& goal, const std::optional<Origin>& origin) const;
 
   // --- The queue (core_queue.cpp).
-  /// Where a command starts that comes behind all that is on the wire and waits; nothing when nobody knows.
   /// Where a command starts that is sent now.
   [[nodiscard]] Origin originNow(Instant now) const {
     return preflight_.origin(robot_, frames_, loose_, now);
   }
+  /// Where a command starts that comes behind all that is on the wire and waits; nothing when nobody knows.
   [[nodiscard]] std::optional<Origin> originBehindAll(Instant now) const;
   [[nodiscard]] Result<std::optional<Plan>, Failure> planFor(const Goal& goal,
                                                              const std::optional<Origin>& origin) const;
@@ -175,8 +176,8 @@ class CommandCore::Impl : private link::Wire {
   void handle(const link::TagQueryFailed& event, Instant now);
   void handle(const link::RobotStatus& status, Instant now);
   void commandAccepted(const CommandOrder& order, Instant now);
-  void takeBurden(const protocol::ScriptCommand& command, bool behind_motion);
   [[nodiscard]] static LooseMotion::End endOf(const CommandOrder& order);
+  void takeBurden(const protocol::ScriptCommand& command, bool behind_motion);
   void weigh();
   void robotChanged(Instant now);
 

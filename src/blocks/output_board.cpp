@@ -26,10 +26,15 @@ BlockOutputs ended(Block block, const Outcome& outcome) {
 
 OutputBoard::OutputBoard(std::vector<Action>& actions) : actions_(actions) {
   for (std::size_t i = 0; i < kBlockCount; ++i) outputs_.push_back(idle(static_cast<Block>(i)));
+  owners_.resize(kBlockCount);
 }
 
 BlockOutputs& OutputBoard::of(Block block) {
   return outputs_[static_cast<std::size_t>(block)];
+}
+
+GoalId& OutputBoard::ownerOf(Block block) {
+  return owners_[static_cast<std::size_t>(block)];
 }
 
 void OutputBoard::open(Block block, GoalId goal) {
@@ -37,11 +42,17 @@ void OutputBoard::open(Block block, GoalId goal) {
   if (std::find(open_.begin(), open_.end(), entry) == open_.end()) open_.push_back(entry);
   of(block) = idle(block);
   of(block).busy = true;
+  ownerOf(block) = goal;
 }
 
 void OutputBoard::reject(Block block, GoalId goal, Outcome outcome) {
   if (!of(block).busy) of(block) = ended(block, outcome);
   actions_.push_back(GoalEnded{goal, std::move(outcome)});
+}
+
+void OutputBoard::answer(Block block, GoalId goal, Outcome outcome) {
+  actions_.push_back(GoalAccepted{goal});
+  reject(block, goal, std::move(outcome));
 }
 
 void OutputBoard::wait(Block block, GoalId goal) {
@@ -72,7 +83,7 @@ void OutputBoard::end(Block block, GoalId goal, Outcome outcome) {
   const bool others =
       std::any_of(open_.begin(), open_.end(), [&](const auto& entry) { return entry.first == block; });
   if (others) {
-    of(block).active = false;
+    if (ownerOf(block) == goal) of(block).active = false;
   } else {
     of(block) = ended(block, outcome);
   }

@@ -14,6 +14,8 @@ class OutputBoard {
 
   /// At once, without having waited. The outputs stay those of the block's open goals, if it has any.
   void reject(Block block, GoalId goal, Outcome outcome);
+  /// At once, without anything executed: a check. The outputs stay likewise.
+  void answer(Block block, GoalId goal, Outcome outcome);
   /// The goal waits for its turn: Busy, and not accepted yet.
   void wait(Block block, GoalId goal);
   void accept(Block block, GoalId goal, int command_id_ack);
@@ -26,10 +28,12 @@ class OutputBoard {
 
  private:
   [[nodiscard]] BlockOutputs& of(Block block);
+  [[nodiscard]] GoalId& ownerOf(Block block);
   void open(Block block, GoalId goal);
 
   std::vector<Action>& actions_;
   std::vector<BlockOutputs> outputs_;
+  std::vector<GoalId> owners_;                  ///< of the outputs of each block: what it executes
   std::vector<std::pair<Block, GoalId>> open_;  ///< goals that wait or run
 };
 

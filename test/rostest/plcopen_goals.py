@@ -13,6 +13,7 @@ from plcopen_status import QUEUED_BLOCKS
 
 LOOKED_UP = " while a frame or a file was looked up for it, or for one in front of it"
 CANCELLED_EARLY = ("cancelled by its id before it came", "cancelled before it came")  # the action server says so
+TOO_MANY = 0x216  # wait, for their turn or for frames and files
 MOVES = (MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal)
 # For the state of the layer or the robot, not for what the goal says.
 NOT_READY = {0x10, 0x11, 0x208, 0x216, 0x220, 0x221, 0x222, 0x225, 0x227, 0x231, 0x242}
@@ -120,9 +121,10 @@ def shown_faults(records, status):
     """R3, R4: each block shows the end of its last goal until it is executed again. To be asked when nothing is under way."""
     last = {}
     for record in sorted(records, key=lambda r: r.end[0]):
-        description = record.end[2].error_description
-        if description.endswith(LOOKED_UP) or description.startswith(CANCELLED_EARLY):
-            continue  # it has not come to its block
+        result = record.end[2]
+        description = result.error_description
+        if description.endswith(LOOKED_UP) or description.startswith(CANCELLED_EARLY) or result.error_id == TOO_MANY:
+            continue  # it has not come to its block, or perhaps not
         last[record.block] = record
     for outputs in status.blocks:
         if outputs.block not in last or outputs.busy:

@@ -42,6 +42,7 @@ class FallenGoals : public ::testing::Test {
     EXPECT_EQ(rig.outcome(waited)->ending, Ending::CommandAborted);
     EXPECT_THAT(rig.outcome(waited)->error_description, HasSubstr(why));
     EXPECT_FALSE(rig.accepted(waited));
+    EXPECT_TRUE(rig.outputs(Block::MoveAbsolute).command_aborted) << "it has come to its block";
   }
 
   void expectBegun(GoalId id) {

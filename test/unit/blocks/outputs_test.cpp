@@ -1,6 +1,7 @@
 // The PLCopen outputs of the blocks in command_status: how long they stand.
 
 #include "core_rig.h"
+#include "status_frames.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +9,65 @@ namespace cobot_command::testing {
 namespace {
 
 using namespace blocks;
+
+MoveAbsoluteGoal buffered() {
+  MoveAbsoluteGoal goal = CoreRig::move();
+  goal.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  return goal;
+}
+
+/// A motion of the block executes: that is what its outputs tell, whatever other goals of it come and go.
+class OutputsOfAMotion : public ::testing::Test {
+ protected:
+  OutputsOfAMotion() : rig(*arm::ArmModel::named("tm5-900"), link::LinkSettings{}) {
+    rig.connect();
+    rig.status(StatusFrames());
+    MoveAbsoluteGoal goal = CoreRig::move();
+    goal.command_id = 7;
+    motion = rig.submit(goal);
+    rig.reply(rig.takeScript().id);
+    rig.status(StatusFrames().moving());
+    expectItsOutputs();
+  }
+  ~OutputsOfAMotion() override { rig.discardSent(); }
+  void expectItsOutputs() {
+    const BlockOutputs& outputs = rig.outputs(Block::MoveAbsolute);
+    EXPECT_TRUE(outputs.busy);
+    EXPECT_TRUE(outputs.active);
+    EXPECT_EQ(outputs.command_id_ack, 7);
+  }
+
+  CoreRig rig;
+  GoalId motion = 0;
+};
+
+TEST_F(OutputsOfAMotion, stayBesideACheck) {
+  MoveAbsoluteGoal check = buffered();
+  check.check_only = true;
+  const GoalId goal = rig.submit(check);
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done) << rig.outcome(goal)->error_description;
+  expectItsOutputs();
+}
+
+TEST_F(OutputsOfAMotion, stayBesideACancelOfOneThatWaits) {
+  const GoalId first = rig.submit(buffered());
+  const GoalId second = rig.submit(buffered());
+  rig.cancel(second);
+  expectItsOutputs();
+  rig.cancel(first);
+  expectItsOutputs();
+}
+
+TEST_F(OutputsOfAMotion, areThoseOfTheNextOneWhenThatBegins) {
+  const GoalId next = rig.submit(buffered());
+  rig.tag(7);
+  rig.status(StatusFrames());
+  ASSERT_NE(rig.outcome(motion), nullptr);
+  EXPECT_TRUE(rig.accepted(next));
+  EXPECT_FALSE(rig.outputs(Block::MoveAbsolute).active);
+  EXPECT_NE(rig.outputs(Block::MoveAbsolute).command_id_ack, 7);
+}
 
 TEST(Outputs, stayAsAGoalEndedUntilTheBlocksNextGoal) {
   CoreRig rig;
