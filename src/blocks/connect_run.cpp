@@ -211,6 +211,7 @@ void ConnectRun::act(ConnectAction action, Instant now) {
       deadline_.reset();
       return;
     case Do::AwaitReason:
+      reportLoss();
       reason_.begin(now);
       deadline_ = now + settings_.evidence_timeout;
       return;
@@ -248,7 +249,6 @@ void ConnectRun::end(Outcome outcome, Instant now) {
 }
 
 void ConnectRun::report() {
-  if (!id_) return;
   Progress progress;
   progress.text = diagnose(script_, robot_);
   progress.link_times = times_;
@@ -265,6 +265,19 @@ void ConnectRun::report() {
     default:
       progress.phase = Phase::Connecting;
   }
+  tell(std::move(progress));
+}
+
+void ConnectRun::reportLoss() {
+  Progress progress;
+  progress.phase = Phase::Connecting;
+  progress.text = fmt::format("the link was lost, {}; the status stream may tell why", loss_.found);
+  progress.link_times = times_;
+  tell(std::move(progress));
+}
+
+void ConnectRun::tell(Progress progress) {
+  if (!id_) return;
   if (reported_ == std::pair(progress.phase, progress.text)) return;
   reported_.emplace(progress.phase, progress.text);
   board_.progress(Block::Connect, *id_, std::move(progress));

@@ -68,6 +68,8 @@ class ConnectRun {
   void act(ConnectAction action, Instant now);
   void end(Outcome outcome, Instant now);
   void report();
+  void reportLoss();
+  void tell(Progress progress);
   void becomeReadyWhenDue(Instant now);
   void start(Instant now);
   void lookForReason(Instant now);

@@ -178,6 +178,7 @@ void PickAndPlaceRun::fire(Event event, Instant now) {
     case PickAndPlaceAction::AwaitReason:
       held_since_.reset();
       reason_.begin(now);
+      tellFailure();
       return;
     case PickAndPlaceAction::EndDone:
       ++outcome_.cycles_done;
@@ -198,6 +199,14 @@ void PickAndPlaceRun::startDwell(Instant now) {
   progress.phase = Phase::Dwelling;
   progress.fraction = static_cast<double>(step_ + 1) / static_cast<double>(goal_.steps.size());
   progress.text = fmt::format("waits {} s", step().dwell);
+  report(std::move(progress));
+}
+
+/// Its dwell is over: nothing of it is executed any more.
+void PickAndPlaceRun::tellFailure() {
+  Progress progress;
+  progress.phase = Phase::Stopping;
+  progress.text = fmt::format("failed, {}; the status stream may tell why", failure_.found);
   report(std::move(progress));
 }
 

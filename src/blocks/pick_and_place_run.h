@@ -75,6 +75,7 @@ class PickAndPlaceRun {
 
   void fire(Event event, Instant now);
   void startDwell(Instant now);
+  void tellFailure();
   void nextStep(Instant now);
   void fail(Failure failure, Instant now);
   void failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now);

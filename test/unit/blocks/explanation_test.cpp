@@ -103,6 +103,10 @@ TEST_F(Explanation, isLookedForByABlockThatIsNotActiveAnyMore) {
   EXPECT_EQ(rig.progress(motion).back().phase, Phase::Stopping);
   EXPECT_THAT(rig.progress(motion).back().text,
               HasSubstr("failed, the connection was closed: closed by the peer"));
+  EXPECT_TRUE(rig.outputs(Block::Connect).busy);
+  EXPECT_FALSE(rig.outputs(Block::Connect).active);
+  EXPECT_EQ(rig.progress(connect).back().phase, Phase::Connecting);
+  EXPECT_THAT(rig.progress(connect).back().text, HasSubstr("the link was lost, the connection was closed"));
   frame(StatusFrames().moving());
   EXPECT_FALSE(rig.outputs(Block::MoveAbsolute).active);
 }
@@ -175,7 +179,10 @@ TEST_F(Explanation, comesAlsoToACycleInItsDwell) {
     other.tag(1);
     other.status(StatusFrames());
     ASSERT_EQ(other.progress(cycle).back().phase, Phase::Dwelling);
+    EXPECT_TRUE(other.outputs(Block::PickAndPlace).active);
     other.close("closed by the peer");
+    EXPECT_FALSE(other.outputs(Block::PickAndPlace).active);
+    EXPECT_EQ(other.progress(cycle).back().phase, Phase::Stopping);
     for (int i = 0; i < 3; ++i) {
       EXPECT_EQ(other.outcome(cycle), nullptr);
       other.pass(15ms);
