@@ -43,7 +43,7 @@ void CommandCore::opened(link::ConnectionId id, Instant now) {
   impl_->opened(id, now);
 }
 
-void CommandCore::openFailed(link::ConnectionId id, link::OpenFailure failure, Instant now) {
+void CommandCore::openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now) {
   impl_->openFailed(id, failure, now);
 }
 

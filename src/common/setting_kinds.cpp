@@ -186,7 +186,7 @@ TextRule orEmpty(TextRule rule) {
           [holds = std::move(rule.holds)](const std::string& text) { return text.empty() || holds(text); }};
 }
 
-SettingKind text(std::string& value, TextRule rule) {
+SettingKind text(std::string& value, const TextRule& rule) {
   const auto read = [rule](const std::string& found) -> Result<std::string, std::string> {
     if (!rule.holds(found)) return refuse(isFound({found}));
     return found;

@@ -40,7 +40,7 @@ class Checker {
   Findings findings() && { return std::move(findings_); }
 
  private:
-  std::optional<Type> typeOf(const std::string& name) const {
+  [[nodiscard]] std::optional<Type> typeOf(const std::string& name) const {
     const auto declared = declared_.find(name);
     if (declared != declared_.end()) return declared->second;
     const Value* value = scope_.locals.find(name);

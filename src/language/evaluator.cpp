@@ -117,7 +117,7 @@ Result<Value, Stop> Evaluator::of(const ArrayLiteral& array) {
   ScalarType type = ScalarType::Byte;
   std::size_t bytes = 0;
   for (const Expression& element : array.elements) {
-    const auto value = valueOf(element);
+    auto value = valueOf(element);
     if (!value) return value;
     bytes += sizeOf(*value);
     if (bytes > kMaxValueBytes) return fault(fmt::format("a value of more than {} bytes", kMaxValueBytes));
@@ -138,7 +138,7 @@ Result<Value, Stop> Evaluator::of(const Chain& chain) {
     const BinaryOperator binary = chain.operators[i];
     const bool decides = binary == BinaryOperator::Or;
     if ((decides || binary == BinaryOperator::And) && *value == Value(Scalar(decides))) return value;
-    const auto operand = valueOf(chain.operands[i + 1]);
+    auto operand = valueOf(chain.operands[i + 1]);
     if (!operand) return operand;
     value = orFault(applyOperator(binary, *value, *operand));
   }
@@ -150,7 +150,7 @@ Result<Value, Stop> Evaluator::of(const Conditional& conditional) {
   if (!type) return fault(type.error());
   const Expression* chosen = &*conditional.otherwise;
   for (std::size_t i = 0; i < conditional.conditions.size(); ++i) {
-    const auto condition = valueOf(conditional.conditions[i]);
+    auto condition = valueOf(conditional.conditions[i]);
     if (!condition) return condition;
     if (*condition != Value(Scalar(true))) continue;
     chosen = &conditional.results[i];

@@ -42,7 +42,7 @@ Result<std::size_t, Stop> Evaluator::indexOf(const Expression& index, const Valu
 }
 
 Result<Value, Stop> Evaluator::of(const Element& element) {
-  const auto array = valueOf(*element.array);
+  auto array = valueOf(*element.array);
   if (!array) return array;
   const auto index = indexOf(*element.index, *array);
   if (!index) return refuse(index.error());
@@ -115,7 +115,7 @@ Result<Value, Stop> Evaluator::writeItem(const Target& target, const Value& valu
 Result<Value, Stop> Evaluator::step(const Expression& expression, int by, bool gives_old) {
   const auto target = targetOf(expression);
   if (!target) return refuse(target.error());
-  const auto old = readTarget(*target);
+  auto old = readTarget(*target);
   if (!old) return old;
   const auto next = applyOperator(BinaryOperator::Add, *old, Scalar(by));
   if (!next) return fault(next.error());

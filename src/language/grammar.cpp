@@ -35,7 +35,7 @@ struct DepthTag;
 template <class Subject>
 struct Nested : x3::unary_parser<Subject, Nested<Subject>> {
   using Base = x3::unary_parser<Subject, Nested<Subject>>;
-  static constexpr bool handles_container = Subject::handles_container;
+  static constexpr bool handles_container = Subject::handles_container;  // NOLINT: the name is Spirit's
   explicit Nested(const Subject& limited) : Base(limited) {}
 
   template <class Iterator, class Context, class RuleContext, class Attribute>

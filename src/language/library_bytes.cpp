@@ -9,7 +9,7 @@ namespace cobot_command::language {
 namespace {
 
 constexpr int kBigEndian = 1;
-enum Encoding { kUtf8 = 0, kHex = 1, kAscii = 2 };
+enum Encoding { Utf8 = 0, Hex = 1, Ascii = 2 };
 
 /// The number at a place; bytes that are missing are 0.
 template <class Number>
@@ -66,11 +66,11 @@ Computed int16s(const Arguments& arguments) {
 
 Computed string(const Arguments& arguments) {
   Bytes bytes = itemsAt<std::uint8_t>(arguments, 0);
-  const int encoding = intAt(arguments, 1, kUtf8);
-  if (encoding == kHex) return Scalar(hexOf(bytes));
-  if (encoding != kUtf8 && encoding != kAscii) return refuse(std::string("the encoding is 0, 1 or 2"));
+  const int encoding = intAt(arguments, 1, Utf8);
+  if (encoding == Hex) return Scalar(hexOf(bytes));
+  if (encoding != Utf8 && encoding != Ascii) return refuse(std::string("the encoding is 0, 1 or 2"));
   bytes.erase(std::find(bytes.begin(), bytes.end(), 0), bytes.end());
-  if (encoding == kAscii) {
+  if (encoding == Ascii) {
     std::replace_if(
         bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte > 0x7F; }, '?');
   }

@@ -7,14 +7,14 @@
 
 namespace cobot_command::language {
 
-/// Replaces each 'name' for which `valueOf(name)` gives a text (a std::optional<std::string>).
+/// Replaces each 'name' for which `value_of(name)` gives a text (a std::optional<std::string>).
 template <class ValueOf>
-[[nodiscard]] std::string withQuotedNames(std::string_view text, ValueOf&& valueOf) {
+[[nodiscard]] std::string withQuotedNames(std::string_view text, ValueOf&& value_of) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = text[at] == '\'' ? text.find('\'', at + 1) : std::string_view::npos;
-    const auto value = end == std::string_view::npos ? decltype(valueOf(text)){}
-                                                     : valueOf(text.substr(at + 1, end - at - 1));
+    const auto value = end == std::string_view::npos ? decltype(value_of(text)){}
+                                                     : value_of(text.substr(at + 1, end - at - 1));
     if (value) {
       result += *value;
     } else {

@@ -153,7 +153,7 @@ Result<Type, std::string> Typing::of(const Name& name) {
 Result<Type, std::string> Typing::commonOf(const Expressions& expressions) {
   std::optional<Type> common;
   for (const Expression& expression : expressions) {
-    const auto type = typeOf(expression);
+    auto type = typeOf(expression);
     if (!type) return type;
     if (!common || *common == *type) {
       common = *type;
@@ -171,7 +171,7 @@ Result<Type, std::string> Typing::of(const ArrayLiteral& array) {
   if (array.elements.size() > kMaxElements) {
     return refuse(fmt::format("an array of more than {} elements", kMaxElements));
   }
-  const auto element = commonOf(array.elements);
+  auto element = commonOf(array.elements);
   if (!element) return element;
   if (element->is_array) return refuse(std::string("arrays have one dimension"));
   return Type{element->scalar, true};
@@ -218,7 +218,7 @@ Result<Type, std::string> Typing::of(const Element& element) {
     return refuse(std::move(found.error()));
   }
   if (!shape.type.is_array) return refuse(fmt::format("{} has no elements", toText(shape.type)));
-  const auto index = typeOf(*element.index);
+  auto index = typeOf(*element.index);
   if (!index) return index;
   if (index->is_array || !isInteger(index->scalar)) {
     return refuse(fmt::format("{} is no index", toText(*index)));
@@ -276,7 +276,7 @@ Result<Type, std::string> Typing::of(const Postfix& postfix) {
 Result<Type, std::string> Typing::of(const Chain& chain) {
   auto type = typeOf(chain.operands.front());
   for (std::size_t i = 0; type && i < chain.operators.size(); ++i) {
-    const auto operand = typeOf(chain.operands[i + 1]);
+    auto operand = typeOf(chain.operands[i + 1]);
     if (!operand) return operand;
     type = resultOf(chain.operators[i], *type, *operand);
   }
@@ -285,7 +285,7 @@ Result<Type, std::string> Typing::of(const Chain& chain) {
 
 Result<Type, std::string> Typing::of(const Conditional& conditional) {
   for (const Expression& condition : conditional.conditions) {
-    const auto type = typeOf(condition);
+    auto type = typeOf(condition);
     if (!type) return type;
     if (*type != kBool) return refuse(fmt::format("{} is no condition", toText(*type)));
   }
@@ -324,10 +324,10 @@ Result<Type, std::string> Typing::of(const Assignment& assignment) {
   for (std::size_t i = assignment.targets.size(); i-- > 0;) {
     const auto target = targetShape(assignment.targets[i]);
     if (!target) return refuse(target.error());
-    const auto given = value ? Typed(*value) : valueFor(*target, assignment);
+    auto given = value ? Typed(*value) : valueFor(*target, assignment);
     if (!given) return given;
     const auto& compound = assignment.operators[i];
-    const auto result = compound ? resultOf(*compound, target->type, *given) : given;
+    auto result = compound ? resultOf(*compound, target->type, *given) : given;
     if (!result) return result;
     if (conversionOf(*result, target->type) == Conversion::None) {
       return refuse(fmt::format("{} is no {}", toText(*result), toText(target->type)));

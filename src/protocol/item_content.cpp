@@ -70,7 +70,8 @@ Result<Items, MessageFault> jsonItems(std::string_view content, Wanted wanted) {
   Items items;
   for (const JsonTree& element : *json) {
     const auto name = element.is_object() ? element.find("Item") : element.end();
-    const bool has_name = element.is_object() && name != element.end() && name->is_string() && *name != "";
+    const bool has_name = element.is_object() && name != element.end() && name->is_string() &&
+                          !name->get_ref<const std::string&>().empty();
     if (!has_name || (wanted == Wanted::Values && !element.contains("Value"))) {
       return fault(fmt::format("element {} has no \"Item\"{}", items.size() + 1,
                                wanted == Wanted::Values ? ", or no \"Value\"" : ""));

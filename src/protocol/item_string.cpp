@@ -36,7 +36,7 @@ std::optional<JsonTree> readText(std::string_view quoted_text) {
 
 std::optional<JsonTree> readScalar(std::string_view text) {
   if (isEnclosed(text, kQuote, kQuote)) return readText(text);
-  const auto json = parseJson(text);
+  auto json = parseJson(text);
   if (!json || !(json->is_number() || json->is_boolean())) return std::nullopt;
   return json;
 }

@@ -34,7 +34,7 @@ struct PlainReal : x3::real_policies<double> {
   }
 };
 struct PointedReal : PlainReal {
-  static constexpr bool expect_dot = true;
+  static constexpr bool expect_dot = true;  // NOLINT: the name is Spirit's
 };
 
 const x3::real_parser<double, PointedReal> pointed_real;

@@ -125,12 +125,12 @@ simulator::OperatorReply SimulatedControllerNode::operate(const simulator::Opera
 }
 
 template <class Service, class ToAction>
-void SimulatedControllerNode::offer(const std::string& name, ToAction toAction) {
+void SimulatedControllerNode::offer(const std::string& name, ToAction to_action) {
   using Request = typename Service::Request;
   using Response = typename Service::Response;
-  const boost::function<bool(Request&, Response&)> serve = [this, toAction](Request& request,
-                                                                            Response& response) {
-    const Result<simulator::OperatorAction, std::string> action = toAction(request);
+  const boost::function<bool(Request&, Response&)> serve = [this, to_action](Request& request,
+                                                                             Response& response) {
+    const Result<simulator::OperatorAction, std::string> action = to_action(request);
     simulator::OperatorReply reply =
         action ? operate(*action) : simulator::OperatorReply{false, action.error()};
     response.success = reply.done;

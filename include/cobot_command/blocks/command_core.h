@@ -143,7 +143,7 @@ class CommandCore {
 
   // --- Connections.
   void opened(link::ConnectionId id, Instant now);
-  void openFailed(link::ConnectionId id, link::OpenFailure failure, Instant now);
+  void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);
   void closed(link::ConnectionId id, const std::string& reason, Instant now);
 

@@ -37,7 +37,7 @@ struct TextRule {
 [[nodiscard]] TextRule name(std::size_t longest);
 [[nodiscard]] TextRule oneOf(const std::vector<std::string>& words);
 [[nodiscard]] TextRule orEmpty(TextRule rule);
-[[nodiscard]] SettingKind text(std::string& value, TextRule rule = anyText());
+[[nodiscard]] SettingKind text(std::string& value, const TextRule& rule = anyText());
 
 /// A value that is written as a text: `read` makes it of one or says what is wrong, `show` is the way back.
 template <class Value>

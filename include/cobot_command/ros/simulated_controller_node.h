@@ -31,9 +31,9 @@ class SimulatedControllerNode {
 
  private:
   void offerServices();
-  /// A service that does what `toAction` makes of its request.
+  /// A service that does what `to_action` makes of its request.
   template <class Service, class ToAction>
-  void offer(const std::string& name, ToAction toAction);
+  void offer(const std::string& name, ToAction to_action);
   /// A service of std_srvs/Trigger.
   template <class Action>
   void offerTrigger(const std::string& name);

@@ -30,8 +30,8 @@ class TidyActionServer : public actionlib::ActionServer<Action> {
  public:
   /// Serves `name`, relative to `node`, from start() on.
   template <class OnGoal, class OnCancel>
-  TidyActionServer(const ros::NodeHandle& node, const std::string& name, OnGoal onGoal, OnCancel onCancel)
-      : Base(node, name, std::move(onGoal), std::move(onCancel), false),
+  TidyActionServer(const ros::NodeHandle& node, const std::string& name, OnGoal on_goal, OnCancel on_cancel)
+      : Base(node, name, std::move(on_goal), std::move(on_cancel), false),
         action_(node, name),
         tidying_(node.createSteadyTimer(ros::WallDuration(kTidyPeriod),
                                         [this](const ros::SteadyTimerEvent&) { tidy(); })) {
