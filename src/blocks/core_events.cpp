@@ -272,6 +272,7 @@ void CommandCore::Impl::robotChanged(Instant now) {
   for (CommandRun& run : direct_) run.robotChanged(now);
   if (cycle_) cycle_->robotChanged(robot_, now);
   stop_.robotChanged();
+  preflight_.see(robot_, settings_.evidence_timeout, now);
 }
 
 }  // namespace cobot_command::blocks

@@ -85,6 +85,12 @@ std::optional<Target> Preflight::targetOf(const std::vector<protocol::ScriptComm
   return Target{*kind, *end.joints, end.tcp.value_or(arm::Pose::Identity()), way <= kNextTo};
 }
 
+void Preflight::see(const RobotWatch& robot, Duration patience, Instant now) {
+  if (!queue_) return;
+  queue_->stall.see(robot, now);
+  if (robot.inError() || robot.emergencyStop() || queue_->stall.stalled(patience)) forget();
+}
+
 void Preflight::queue(const std::optional<Plan>& plan, Instant now) {
   queue_.reset();
   if (plan && plan->end.start.joints) queue_ = Queue{*plan->end.behind, now - plan->arrival};

@@ -9,6 +9,7 @@
 #include "frame_watch.h"
 #include "loose_motion.h"
 #include "robot_watch.h"
+#include "stall_watch.h"
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/common/result.h"
@@ -58,6 +59,9 @@ class Preflight {
   /// The queue tag of a planned motion came back: the next one starts at its end, until the stream, which is
   /// always a little behind, shows the robot standing.
   void arrive(const std::optional<Plan>& plan, Instant now);
+  /// With each status frame: a controller in error has emptied its queue, and so has one whose robot stands
+  /// on its way for so long, with nothing that holds it.
+  void see(const RobotWatch& robot, Duration patience, Instant now);
   /// Nothing is queued any more, or nobody knows.
   void forget() { queue_.reset(); }
 
@@ -65,6 +69,7 @@ class Preflight {
   struct Queue {
     planning::ScriptPlanner planner;
     Instant began;
+    StallWatch stall = {};
     /// When the robot comes to its end, if nothing holds it.
     [[nodiscard]] Instant end() const { return began + planner.duration(); }
   };

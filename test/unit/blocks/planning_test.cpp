@@ -231,6 +231,57 @@ TEST_F(Planning, startsWhereTheRobotStandsOnceTheQueueIsDone) {
   rig.takeScript();
 }
 
+TEST_F(Planning, ofACycleFromNobodyKnowsWhereAsksForNothingThatACycleHasNot) {
+  PickAndPlaceGoal goal;
+  goal.check_only = true;
+  goal.steps.push_back({toJoints(kAside), std::nullopt, 0});
+  const GoalId id = rig.submit(goal);
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->error_id, own_error::kStartUnknown);
+  EXPECT_THAT(rig.outcome(id)->remedy, ::testing::StartsWith("Wait until the status stream shows"));
+}
+
+/// A blended motion of some seconds that is over long before its time.
+class PlanningBehindWhatWasCutShort : public Planning {
+ protected:
+  PlanningBehindWhatWasCutShort() {
+    rig.status(StatusFrames());
+    MoveAbsoluteGoal far = toJoints({120, 0, 90, 0, 90, 0}, 5);
+    far.blending_enable = true;
+    far.blending_value = 50;
+    rig.submit(far);
+    rig.reply(rig.takeScript().id);
+    for (float j1 = 0; j1 < 8; ++j1) {
+      rig.pass(100ms);
+      rig.status(StatusFrames().at({j1, 0, 90, 0, 90, 0}).moving());
+    }
+  }
+  static StatusFrames standing() { return StatusFrames().at({8, 0, 90, 0, 90, 0}); }
+  void expectStartHere() {
+    MoveAbsoluteGoal check = toJoints(kAside);
+    check.check_only = true;
+    const GoalId goal = rig.submit(check);
+    ASSERT_NE(rig.outcome(goal), nullptr);
+    ASSERT_FALSE(rig.outcome(goal)->joint_path.empty()) << rig.outcome(goal)->error_description;
+    EXPECT_NEAR(rig.outcome(goal)->joint_path.front().joints[0], degToRad(8), 1e-5);
+  }
+};
+
+TEST_F(PlanningBehindWhatWasCutShort, startsWhereTheControllerCameToRestInItsError) {
+  rig.status(standing().error(0x34, "x"));
+  rig.pass(15ms);
+  rig.status(standing());
+  expectStartHere();
+}
+
+TEST_F(PlanningBehindWhatWasCutShort, startsWhereTheRobotStandsForSomebodyElsesReason) {
+  for (int i = 0; i < 50; ++i) {
+    rig.pass(15ms);
+    rig.status(standing());
+  }
+  expectStartHere();
+}
+
 TEST_F(Planning, isLeftOutWithoutAStatusStreamAndWhileTheRobotMovesFromNobodyKnowsWhere) {
   const GoalId outside = rig.submit(toJoints({0, 0, 170, 0, 90, 0}));
   ASSERT_NE(rig.outcome(outside), nullptr) << "a joint target can be judged from anywhere";
