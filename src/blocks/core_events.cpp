@@ -119,7 +119,7 @@ void CommandCore::Impl::settle(Instant now) {
       connect_.motionsEnded(now);
       more = true;
     }
-    if (kept_ && !connect_.busy() && life_ == Life::Working) {
+    if (kept_ && !kept_no_more_ && !connect_.busy() && life_ == Life::Working) {
       connect_.keep(*kept_, now);
       more = true;
     }
@@ -150,6 +150,7 @@ void CommandCore::Impl::watchOrphan(Instant now) {
   if (!script_.connected()) orphan_.fire(OrphanEvent::LinkGone);
   if (elsewhere) orphan_.fire(OrphanEvent::Elsewhere);
   if (connect_.ready()) orphan_.fire(OrphanEvent::Ready);
+  if (connect_.ready() && left_moving_ && connect_.isSameController(*left_moving_)) left_moving_.reset();
   orphan_.see(robot_);
   if (!orphan_.takeFound()) return;
   log(Severity::Warning,
@@ -176,6 +177,8 @@ void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) 
 
 void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   log(Severity::Warning, "link lost: " + event.reason);
+  const bool moved = loose_.mayMove() || (run_ && run_->order().moves);
+  if (moved) left_moving_ = connect_.target();
   dropWaiting("the link was lost: " + event.reason);
   if (run_) run_->linkLost(event.reason, now);
   for (CommandRun& run : direct_) run.linkLost(event.reason, now);
@@ -184,7 +187,8 @@ void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   stop_.linkLost(event.reason);
   tags_.renewEpoch();
   finish(now);
-  connect_.linkLost(event.reason, now);
+  connect_.linkLost(moved ? fmt::format("{}; {}", event.reason, LooseMotion::kMayStillMove) : event.reason,
+                    now);
 }
 
 void CommandCore::Impl::handle(const link::ScriptAnswered& event, Instant now) {
@@ -268,11 +272,11 @@ void CommandCore::Impl::robotChanged(Instant now) {
   frames_.robotChanged(robot_, now);
   weigh();
   loose_.see(robot_, now);
+  preflight_.see(robot_, settings_.evidence_timeout, now);
   if (run_) run_->robotChanged(now);
   for (CommandRun& run : direct_) run.robotChanged(now);
   if (cycle_) cycle_->robotChanged(robot_, now);
   stop_.robotChanged();
-  preflight_.see(robot_, settings_.evidence_timeout, now);
 }
 
 }  // namespace cobot_command::blocks

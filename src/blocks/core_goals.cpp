@@ -56,12 +56,19 @@ void CommandCore::Impl::abortAsItComes(Block block, GoalId id, const std::string
 
 void CommandCore::Impl::execute(GoalId id, const ConnectGoal& goal, Instant now) {
   Failures failures = checkConnect(goal);
-  const bool taken = !connect_.mayExecute() || (connect_.busy() && busyBlock());
+  const auto busy = connect_.busy() ? busyBlock() : std::nullopt;
   const bool leaves_a_motion =
       connect_.busy() && !connect_.isSameController(goal) && (loose_.mayMove() || stop_.busy());
   const auto target = fmt::format("{}:{}", connect_.target().host, connect_.target().port);
-  if (taken) {
-    failures.push_back({own_error::kConnectBusy, "with " + target, ""});
+  if (!connect_.mayExecute()) {
+    failures.push_back(
+        {own_error::kConnectBusy,
+         connect_.disconnecting() ? fmt::format("the link to {} is being closed", target) : "with " + target,
+         ""});
+  } else if (busy) {
+    failures.push_back({own_error::kConnectBusy,
+                        fmt::format("the link to {} is used by {}", target, toString(*busy)),
+                        "Wait for its end, or cancel it, then connect"});
   } else if (leaves_a_motion) {
     failures.push_back({own_error::kConnectBusy, fmt::format("the robot at {} may still move", target),
                         "Stop that robot first (stop), or wait until it stands"});
@@ -70,6 +77,7 @@ void CommandCore::Impl::execute(GoalId id, const ConnectGoal& goal, Instant now)
     board_.reject(Block::Connect, id, toRejection(Block::Connect, failures));
     return;
   }
+  kept_no_more_ = false;
   connect_.execute(id, goal, now);
 }
 
@@ -188,12 +196,16 @@ Outcome CommandCore::Impl::checkCycle(const PickAndPlaceGoal& goal,
   // The same findings, in the words of this block.
   const ErrorEntry* entry = findError(Block::PickAndPlace, outcome.error_id);
   assert(entry != nullptr);
-  outcome.remedy = outcome.remedy.empty() ? entry->remedy : outcome.remedy;
+  const bool is_general = outcome.remedy == findError(Block::CheckSequence, outcome.error_id)->remedy;
+  if (is_general) outcome.remedy = entry->remedy;
   return outcome;
 }
 
 CommandCore::Impl::Failures CommandCore::Impl::checkLink() const {
-  if (!connect_.busy() || connect_.disconnecting() || !script_.established()) {
+  if (connect_.disconnecting()) {
+    return {{motion_error::kNotConnected, "the connection is being closed", ""}};
+  }
+  if (!connect_.busy() || !script_.established()) {
     return {{motion_error::kNotConnected, linkDiagnosis(), ""}};
   }
   if (script_.state() != link::ScriptLinkState::Ready) {
@@ -251,7 +263,6 @@ void CommandCore::Impl::cancel(GoalId id, Instant now, std::optional<GoalId> new
     abortRunning("cancelled", now);
   } else if (connect_.busy() && connect_.goal() == id) {
     if (kept_) kept_no_more_ = true;
-    kept_.reset();
     connect_.cancel(now);
     abortAll("the connection is being closed", newest.value_or(newestGoal()), now);
     stopIfMoving(now);

@@ -182,6 +182,8 @@ class CommandCore::Impl : private link::Wire {
   void robotChanged(Instant now);
 
   // --- What everyone may know (core_status.cpp).
+  /// Of a robot that may move, and that no link can stop; empty: of none.
+  [[nodiscard]] std::string textOfTheRobotLeft() const;
   /// By a connect goal that was cancelled, and no other has come since.
   [[nodiscard]] bool automaticLinkEnded() const { return kept_no_more_ && !connect_.busy(); }
   [[nodiscard]] std::string linkDiagnosis() const;
@@ -218,7 +220,8 @@ class CommandCore::Impl : private link::Wire {
   std::deque<Waiting> waiting_;
   LooseMotion loose_;
   std::optional<ConnectGoal> kept_;  ///< the link to keep while no connect goal is Busy
-  bool kept_no_more_ = false;        ///< a connect goal was cancelled: who disconnects means it
+  bool kept_no_more_ = false;  ///< a connect goal was cancelled, and no other came: who disconnects means it
+  std::optional<ConnectGoal> left_moving_;  ///< the link to this controller was lost while its robot moved
   Life life_ = Life::Working;
   std::uint64_t late_events_ = 0;
   CommandStatus published_;

@@ -45,6 +45,12 @@ std::string CommandCore::Impl::linkDiagnosis() const {
   return text;
 }
 
+std::string CommandCore::Impl::textOfTheRobotLeft() const {
+  if (!left_moving_) return "";
+  return fmt::format("the link to {}:{} was lost while its robot moved: {}", left_moving_->host,
+                     left_moving_->port, LooseMotion::kMayStillMove);
+}
+
 void CommandCore::Impl::publishStatus() {
   CommandStatus status;
   status.link = toLinkState(script_.state());
@@ -56,6 +62,7 @@ void CommandCore::Impl::publishStatus() {
   if (orphan_.mayMove()) status.diagnosis += fmt::format("; {}", orphan_.text());
   if (const std::string text = strangers_.text(); !text.empty()) status.diagnosis += "; " + text;
   if (!loose_.text().empty()) status.diagnosis += "; " + loose_.text();
+  if (left_moving_) status.diagnosis += "; " + textOfTheRobotLeft();
   status.host = connect_.target().host;
   status.port = connect_.target().port;
   status.listen_node = script_.listenNode();

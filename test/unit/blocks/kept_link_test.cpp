@@ -80,6 +80,44 @@ TEST(KeptLink, saysThatACancelledConnectGoalHasEndedIt) {
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("automatic link")));
 }
 
+TEST(KeptLink, comesBackWhenTheLinkOfAGoalBehindACancelledOneIsLost) {
+  Rig rig;
+  rig.open();
+  rig.cancel(rig.submit(CoreRig::robot()));
+  rig.submit(CoreRig::robot());
+  rig.open();
+  rig.close("peer gone");
+  rig.pass(10s);
+  ASSERT_TRUE(rig.pendingOpen(link::Channel::Script)) << "only the cancel of the last goal means it";
+  rig.open();
+  EXPECT_EQ(rig.latest().link, State::Ready);
+  EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("automatic link")));
+}
+
+TEST(KeptLink, tellsOfTheRobotThatItHasLostInMotion) {
+  Rig rig;
+  rig.open();
+  ConnectGoal other = CoreRig::robot();
+  other.host = "another";
+  const GoalId goal = rig.submit(other);
+  rig.open();
+  MoveAbsoluteGoal blended = CoreRig::move();
+  blended.blending_enable = true;
+  blended.blending_value = 50;
+  rig.submit(blended);
+  rig.reply(rig.takeScript().id);
+  rig.close("peer gone");
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("may still move"));
+  rig.pass(10s);
+  rig.open();
+  EXPECT_EQ(rig.latest().link, State::Ready);
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the link to another:5890 was lost while its robot moved"));
+  rig.submit(other);
+  rig.open();
+  EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("was lost"))) << "whether it moves is seen again";
+}
+
 TEST(KeptLink, comesBackWhenAConnectGoalForAnotherControllerFails) {
   Rig rig;
   rig.open();
@@ -155,6 +193,8 @@ TEST(KeptLink, isNotTakenAwayFromACommandThatIsUnderWay) {
   other.host = "another";
   const GoalId goal = rig.submit(other);
   EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kConnectBusy);
+  EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("used by move_absolute"));
+  EXPECT_THAT(rig.outcome(goal)->remedy, HasSubstr("Wait for its end"));
 }
 
 TEST(KeptLink, comesBackWhenTheLinkOfAConnectGoalWasLost) {

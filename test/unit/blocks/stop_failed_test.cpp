@@ -83,10 +83,12 @@ TEST(FailedStop, isToldUntilAStopIsConfirmed) {
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr(kWords)));
 }
 
-/// Whether it moves on is for the next connection to find.
-TEST(FailedStop, isNoLongerToldBehindTheLink) {
+/// Whether it moves on is for the next connection to the same robot to find.
+TEST(FailedStop, isToldAsAMotionThatTheLinkHasLeft) {
   LooseMotion rig;
   rig.close("gone");
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("was lost while its robot moved"));
+  rig.connect();
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr(kWords)));
 }
 
