@@ -71,6 +71,8 @@ CommandOrder orderOf(const RunScriptGoal& goal, const arm::Pose& /*base*/) {
   if (const auto parsed = protocol::parseScript(fmt::format("{}", fmt::join(order.lines, "\r\n")))) {
     order.commands.emplace();
     for (const auto& line : parsed->lines) order.commands->push_back(line.command);
+    order.has_exit =
+        !order.commands->empty() && std::holds_alternative<protocol::ScriptExit>(order.commands->back());
   }
   return order;
 }

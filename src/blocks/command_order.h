@@ -24,7 +24,8 @@ struct CommandOrder {
   /// layer knows.
   std::optional<std::vector<protocol::ScriptCommand>> commands;
   bool moves = false;             ///< a cancel has to stop the robot
-  bool exits_node = false;        ///< its last line is ScriptExit()
+  bool exits_node = false;        ///< ScriptExit() is to stand behind its lines
+  bool has_exit = false;          ///< its own lines end with one that has a number
   bool exits_afterwards = false;  ///< the node is to be left with a script of its own once it is done
   bool beside = false;            ///< goes out beside what is on the wire, whatever state the robot is in
   bool pauses = false;            ///< a script with a Pause() of its own

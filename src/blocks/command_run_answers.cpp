@@ -69,7 +69,7 @@ void CommandRun::answered(const link::ScriptAnswered& answer, Instant now) {
   const auto& reply = std::get<protocol::ScriptReply>(answer.answer);
   if (reply.accepted) {
     accepted_at_ = now;
-    if (order_.exits_node) context_.link.exitAccepted(now);
+    if (order_.exits_node || order_.has_exit) context_.link.exitAccepted(now);
     fire(!order_.tag ? Event::AcceptedLast : tag_seen_at_ ? Event::AcceptedBehindTag : Event::Accepted, now);
   } else if (state_ == State::Sent) {
     fail({motion_error::kRejected, faultyLines(order_.lines, reply.lines), ""}, Robot::LeaveIt, now);

@@ -102,7 +102,9 @@ void CommandRun::lookForReason(Instant now) {
     fail(robotError(context_.robot), Robot::LeaveIt, now);
     return;
   }
-  if (!context_.robot.status() || reason_.endsWithFrame(now)) fire(Event::Overdue, now);
+  if (context_.robot.status() && !reason_.endsWithFrame(now)) return;
+  if (failure_.error_id == motion_error::kLinkDropped) tellStoppedProject(context_.robot, failure_);
+  fire(Event::Overdue, now);
 }
 
 }  // namespace cobot_command::blocks

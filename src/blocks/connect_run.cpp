@@ -144,6 +144,7 @@ void ConnectRun::lookForReason(Instant now) {
     loss_.found = fmt::format("{}: {}", robot_.errorText(), loss_.found);
     fire(Event::Lost, now);
   } else if (!robot_.status() || reason_.endsWithFrame(now)) {
+    tellStoppedProject(robot_, loss_);
     fire(Event::Lost, now);
   }
 }

@@ -58,6 +58,12 @@ std::optional<std::array<double, 6>> RobotWatch::toolInBaseMmDeg() const {
   return arm::toControllerPose(base.inverse() * *status_->tool);
 }
 
+void tellStoppedProject(const RobotWatch& robot, Failure& loss) {
+  if (!robot.projectStopped()) return;
+  loss.found = "the project was stopped: " + loss.found;
+  loss.remedy = "Start the project on the controller, then connect again";
+}
+
 Failure robotError(const RobotWatch& robot) {
   const std::string way_out =
       !robot.tooMuch()

@@ -28,6 +28,8 @@ class RobotWatch {
   [[nodiscard]] bool tellsMotion() const { return status_ && (status_->joint_velocities || status_->joints); }
   /// The project is paused, or a safeguard holds the robot: motions take as long as that lasts.
   [[nodiscard]] bool held() const;
+  /// With it the script port is closed.
+  [[nodiscard]] bool projectStopped() const { return status_ && status_->project_running == false; }
   [[nodiscard]] bool paused() const { return status_ && status_->project_paused.value_or(false); }
   [[nodiscard]] bool tellsPause() const { return status_ && status_->project_paused; }
   [[nodiscard]] bool emergencyStop() const { return status_ && status_->emergency_stop.value_or(false); }
@@ -57,6 +59,9 @@ class RobotWatch {
   bool error_acknowledged_ = false;
   std::optional<TooMuch> too_much_;
 };
+
+/// What a stopped project has to do with the loss of the link, for its error: that has another remedy.
+void tellStoppedProject(const RobotWatch& robot, Failure& loss);
 
 /// 16#222 with the error that the robot shows. The way out is another one when the arm carries too much: the
 /// next motion would only fail again.

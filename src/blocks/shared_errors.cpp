@@ -78,10 +78,10 @@ constexpr SharedError kTargetErrors[] = {
      "Lower blending_value, or choose targets that are further apart",
      "in a sequence that is checked: the blending radius is larger than half of the way to its corner, "
      "or of the way behind it"},
-    {own_error::kStartUnknown, "Start unknown", "Wait until the status stream shows the robot standing",
-     "check_only, and it is not known where the motion would start: no status stream, or the robot moves "
-     "from "
-     "an unknown place"},
+    {own_error::kStartUnknown, "Start unknown",
+     "Wait until the status stream shows the robot standing; one that is held stands after a stop",
+     "check_only, and it is not known where the motion would start: no status stream, or the robot moves, or "
+     "is held, from an unknown place"},
     {own_error::kNoModel, "No arm model", "Start the command layer with the model of the robot",
      "check_only, and the command layer knows no model of the arm"},
     {own_error::kAmbiguousTurn, "Turn ambiguous",
@@ -101,7 +101,8 @@ constexpr SharedError kTargetErrors[] = {
      "Normalise the quaternion; 0, 0, 0, 1 means no rotation",
      "the length of a pose's quaternion differs from 1 by more than 0.001, as that of all zeros"},
     {own_error::kBaseUnknown, "Active base or TCP unknown",
-     "Give them by value, or tick Base_Value and TCP_Value in the Ethernet Slave's data table",
+     "Give them by value, or tick Base_Value and TCP_Value in the Ethernet Slave's data table; behind a "
+     "change by name, wait for the next status frame",
      "a target in a tf frame, and it is not known in which base the controller would take it; or a motion to "
      "be checked in a sequence, in a base or TCP that the project knows by name only"},
 };

@@ -132,6 +132,17 @@ TEST(ExitNode, comesBehindTheTagOfARawScriptToo) {
   EXPECT_EQ(rig.outcome(id)->ending, Ending::Done);
 }
 
+TEST(ExitNode, isKnownOfAScriptThatLeavesByANumberToo) {
+  CoreRig rig;
+  rig.connect();
+  RunScriptGoal goal;
+  goal.script = "ScriptExit(0)";
+  const GoalId id = rig.submit(goal);
+  rig.reply(rig.takeScript().id);
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::Done);
+  EXPECT_EQ(rig.latest().link, CommandStatus::LinkState::NotListening);
+}
+
 TEST(ExitNode, goesWithTheScriptOfACommandThatDoesNotWaitForMotion) {
   CoreRig rig;
   rig.connect();

@@ -118,6 +118,16 @@ TEST_F(Explanation, ofALostLinkIsTheErrorOfAProjectThatStopsWithIt) {
   expectEnd(connect, connect_error::kDisconnected, "0x13: PTP");
 }
 
+TEST_F(Explanation, ofALostLinkIsTheProjectThatWasStopped) {
+  const auto stopped = StatusFrames().with(protocol::item::ofBool("Project_Run", false));
+  rig.close("closed by the peer");
+  for (int i = 0; i < 3; ++i) frame(stopped);
+  expectEnd(motion, motion_error::kLinkDropped, "the project was stopped");
+  EXPECT_THAT(rig.outcome(motion)->remedy, HasSubstr("Start the project"));
+  expectEnd(connect, connect_error::kDisconnected, "the project was stopped");
+  EXPECT_THAT(rig.outcome(connect)->remedy, HasSubstr("Start the project"));
+}
+
 TEST_F(Explanation, ofALostLinkWithoutOneIsTheLossItself) {
   rig.close("cable pulled");
   for (int i = 0; i < 3; ++i) frame(StatusFrames().moving());
