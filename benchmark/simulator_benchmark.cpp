@@ -5,9 +5,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "cobot_command/language/parser.h"
 #include "cobot_command/protocol/frame.h"
 #include "cobot_command/simulator/simulated_controller.h"
+#include "cobot_command/tm_script/parser.h"
 
 namespace cobot_command::simulator {
 namespace {
@@ -69,7 +69,7 @@ void run(benchmark::State& state, const std::string& script, Stream stream) {
 }
 
 void parsing(benchmark::State& state, const std::string& script) {
-  for (auto _ : state) benchmark::DoNotOptimize(language::parse(script));
+  for (auto _ : state) benchmark::DoNotOptimize(tm_script::parse(script));
 }
 
 BENCHMARK_CAPTURE(run, ptp, kPtp, Stream::Off);

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/error_ids.h"
-#include "cobot_command/language/open_end.h"
+#include "cobot_command/tm_script/open_end.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -116,7 +116,7 @@ std::string faultOf(const std::string& script, bool await_motion) {
     }
   }
   // Else the controller would read the queue tag, or the exit, as part of it, and never report it.
-  return language::openEndOf(withoutExit(lines)).value_or("");
+  return tm_script::openEndOf(withoutExit(lines)).value_or("");
 }
 
 }  // namespace

@@ -6,19 +6,19 @@
 #include <string>
 #include <variant>
 
-#include "cobot_command/language/functions.h"
 #include "cobot_command/protocol/script_command.h"
+#include "cobot_command/tm_script/functions.h"
 
 namespace cobot_command::simulator {
 
 /// Precondition of all that takes: the arguments have the types of a declared form that has it here.
 class CallArguments {
  public:
-  explicit CallArguments(const language::Arguments& arguments) : arguments_(arguments) {}
+  explicit CallArguments(const tm_script::Arguments& arguments) : arguments_(arguments) {}
 
   [[nodiscard]] bool more() const { return next_ < arguments_.size(); }
   [[nodiscard]] bool nextIsText() const {
-    const auto* scalar = std::get_if<language::Scalar>(&arguments_[next_]);
+    const auto* scalar = std::get_if<tm_script::Scalar>(&arguments_[next_]);
     return scalar != nullptr && std::holds_alternative<std::string>(*scalar);
   }
 
@@ -55,18 +55,18 @@ class CallArguments {
  private:
   template <class T>
   T take() {
-    return std::get<T>(std::get<language::Scalar>(arguments_[next_++]));
+    return std::get<T>(std::get<tm_script::Scalar>(arguments_[next_++]));
   }
   template <class T, std::size_t N>
   std::array<T, N> takeEach() {
     std::array<T, N> all{};
-    const auto* array = std::get_if<language::Array>(&arguments_[next_]);
+    const auto* array = std::get_if<tm_script::Array>(&arguments_[next_]);
     if (array != nullptr) ++next_;
     for (std::size_t i = 0; i < N; ++i) all[i] = array != nullptr ? std::get<T>(array->items[i]) : take<T>();
     return all;
   }
 
-  const language::Arguments& arguments_;
+  const tm_script::Arguments& arguments_;
   std::size_t next_ = 0;
 };
 

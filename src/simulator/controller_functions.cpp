@@ -14,12 +14,12 @@ namespace cobot_command::simulator {
 
 namespace {
 
-using language::Arguments;
-using language::Scalar;
-using language::Value;
+using tm_script::Arguments;
+using tm_script::Scalar;
+using tm_script::Value;
 using Computed = Result<Value, std::string>;
 
-constexpr language::Version kSinceEver{1, 68};
+constexpr tm_script::Version kSinceEver{1, 68};
 
 template <class T>
 const T& scalarAt(const Arguments& arguments, std::size_t place) {
@@ -33,7 +33,7 @@ std::int64_t stampOf(const RobotState& state) {
 
 }  // namespace
 
-void defineControllerFunctions(language::FunctionTable& functions, std::function<RobotState()> state) {
+void defineControllerFunctions(tm_script::FunctionTable& functions, std::function<RobotState()> state) {
   // The engine's numbers are fixed by the standard; those of its distributions are not.
   const auto engine = std::make_shared<std::mt19937>();
   functions.define("float random()", kSinceEver, [engine](const Arguments&) -> Computed {

@@ -3,12 +3,12 @@
 
 #include <functional>
 
-#include "cobot_command/language/functions.h"
 #include "cobot_command/simulator/robot_state.h"
+#include "cobot_command/tm_script/functions.h"
 
 namespace cobot_command::simulator {
 
 /// random, GetNow, GetNowStamp. All numbers are the same on every run of the simulation.
-void defineControllerFunctions(language::FunctionTable& functions, std::function<RobotState()> state);
+void defineControllerFunctions(tm_script::FunctionTable& functions, std::function<RobotState()> state);
 
 }  // namespace cobot_command::simulator

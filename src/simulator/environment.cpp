@@ -11,8 +11,8 @@ namespace cobot_command::simulator {
 
 namespace {
 
-using language::Scalar;
-using language::Value;
+using tm_script::Scalar;
+using tm_script::Value;
 
 /// Little endian, as the machine is; a text as it is.
 std::string bytesOf(const Scalar& scalar) {
@@ -29,11 +29,11 @@ std::string bytesOf(const Scalar& scalar) {
 std::string bytesOf(const Value& value) {
   if (const auto* scalar = std::get_if<Scalar>(&value)) return bytesOf(*scalar);
   std::string bytes;
-  for (const Scalar& item : std::get<language::Array>(value).items) bytes += bytesOf(item);
+  for (const Scalar& item : std::get<tm_script::Array>(value).items) bytes += bytesOf(item);
   return bytes;
 }
 
-std::vector<std::optional<Scalar>> scalarsIn(const language::Arguments& arguments) {
+std::vector<std::optional<Scalar>> scalarsIn(const tm_script::Arguments& arguments) {
   std::vector<std::optional<Scalar>> scalars;
   for (const Value& argument : arguments) {
     const auto* scalar = std::get_if<Scalar>(&argument);
@@ -60,31 +60,31 @@ std::optional<std::string> ScriptEnvironment::objectionTo(
   return simulator::objectionTo(function, arguments);
 }
 
-std::optional<std::string> ScriptEnvironment::write(const language::ItemName& item,
+std::optional<std::string> ScriptEnvironment::write(const tm_script::ItemName& item,
                                                     std::optional<std::size_t> index, const Value& value) {
   if (item.object != "IO") {
     items_.write(item, index, value);
     return std::nullopt;
   }
-  const auto* array = std::get_if<language::Array>(&value);
+  const auto* array = std::get_if<tm_script::Array>(&value);
   const std::size_t count = array == nullptr ? 1 : array->items.size();
   for (std::size_t i = 0; i < count; ++i) {
     const auto answer = array == nullptr ? writeOutput(item, index.value_or(0), std::get<Scalar>(value))
                                          : writeOutput(item, i, array->items[i]);
-    const auto* failure = std::get_if<language::CallFailure>(&answer);
+    const auto* failure = std::get_if<tm_script::CallFailure>(&answer);
     if (failure != nullptr) return failure->reason;
   }
   return std::nullopt;
 }
 
-language::CallAnswer ScriptEnvironment::writeOutput(const language::ItemName& item, std::size_t index,
-                                                    const Scalar& value) {
+tm_script::CallAnswer ScriptEnvironment::writeOutput(const tm_script::ItemName& item, std::size_t index,
+                                                     const Scalar& value) {
   if (const auto* volt = std::get_if<float>(&value)) {
     if (isAnalogOutput(*volt)) return effects_.set({*volt}, item.attribute == "InstantAO");
-    return language::CallFailure{fmt::format("an analog output is -10 to 10 V, not {}", *volt)};
+    return tm_script::CallFailure{fmt::format("an analog output is -10 to 10 V, not {}", *volt)};
   }
   const auto level = std::get<std::uint8_t>(value);
-  if (level > 1) return language::CallFailure{fmt::format("an output is 0 or 1, not {}", level)};
+  if (level > 1) return tm_script::CallFailure{fmt::format("an output is 0 or 1, not {}", level)};
   protocol::WriteOutput write;
   const bool is_box = std::get<std::string>(item.keys.front()) == "ControlBox";
   write.module = is_box ? protocol::IoModule::ControlBox : protocol::IoModule::EndModule;
@@ -94,16 +94,16 @@ language::CallAnswer ScriptEnvironment::writeOutput(const language::ItemName& it
   return effects_.execute(write);
 }
 
-language::CallAnswer ScriptEnvironment::call(const std::string& function,
-                                             const language::Arguments& arguments) {
+tm_script::CallAnswer ScriptEnvironment::call(const std::string& function,
+                                              const tm_script::Arguments& arguments) {
   if (function == "ListenSend") return listenSend(arguments);
   if (auto objection = objectionTo(function, scalarsIn(arguments))) {
-    return language::CallFailure{std::move(*objection)};
+    return tm_script::CallFailure{std::move(*objection)};
   }
   return effects_.execute(commandOf(function, arguments));
 }
 
-language::CallAnswer ScriptEnvironment::listenSend(const language::Arguments& arguments) {
+tm_script::CallAnswer ScriptEnvironment::listenSend(const tm_script::Arguments& arguments) {
   constexpr std::int32_t kFirst = 90, kLast = 99, kSent = 0, kBadChannel = -2;
   const auto channel = std::get<std::int32_t>(std::get<Scalar>(arguments[0]));
   if (channel < kFirst || channel > kLast) return Value(Scalar(kBadChannel));

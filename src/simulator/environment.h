@@ -9,18 +9,18 @@
 #include "project_data.h"
 #include "robot_items.h"
 
-#include "cobot_command/language/environment.h"
 #include "cobot_command/protocol/message.h"
 #include "cobot_command/protocol/script_command.h"
+#include "cobot_command/tm_script/environment.h"
 
 namespace cobot_command::simulator {
 
-class ScriptEnvironment final : public language::Environment {
+class ScriptEnvironment final : public tm_script::Environment {
  public:
   /// What comes of a script.
   struct Effects {
-    std::function<language::CallAnswer(const protocol::ScriptCommand&)> execute;
-    std::function<language::CallAnswer(const SetAnalogOutput&, bool is_instant)> set;
+    std::function<tm_script::CallAnswer(const protocol::ScriptCommand&)> execute;
+    std::function<tm_script::CallAnswer(const SetAnalogOutput&, bool is_instant)> set;
     std::function<void(const protocol::ListenData&)> send;
   };
 
@@ -30,28 +30,28 @@ class ScriptEnvironment final : public language::Environment {
         velocity_licence_(velocity_licence),
         effects_(std::move(effects)) {}
 
-  [[nodiscard]] Result<language::ItemShape, std::string> shapeOf(
-      const std::string& object, const std::vector<std::optional<language::Scalar>>& keys,
+  [[nodiscard]] Result<tm_script::ItemShape, std::string> shapeOf(
+      const std::string& object, const std::vector<std::optional<tm_script::Scalar>>& keys,
       const std::string& attribute) const override {
     return items_.shapeOf(object, keys, attribute);
   }
   [[nodiscard]] std::optional<std::string> objectionTo(
       const std::string& function,
-      const std::vector<std::optional<language::Scalar>>& arguments) const override;
-  [[nodiscard]] Result<language::Value, std::string> read(const language::ItemName& item) override {
+      const std::vector<std::optional<tm_script::Scalar>>& arguments) const override;
+  [[nodiscard]] Result<tm_script::Value, std::string> read(const tm_script::ItemName& item) override {
     return items_.read(item);
   }
   /// Outputs go the way of commands: what is queued, is queued.
-  [[nodiscard]] std::optional<std::string> write(const language::ItemName& item,
+  [[nodiscard]] std::optional<std::string> write(const tm_script::ItemName& item,
                                                  std::optional<std::size_t> index,
-                                                 const language::Value& value) override;
-  [[nodiscard]] language::CallAnswer call(const std::string& function,
-                                          const language::Arguments& arguments) override;
+                                                 const tm_script::Value& value) override;
+  [[nodiscard]] tm_script::CallAnswer call(const std::string& function,
+                                           const tm_script::Arguments& arguments) override;
 
  private:
-  [[nodiscard]] language::CallAnswer writeOutput(const language::ItemName& item, std::size_t index,
-                                                 const language::Scalar& value);
-  [[nodiscard]] language::CallAnswer listenSend(const language::Arguments& arguments);
+  [[nodiscard]] tm_script::CallAnswer writeOutput(const tm_script::ItemName& item, std::size_t index,
+                                                  const tm_script::Scalar& value);
+  [[nodiscard]] tm_script::CallAnswer listenSend(const tm_script::Arguments& arguments);
 
   RobotItems items_;
   const ProjectData& project_;

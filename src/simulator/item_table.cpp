@@ -49,8 +49,8 @@ std::optional<ItemWrite> Item::write(const ItemValue& value, const ItemValue& ol
   return SetVariable{std::string(name), value};
 }
 
-ItemTable::ItemTable(const Settings& settings, const language::Variables& variables) {
-  const language::Version tmflow = tmflowVersion(settings.tmflow_version);
+ItemTable::ItemTable(const Settings& settings, const tm_script::Variables& variables) {
+  const tm_script::Version tmflow = tmflowVersion(settings.tmflow_version);
   const int version = 100 * tmflow.major + tmflow.minor;
   const auto add = [&](const std::string& name, const ItemRow* row, std::size_t number) {
     const auto place = items_.emplace(name, Item{{}, row, number}).first;

@@ -29,7 +29,7 @@ struct Item {
 class ItemTable {
  public:
   /// Of the settings' version and stream. What is wrong in them (faultIn) is left out.
-  ItemTable(const Settings& settings, const language::Variables& variables);
+  ItemTable(const Settings& settings, const tm_script::Variables& variables);
 
   /// Robot_Link first. Items that the fault hides are not there, as with find().
   [[nodiscard]] std::vector<Item> stream(const ItemSource& source) const;

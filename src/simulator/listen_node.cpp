@@ -14,18 +14,18 @@ namespace {
 
 using Code = protocol::CommunicationErrorCode;
 
-const language::Call* callIn(const language::Statement& statement) {
-  const auto* expression = std::get_if<language::Expression>(&statement.content);
-  return expression == nullptr ? nullptr : std::get_if<language::Call>(&expression->node);
+const tm_script::Call* callIn(const tm_script::Statement& statement) {
+  const auto* expression = std::get_if<tm_script::Expression>(&statement.content);
+  return expression == nullptr ? nullptr : std::get_if<tm_script::Call>(&expression->node);
 }
 
 /// The argument of the first such call that has a literal one: it does not wait for its turn (TMflow 1.82;
 /// fact sheet 1.4).
-std::optional<int> priorityMode(const language::Script& script, std::string_view function) {
-  for (const language::Statement& statement : script) {
-    const language::Call* call = callIn(statement);
+std::optional<int> priorityMode(const tm_script::Script& script, std::string_view function) {
+  for (const tm_script::Statement& statement : script) {
+    const tm_script::Call* call = callIn(statement);
     if (call == nullptr || call->function != function || call->arguments.size() != 1) continue;
-    const auto* literal = std::get_if<language::Literal>(&call->arguments.front().node);
+    const auto* literal = std::get_if<tm_script::Literal>(&call->arguments.front().node);
     const auto* mode = literal == nullptr ? nullptr : std::get_if<std::uint8_t>(&literal->value);
     if (mode != nullptr) return *mode;
   }
@@ -34,10 +34,10 @@ std::optional<int> priorityMode(const language::Script& script, std::string_view
 
 constexpr const char* kStop = "StopAndClearBuffer";
 
-std::vector<int> stopsIn(const language::Script& script) {
+std::vector<int> stopsIn(const tm_script::Script& script) {
   std::vector<int> lines;
-  for (const language::Statement& statement : script) {
-    const language::Call* call = callIn(statement);
+  for (const tm_script::Statement& statement : script) {
+    const tm_script::Call* call = callIn(statement);
     if (call != nullptr && call->function == kStop) lines.push_back(statement.line);
   }
   return lines;
@@ -229,7 +229,7 @@ void ListenNode::answer(ClientId client, const protocol::ScriptRequest& request,
   if (faults_.cperr_script.take()) {
     return refuseFrame(client, static_cast<Code>(std::stoi(code, nullptr, 16)));
   }
-  PendingScript script{client, request.id, language::parse(request.script), {}};
+  PendingScript script{client, request.id, tm_script::parse(request.script), {}};
   spoil(script);
   if (!runPriorityCommand(script, now)) interpreter_.add(std::move(script));
 }

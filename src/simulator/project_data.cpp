@@ -7,32 +7,32 @@
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/arm/pose_bits.h"
-#include "cobot_command/language/checker.h"
-#include "cobot_command/language/interpreter.h"
+#include "cobot_command/tm_script/checker.h"
+#include "cobot_command/tm_script/interpreter.h"
 
 namespace cobot_command::simulator {
 
 namespace {
 
 /// Where project variables are declared there is no robot.
-class NoRobot final : public language::Environment {
+class NoRobot final : public tm_script::Environment {
  public:
-  Result<language::ItemShape, std::string> shapeOf(const std::string&,
-                                                   const std::vector<std::optional<language::Scalar>>&,
-                                                   const std::string&) const override {
+  Result<tm_script::ItemShape, std::string> shapeOf(const std::string&,
+                                                    const std::vector<std::optional<tm_script::Scalar>>&,
+                                                    const std::string&) const override {
     return refuse(kNone);
   }
-  std::optional<std::string> objectionTo(const std::string&,
-                                         const std::vector<std::optional<language::Scalar>>&) const override {
+  std::optional<std::string> objectionTo(
+      const std::string&, const std::vector<std::optional<tm_script::Scalar>>&) const override {
     return kNone;
   }
-  Result<language::Value, std::string> read(const language::ItemName&) override { return refuse(kNone); }
-  std::optional<std::string> write(const language::ItemName&, std::optional<std::size_t>,
-                                   const language::Value&) override {
+  Result<tm_script::Value, std::string> read(const tm_script::ItemName&) override { return refuse(kNone); }
+  std::optional<std::string> write(const tm_script::ItemName&, std::optional<std::size_t>,
+                                   const tm_script::Value&) override {
     return kNone;
   }
-  language::CallAnswer call(const std::string&, const language::Arguments&) override {
-    return language::CallFailure{kNone};
+  tm_script::CallAnswer call(const std::string&, const tm_script::Arguments&) override {
+    return tm_script::CallFailure{kNone};
   }
 
  private:
@@ -49,22 +49,22 @@ void forget(Map& map) {
 
 }  // namespace
 
-Result<std::string, std::string> declare(language::Variables& variables, const std::string& declaration) {
-  const language::FunctionTable functions;
-  language::Variables none;
-  const language::Scope scope{variables, none};
+Result<std::string, std::string> declare(tm_script::Variables& variables, const std::string& declaration) {
+  const tm_script::FunctionTable functions;
+  tm_script::Variables none;
+  const tm_script::Scope scope{variables, none};
   NoRobot robot;
-  const language::ParsedScript script = language::parse(declaration);
-  const language::Findings findings = language::check(script, functions, scope, robot);
+  const tm_script::ParsedScript script = tm_script::parse(declaration);
+  const tm_script::Findings findings = tm_script::check(script, functions, scope, robot);
   const auto refused = [&](const std::string& reason) {
     return refuse("it declares no variable: " + reason);
   };
   if (!findings.errors.empty()) return refused(findings.errors.front().reason);
   const auto& lines = script.statements;
   const auto* declared =
-      lines.size() == 1 ? std::get_if<language::Declaration>(&lines.front().content) : nullptr;
+      lines.size() == 1 ? std::get_if<tm_script::Declaration>(&lines.front().content) : nullptr;
   if (declared == nullptr) return refused("it is another statement, or several");
-  language::Interpreter interpreter(lines, functions, scope, robot);
+  tm_script::Interpreter interpreter(lines, functions, scope, robot);
   interpreter.run(1);
   if (interpreter.fault()) return refused(interpreter.fault()->reason);
   return declared->name;

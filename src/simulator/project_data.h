@@ -9,8 +9,8 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/result.h"
-#include "cobot_command/language/variables.h"
 #include "cobot_command/simulator/settings.h"
+#include "cobot_command/tm_script/variables.h"
 
 namespace cobot_command::simulator {
 
@@ -50,7 +50,7 @@ struct Taught {
 
 /// Adds the variable that a text like "int var_i = 5" declares, and gives its name; or says why it declares
 /// none.
-[[nodiscard]] Result<std::string, std::string> declare(language::Variables& variables,
+[[nodiscard]] Result<std::string, std::string> declare(tm_script::Variables& variables,
                                                        const std::string& declaration);
 
 struct ProjectData {
@@ -62,8 +62,8 @@ struct ProjectData {
   std::map<std::string, Taught<Frame>> bases;
   std::map<std::string, Taught<Tool>> tools;
   std::map<std::string, Taught<Point>> points;
-  language::Variables variables;
-  std::map<std::string, language::Value> declared;  ///< what the variables are at the start
+  tm_script::Variables variables;
+  std::map<std::string, tm_script::Value> declared;  ///< what the variables are at the start
 };
 
 }  // namespace cobot_command::simulator

@@ -5,14 +5,14 @@
 #include "robot_functions.h"
 #include "robot_items.h"
 
-#include "cobot_command/language/parser.h"
+#include "cobot_command/tm_script/parser.h"
 
 namespace cobot_command::simulator {
 
 namespace {
 
-language::FunctionTable allFunctions() {
-  language::FunctionTable functions;
+tm_script::FunctionTable allFunctions() {
+  tm_script::FunctionTable functions;
   declareRobotFunctions(functions);
   defineControllerFunctions(functions, [] { return RobotState(); });
   return functions;
@@ -21,8 +21,8 @@ language::FunctionTable allFunctions() {
 }  // namespace
 
 std::optional<std::string> whatIsNamed(const std::string& name) {
-  static const language::FunctionTable functions = allFunctions();
-  if (language::isReservedWord(name)) return "a word of the language";
+  static const tm_script::FunctionTable functions = allFunctions();
+  if (tm_script::isReservedWord(name)) return "a word of the language";
   if (functions.has(name)) return "a function";
   if (isItemObject(name)) return "an object with items, as in " + name + "[...]";
   if (isItem(name)) return "a predefined item";

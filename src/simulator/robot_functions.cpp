@@ -15,8 +15,8 @@ namespace cobot_command::simulator {
 
 namespace {
 
-using language::Scalar;
 using protocol::ScriptCommand;
+using tm_script::Scalar;
 namespace formats = protocol::formats;
 
 ScriptCommand makePtp(CallArguments& arguments) {
@@ -129,7 +129,7 @@ struct Formats {
 struct RobotFunction {
   /// p6 stands for six numbers or an array of six; so do p9, and i3 for integers.
   std::string_view declaration;
-  language::Version since;
+  tm_script::Version since;
   Formats formats;
   ScriptCommand (*make)(CallArguments&);
 
@@ -186,8 +186,8 @@ const RobotFunction* find(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-void declareForms(language::FunctionTable& functions, const std::string& declaration,
-                  language::Version since) {
+void declareForms(tm_script::FunctionTable& functions, const std::string& declaration,
+                  tm_script::Version since) {
   static const std::array<std::array<std::string_view, 3>, 3> kShort{
       {{"p6", "6 double", "double[6]"}, {"p9", "9 double", "double[9]"}, {"i3", "3 int", "int[3]"}}};
   for (const auto& [mark, apart, array] : kShort) {
@@ -227,7 +227,7 @@ std::optional<std::string> outside(std::string_view what, const std::optional<Sc
 
 }  // namespace
 
-void declareRobotFunctions(language::FunctionTable& functions) {
+void declareRobotFunctions(tm_script::FunctionTable& functions) {
   for (const RobotFunction& function : robotFunctions()) {
     declareForms(functions, std::string(function.declaration), function.since);
   }
@@ -258,7 +258,7 @@ std::optional<std::string> objectionTo(const std::string& function,
   return std::nullopt;
 }
 
-ScriptCommand commandOf(const std::string& function, const language::Arguments& arguments) {
+ScriptCommand commandOf(const std::string& function, const tm_script::Arguments& arguments) {
   CallArguments reader(arguments);
   return find(function)->make(reader);
 }

@@ -7,23 +7,23 @@
 #include <string_view>
 #include <vector>
 
-#include "cobot_command/language/functions.h"
 #include "cobot_command/protocol/script_command.h"
+#include "cobot_command/tm_script/functions.h"
 
 namespace cobot_command::simulator {
 
 /// All of them, with ListenSend(), which is no command.
-void declareRobotFunctions(language::FunctionTable& functions);
+void declareRobotFunctions(tm_script::FunctionTable& functions);
 
 /// What is wrong with a call, as far as its arguments are known: a data format that the function does not
 /// take, a tag or mode that does not exist. Names of bases and TCPs are not looked at, nor is the licence.
 [[nodiscard]] std::optional<std::string> objectionTo(
-    const std::string& function, const std::vector<std::optional<language::Scalar>>& arguments);
+    const std::string& function, const std::vector<std::optional<tm_script::Scalar>>& arguments);
 
 /// Precondition: a declared function other than ListenSend(), its arguments converted, and no objection to
 /// them.
 [[nodiscard]] protocol::ScriptCommand commandOf(const std::string& function,
-                                                const language::Arguments& arguments);
+                                                const tm_script::Arguments& arguments);
 
 /// Does a call go into the queue of motions?
 [[nodiscard]] bool isQueued(std::string_view function);

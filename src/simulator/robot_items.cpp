@@ -13,11 +13,11 @@ namespace cobot_command::simulator {
 
 namespace {
 
-using language::Array;
-using language::ItemShape;
-using language::Scalar;
-using language::ScalarType;
-using language::Value;
+using tm_script::Array;
+using tm_script::ItemShape;
+using tm_script::Scalar;
+using tm_script::ScalarType;
+using tm_script::Value;
 
 struct Attribute {
   std::string_view object;
@@ -134,7 +134,8 @@ Result<const Attribute*, std::string> find(const std::string& object, const std:
   };
   const auto* const found = std::find_if(kAttributes.begin(), kAttributes.end(), matches);
   if (found == kAttributes.end()) {
-    return refuse(fmt::format("there is no item {}[{}].{}", object, key ? language::textOf(*key) : "", name));
+    return refuse(
+        fmt::format("there is no item {}[{}].{}", object, key ? tm_script::textOf(*key) : "", name));
   }
   if (found - kAttributes.begin() >= static_cast<std::ptrdiff_t>(kSimulated)) {
     return refuse(fmt::format("{}[..].{} is known, but not simulated", object, name));
@@ -161,7 +162,7 @@ Result<ItemShape, std::string> RobotItems::shapeOf(const std::string& object,
   return shape;
 }
 
-Result<Value, std::string> RobotItems::read(const language::ItemName& item) const {
+Result<Value, std::string> RobotItems::read(const tm_script::ItemName& item) const {
   if (auto shape = shapeOf(item.object, {item.keys.begin(), item.keys.end()}, item.attribute); !shape) {
     return refuse(std::move(shape.error()));
   }
@@ -223,7 +224,8 @@ Value RobotItems::ofProject(const std::string& object, const std::string& name,
   return arrayOf(ScalarType::Float, what == "MCF" ? tool.mass_center : tool.frame.numbers);
 }
 
-void RobotItems::write(const language::ItemName& item, std::optional<std::size_t> index, const Value& value) {
+void RobotItems::write(const tm_script::ItemName& item, std::optional<std::size_t> index,
+                       const Value& value) {
   if (item.object == "Robot") {
     return io_.write(SetCameraLight{std::get<std::uint8_t>(std::get<Scalar>(value)) == 1});
   }

@@ -10,8 +10,8 @@
 #include "io_board.h"
 #include "project_data.h"
 
-#include "cobot_command/language/environment.h"
 #include "cobot_command/simulator/robot_state.h"
+#include "cobot_command/tm_script/environment.h"
 
 namespace cobot_command::simulator {
 
@@ -21,19 +21,20 @@ class RobotItems {
       : model_(model), io_(io), project_(project), state_(std::move(state)) {}
 
   /// The error says what there is instead.
-  [[nodiscard]] Result<language::ItemShape, std::string> shapeOf(
-      const std::string& object, const std::vector<std::optional<language::Scalar>>& keys,
+  [[nodiscard]] Result<tm_script::ItemShape, std::string> shapeOf(
+      const std::string& object, const std::vector<std::optional<tm_script::Scalar>>& keys,
       const std::string& attribute) const;
-  [[nodiscard]] Result<language::Value, std::string> read(const language::ItemName& item) const;
+  [[nodiscard]] Result<tm_script::Value, std::string> read(const tm_script::ItemName& item) const;
   /// Changes a base, a TCP, a point or the light. Precondition: a writable item of these, and a value of its
   /// type.
-  void write(const language::ItemName& item, std::optional<std::size_t> index, const language::Value& value);
+  void write(const tm_script::ItemName& item, std::optional<std::size_t> index,
+             const tm_script::Value& value);
 
  private:
-  [[nodiscard]] language::Value ofIo(const std::string& module, const std::string& attribute) const;
-  [[nodiscard]] language::Value ofRobot(const std::string& attribute) const;
-  [[nodiscard]] language::Value ofProject(const std::string& object, const std::string& name,
-                                          const std::string& attribute) const;
+  [[nodiscard]] tm_script::Value ofIo(const std::string& module, const std::string& attribute) const;
+  [[nodiscard]] tm_script::Value ofRobot(const std::string& attribute) const;
+  [[nodiscard]] tm_script::Value ofProject(const std::string& object, const std::string& name,
+                                           const std::string& attribute) const;
 
   const arm::ArmModel& model_;
   IoBoard& io_;

@@ -12,8 +12,8 @@ namespace cobot_command::simulator {
 
 namespace {
 
-language::CallAnswer done() {
-  return language::Value(language::Scalar(true));
+tm_script::CallAnswer done() {
+  return tm_script::Value(tm_script::Scalar(true));
 }
 protocol::ToolInertia inertiaOf(const Tool& tool) {
   protocol::ToolInertia inertia;
@@ -21,18 +21,18 @@ protocol::ToolInertia inertiaOf(const Tool& tool) {
   std::copy(tool.mass_center.begin(), tool.mass_center.end(), inertia.mass_center.begin());
   return inertia;
 }
-language::CallAnswer full() {
-  return language::CallFailure{"the queue of motions is full"};
+tm_script::CallAnswer full() {
+  return tm_script::CallFailure{"the queue of motions is full"};
 }
 
 }  // namespace
 
-language::CallAnswer ScriptInterpreter::perform(const protocol::ScriptCommand& command) {
+tm_script::CallAnswer ScriptInterpreter::perform(const protocol::ScriptCommand& command) {
   if (isQueued(command) && isFull()) return full();
   return std::visit([this](const auto& what) { return execute(what); }, command);
 }
 
-language::CallAnswer ScriptInterpreter::set(const SetAnalogOutput& output, bool is_instant) {
+tm_script::CallAnswer ScriptInterpreter::set(const SetAnalogOutput& output, bool is_instant) {
   if (!is_instant && isFull()) return full();
   if (is_instant) {
     robot_.io.write(output);
@@ -43,13 +43,13 @@ language::CallAnswer ScriptInterpreter::set(const SetAnalogOutput& output, bool 
 }
 
 template <class Motion>
-language::CallAnswer ScriptInterpreter::execute(const Motion& motion) {
+tm_script::CallAnswer ScriptInterpreter::execute(const Motion& motion) {
   if (auto failure = withinPvt("another motion")) return *failure;
   robot_.queue.push(MotionRequest(motion));
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeBase& change) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ChangeBase& change) {
   if (const auto* name = std::get_if<std::string>(&change.base)) {
     robot_.queue.push(BaseChange{robot_.project.bases.at(*name).now.pose, *name});
   } else {
@@ -58,7 +58,7 @@ language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeBase& chan
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeTcp& change) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ChangeTcp& change) {
   if (const auto* name = std::get_if<std::string>(&change.tcp)) {
     const Tool& tool = robot_.project.tools.at(*name).now;
     robot_.queue.push(TcpChange{tool.frame.pose, *name, double{tool.mass}, inertiaOf(tool)});
@@ -69,12 +69,12 @@ language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeTcp& chang
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::ChangeLoad& change) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ChangeLoad& change) {
   robot_.queue.push(LoadChange{change.weight});
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::QueueTag& tag) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::QueueTag& tag) {
   if (tag.wait) {
     if (auto failure = withinPvt("a wait for a tag")) return *failure;
   }
@@ -84,43 +84,43 @@ language::CallAnswer ScriptInterpreter::execute(const protocol::QueueTag& tag) {
   robot_.queue.push(queued);
   if (!tag.wait) return done();
   wait_ = Wait{queued, Instant::max()};
-  return language::Wait{};
+  return tm_script::Wait{};
 }
 
 // To 1.80 a time of 0 or less is no limit; from 1.82 on only one below 0 is, and tag 0 waits for nothing but
 // the time.
-language::CallAnswer ScriptInterpreter::execute(const protocol::WaitQueueTag& wait) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::WaitQueueTag& wait) {
   constexpr int kUnknown = -1;
   const bool is_new = !(tmflow_ < kPriorityCommands);
   const std::optional<QueuedTag> tag = tags_.latest(wait.tag);
-  if (!tag && !(is_new && wait.tag == 0)) return language::Value(language::Scalar(kUnknown));
+  if (!tag && !(is_new && wait.tag == 0)) return tm_script::Value(tm_script::Scalar(kUnknown));
   const int timeout = wait.timeout.value_or(-1);
   const bool is_limited = is_new ? timeout >= 0 : timeout > 0;
   wait_ = Wait{tag, is_limited ? now_ + std::chrono::milliseconds(timeout) : Instant::max(), true};
-  return language::Wait{};
+  return tm_script::Wait{};
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::StopAndClearBuffer&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::StopAndClearBuffer&) {
   if (!faults_.ignore_stop.take()) robot_.queue.stop(now_);
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::Pause&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::Pause&) {
   robot_.queue.pause(now_);
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::Resume&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::Resume&) {
   robot_.queue.resume(now_);
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::ScriptExit&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ScriptExit&) {
   exited_ = true;
-  return language::EndScript{language::Scalar(true)};
+  return tm_script::EndScript{tm_script::Scalar(true)};
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::WriteOutput& write) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::WriteOutput& write) {
   if (write.instant) {
     robot_.io.write(write);
   } else {

@@ -14,26 +14,26 @@ namespace cobot_command::simulator {
 namespace {
 
 /// As one number for each line.
-std::vector<int> linesOf(const std::vector<language::Fault>& faults) {
+std::vector<int> linesOf(const std::vector<tm_script::Fault>& faults) {
   std::vector<int> lines;
-  for (const language::Fault& fault : faults) {
+  for (const tm_script::Fault& fault : faults) {
     if (lines.empty() || lines.back() != fault.line) lines.push_back(fault.line);
   }
   return lines;
 }
 
-const language::Item* itemIn(const language::Expression& target) {
-  const auto* element = std::get_if<language::Element>(&target.node);
-  return std::get_if<language::Item>(element == nullptr ? &target.node : &element->array->node);
+const tm_script::Item* itemIn(const tm_script::Expression& target) {
+  const auto* element = std::get_if<tm_script::Element>(&target.node);
+  return std::get_if<tm_script::Item>(element == nullptr ? &target.node : &element->array->node);
 }
 
 /// Is there a call or an output that goes into the queue of motions? Calls within others are seen when they
 /// are made.
-bool goesIntoTheQueue(const language::Statement& statement) {
-  const auto* expression = std::get_if<language::Expression>(&statement.content);
+bool goesIntoTheQueue(const tm_script::Statement& statement) {
+  const auto* expression = std::get_if<tm_script::Expression>(&statement.content);
   if (expression == nullptr) return false;
-  if (const auto* call = std::get_if<language::Call>(&expression->node)) return isQueued(call->function);
-  const auto* assignment = std::get_if<language::Assignment>(&expression->node);
+  if (const auto* call = std::get_if<tm_script::Call>(&expression->node)) return isQueued(call->function);
+  const auto* assignment = std::get_if<tm_script::Assignment>(&expression->node);
   const auto* item = assignment == nullptr ? nullptr : itemIn(assignment->targets.front());
   return item != nullptr && item->object == "IO" && (item->attribute == "DO" || item->attribute == "AO");
 }
@@ -64,19 +64,19 @@ void ScriptInterpreter::add(PendingScript script) {
   clients_.reply(script.client, protocol::ScriptReply{script.id, false, {1}});
 }
 
-language::Findings ScriptInterpreter::check(const language::ParsedScript& script) {
-  return language::check(script, functions_, scope(), environment_);
+tm_script::Findings ScriptInterpreter::check(const tm_script::ParsedScript& script) {
+  return tm_script::check(script, functions_, scope(), environment_);
 }
 
-language::Findings ScriptInterpreter::findingsOf(const PendingScript& script) {
-  language::Findings findings = check(script.script);
+tm_script::Findings ScriptInterpreter::findingsOf(const PendingScript& script) {
+  tm_script::Findings findings = check(script.script);
   if (!script.spoiled.empty()) {
     findings.errors.clear();
     for (const int line : script.spoiled) findings.errors.push_back({line, "fault"});
   }
   if (!findings.errors.empty()) return findings;
   std::size_t queued = robot_.queue.size();
-  for (const language::Statement& statement : script.script.statements) {
+  for (const tm_script::Statement& statement : script.script.statements) {
     if (goesIntoTheQueue(statement) && ++queued > kMostWaiting) {
       findings.errors.push_back({statement.line, "the queue of motions is full"});
     }
@@ -88,9 +88,9 @@ language::Findings ScriptInterpreter::findingsOf(const PendingScript& script) {
 bool ScriptInterpreter::begin() {
   PendingScript script = std::move(pending_.front());
   pending_.pop_front();
-  const language::Findings findings = findingsOf(script);
+  const tm_script::Findings findings = findingsOf(script);
   for (const auto* faults : {&findings.errors, &findings.warnings}) {
-    for (const language::Fault& fault : *faults) {
+    for (const tm_script::Fault& fault : *faults) {
       outbox_.log(fmt::format("script {}, line {}: {}", script.id, fault.line, fault.reason));
     }
   }
@@ -98,9 +98,9 @@ bool ScriptInterpreter::begin() {
     clients_.reply(script.client, protocol::ScriptReply{script.id, false, linesOf(findings.errors)});
     return false;
   }
-  running_.emplace(
-      Running{script.client, std::move(script.id), linesOf(findings.warnings),
-              language::Interpreter(std::move(script.script.statements), functions_, scope(), environment_)});
+  running_.emplace(Running{
+      script.client, std::move(script.id), linesOf(findings.warnings),
+      tm_script::Interpreter(std::move(script.script.statements), functions_, scope(), environment_)});
   return true;
 }
 
@@ -111,7 +111,7 @@ bool ScriptInterpreter::waits(Instant now) const {
 void ScriptInterpreter::resumeWaiting() {
   if (!wait_) return;
   const bool complete = wait_->tag && tags_.query(wait_->tag->tag) == protocol::TagState::Complete;
-  language::Scalar answer(true);
+  tm_script::Scalar answer(true);
   if (wait_->is_question) answer = complete ? 1 : 0;
   running_->script.resume(answer);
   wait_.reset();
@@ -123,14 +123,14 @@ ScriptInterpreter::Step ScriptInterpreter::run(Instant now) {
     if (pending_.empty()) return Step::Waits;
     if (!begin()) return Step::Ran;
   }
-  language::Progress progress = language::Progress::Waiting;
-  while (progress == language::Progress::Waiting) {
+  tm_script::Progress progress = tm_script::Progress::Waiting;
+  while (progress == tm_script::Progress::Waiting) {
     if (waits(now)) return Step::Waits;
     resumeWaiting();
     progress = running_->script.run(std::numeric_limits<int>::max());
   }
-  if (progress == language::Progress::Failed) {
-    const language::Fault fault = *running_->script.fault();
+  if (progress == tm_script::Progress::Failed) {
+    const tm_script::Fault fault = *running_->script.fault();
     outbox_.log(fmt::format("script {} failed in line {}: {}", running_->id, fault.line, fault.reason));
     end(false, {fault.line});
   }

@@ -17,10 +17,10 @@
 #include "script_clients.h"
 #include "tag_table.h"
 
-#include "cobot_command/language/checker.h"
-#include "cobot_command/language/interpreter.h"
 #include "cobot_command/protocol/script_command.h"
 #include "cobot_command/simulator/settings.h"
+#include "cobot_command/tm_script/checker.h"
+#include "cobot_command/tm_script/interpreter.h"
 
 namespace cobot_command::simulator {
 
@@ -28,7 +28,7 @@ namespace cobot_command::simulator {
 struct PendingScript {
   ClientId client = 0;
   std::string id;
-  language::ParsedScript script;
+  tm_script::ParsedScript script;
   std::vector<int> spoiled{};  ///< lines that a fault refuses
 };
 
@@ -55,7 +55,7 @@ class ScriptInterpreter {
   /// Takes a script; when too many wait it is answered ERROR for its first line.
   void add(PendingScript script);
   /// With the variables that there are now.
-  [[nodiscard]] language::Findings check(const language::ParsedScript& script);
+  [[nodiscard]] tm_script::Findings check(const tm_script::ParsedScript& script);
 
   enum class Step { Waits, Ran, Exited };
   /// Runs one script as far as it goes. Waits: there is none, or its line has to wait. Exited: a ScriptExit
@@ -81,7 +81,7 @@ class ScriptInterpreter {
     ClientId client = 0;
     std::string id;
     std::vector<int> warnings;
-    language::Interpreter script;
+    tm_script::Interpreter script;
   };
   struct Wait {
     std::optional<QueuedTag> tag;
@@ -92,49 +92,49 @@ class ScriptInterpreter {
 
   bool begin();
   void end(bool accepted, std::vector<int> lines);
-  [[nodiscard]] language::Findings findingsOf(const PendingScript& script);
+  [[nodiscard]] tm_script::Findings findingsOf(const PendingScript& script);
   [[nodiscard]] bool waits(Instant now) const;
   void resumeWaiting();
-  [[nodiscard]] language::Scope scope() { return {locals_, robot_.project.variables}; }
-  language::CallAnswer perform(const protocol::ScriptCommand& command);
-  language::CallAnswer set(const SetAnalogOutput& output, bool is_instant);
+  [[nodiscard]] tm_script::Scope scope() { return {locals_, robot_.project.variables}; }
+  tm_script::CallAnswer perform(const protocol::ScriptCommand& command);
+  tm_script::CallAnswer set(const SetAnalogOutput& output, bool is_instant);
   [[nodiscard]] bool isFull() const { return robot_.queue.size() >= kMostWaiting; }
 
   template <class Motion>
-  language::CallAnswer execute(const Motion& motion);
-  language::CallAnswer execute(const protocol::ChangeBase& change);
-  language::CallAnswer execute(const protocol::ChangeTcp& change);
-  language::CallAnswer execute(const protocol::ChangeLoad& change);
-  language::CallAnswer execute(const protocol::QueueTag& tag);
-  language::CallAnswer execute(const protocol::WaitQueueTag& wait);
-  language::CallAnswer execute(const protocol::StopAndClearBuffer& stop);
-  language::CallAnswer execute(const protocol::Pause& pause);
-  language::CallAnswer execute(const protocol::Resume& resume);
-  language::CallAnswer execute(const protocol::ScriptExit& exit);
-  language::CallAnswer execute(const protocol::WriteOutput& write);
-  language::CallAnswer execute(const protocol::PvtEnter& enter);  // from here on: script_modes.cpp
-  language::CallAnswer execute(const protocol::PvtPoint& point);
-  language::CallAnswer execute(const protocol::PvtExit& exit);
-  language::CallAnswer execute(const protocol::PvtPause& pause);
-  language::CallAnswer execute(const protocol::PvtResume& resume);
-  language::CallAnswer execute(const protocol::ContinueVJog& mode);
-  language::CallAnswer execute(const protocol::ContinueVLine& mode);
-  language::CallAnswer execute(const protocol::SetContinueVJog& set);
-  language::CallAnswer execute(const protocol::SetContinueVLine& set);
-  language::CallAnswer execute(const protocol::StopContinueVmode& stop);
-  language::CallAnswer execute(const protocol::SuspendContinueVmode& suspend);
-  language::CallAnswer set(const Velocity& velocity);
+  tm_script::CallAnswer execute(const Motion& motion);
+  tm_script::CallAnswer execute(const protocol::ChangeBase& change);
+  tm_script::CallAnswer execute(const protocol::ChangeTcp& change);
+  tm_script::CallAnswer execute(const protocol::ChangeLoad& change);
+  tm_script::CallAnswer execute(const protocol::QueueTag& tag);
+  tm_script::CallAnswer execute(const protocol::WaitQueueTag& wait);
+  tm_script::CallAnswer execute(const protocol::StopAndClearBuffer& stop);
+  tm_script::CallAnswer execute(const protocol::Pause& pause);
+  tm_script::CallAnswer execute(const protocol::Resume& resume);
+  tm_script::CallAnswer execute(const protocol::ScriptExit& exit);
+  tm_script::CallAnswer execute(const protocol::WriteOutput& write);
+  tm_script::CallAnswer execute(const protocol::PvtEnter& enter);  // from here on: script_modes.cpp
+  tm_script::CallAnswer execute(const protocol::PvtPoint& point);
+  tm_script::CallAnswer execute(const protocol::PvtExit& exit);
+  tm_script::CallAnswer execute(const protocol::PvtPause& pause);
+  tm_script::CallAnswer execute(const protocol::PvtResume& resume);
+  tm_script::CallAnswer execute(const protocol::ContinueVJog& mode);
+  tm_script::CallAnswer execute(const protocol::ContinueVLine& mode);
+  tm_script::CallAnswer execute(const protocol::SetContinueVJog& set);
+  tm_script::CallAnswer execute(const protocol::SetContinueVLine& set);
+  tm_script::CallAnswer execute(const protocol::StopContinueVmode& stop);
+  tm_script::CallAnswer execute(const protocol::SuspendContinueVmode& suspend);
+  tm_script::CallAnswer set(const Velocity& velocity);
   /// What stands between PVTEnter and PVTExit does not run before the PVT has all its points.
-  [[nodiscard]] std::optional<language::CallFailure> withinPvt(const char* what) const;
+  [[nodiscard]] std::optional<tm_script::CallFailure> withinPvt(const char* what) const;
 
   Robot robot_;
   TagTable& tags_;
   FaultSwitches& faults_;
   ScriptClients& clients_;
   Outbox& outbox_;
-  language::Version tmflow_;
-  language::FunctionTable functions_;
-  language::Variables locals_;
+  tm_script::Version tmflow_;
+  tm_script::FunctionTable functions_;
+  tm_script::Variables locals_;
   ScriptEnvironment environment_;
 
   Instant now_{};

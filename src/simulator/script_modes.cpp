@@ -11,12 +11,12 @@ namespace cobot_command::simulator {
 
 namespace {
 
-language::CallAnswer done() {
-  return language::Value(language::Scalar(true));
+tm_script::CallAnswer done() {
+  return tm_script::Value(tm_script::Scalar(true));
 }
 
-language::CallAnswer outsidePvt(const std::string& what) {
-  return language::CallFailure{what + " stands behind a PVTEnter"};
+tm_script::CallAnswer outsidePvt(const std::string& what) {
+  return tm_script::CallFailure{what + " stands behind a PVTEnter"};
 }
 
 std::optional<Duration> limit(int milliseconds) {
@@ -25,74 +25,74 @@ std::optional<Duration> limit(int milliseconds) {
 
 }  // namespace
 
-std::optional<language::CallFailure> ScriptInterpreter::withinPvt(const char* what) const {
+std::optional<tm_script::CallFailure> ScriptInterpreter::withinPvt(const char* what) const {
   if (!robot_.queue.pvtIsOpen()) return std::nullopt;
-  return language::CallFailure{std::string(what) + " cannot stand between PVTEnter and PVTExit"};
+  return tm_script::CallFailure{std::string(what) + " cannot stand between PVTEnter and PVTExit"};
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::PvtEnter& enter) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtEnter& enter) {
   if (auto failure = withinPvt("another PVTEnter")) return *failure;
   robot_.queue.openPvt(enter.cartesian);
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::PvtPoint& point) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtPoint& point) {
   if (!robot_.queue.pvtIsOpen()) return outsidePvt("PVTPoint");
   robot_.queue.addPoint(point);
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::PvtExit&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtExit&) {
   if (!robot_.queue.pvtIsOpen()) return outsidePvt("PVTExit");
   robot_.queue.closePvt();
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::PvtPause&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtPause&) {
   robot_.queue.pausePvt(now_);
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::PvtResume&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtResume&) {
   robot_.queue.resumePvt(now_);
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::ContinueVJog&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ContinueVJog&) {
   if (auto failure = withinPvt("ContinueVJog")) return *failure;
   robot_.queue.push(VelocityMode{false, std::nullopt, std::nullopt});
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::ContinueVLine& mode) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ContinueVLine& mode) {
   if (auto failure = withinPvt("ContinueVLine")) return *failure;
   robot_.queue.push(VelocityMode{true, limit(mode.zero_timeout), limit(mode.stop_timeout)});
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::set(const Velocity& velocity) {
+tm_script::CallAnswer ScriptInterpreter::set(const Velocity& velocity) {
   if (auto complaint = robot_.queue.setVelocity(velocity, now_)) {
-    return language::CallFailure{std::move(*complaint)};
+    return tm_script::CallFailure{std::move(*complaint)};
   }
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::SetContinueVJog& velocity) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::SetContinueVJog& velocity) {
   return set(Velocity(arm::toJointVector(velocity.velocity)));
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::SetContinueVLine& velocity) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::SetContinueVLine& velocity) {
   const auto& [x, y, z, rx, ry, rz] = velocity.velocity;
   return set(Velocity(
       motion::TcpVelocity{{mmToM(x), mmToM(y), mmToM(z)}, {degToRad(rx), degToRad(ry), degToRad(rz)}}));
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::StopContinueVmode&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::StopContinueVmode&) {
   robot_.queue.endVelocity(now_);
   return done();
 }
 
-language::CallAnswer ScriptInterpreter::execute(const protocol::SuspendContinueVmode&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const protocol::SuspendContinueVmode&) {
   robot_.queue.suspendVelocity(now_);
   return done();
 }

@@ -14,7 +14,7 @@ namespace cobot_command::simulator {
 
 namespace {
 
-std::optional<SettingFault> faultInVariables(const Settings& settings, language::Variables& variables) {
+std::optional<SettingFault> faultInVariables(const Settings& settings, tm_script::Variables& variables) {
   for (const std::string& declaration : settings.variables) {
     const auto fault = [&](const std::string& reason) {
       return SettingFault{"variables", fmt::format("holds {}: {}", quoted(declaration), reason),
@@ -66,7 +66,7 @@ std::optional<SettingFault> faultIn(const Settings& settings) {
     return SettingFault{"tmflow_version", "is " + quoted(settings.tmflow_version),
                         fmt::format("{}", fmt::join(versions, ", "))};
   }
-  language::Variables variables;
+  tm_script::Variables variables;
   if (auto fault = faultInVariables(settings, variables)) return fault;
   for (const std::string& name : settings.stream_items) {
     if (isItem(name) || variables.find(name) != nullptr) continue;

@@ -47,7 +47,7 @@ std::string contentOf(ItemFormat format, const std::vector<Item>& items, const I
 
 }  // namespace
 
-StatusServer::StatusServer(const Settings& settings, const language::Variables& variables, Instant start,
+StatusServer::StatusServer(const Settings& settings, const tm_script::Variables& variables, Instant start,
                            Outgoing& outgoing, Outbox& outbox)
     : period_(std::max<Duration>(settings.status_period, std::chrono::milliseconds(1))),
       start_(start),

@@ -19,7 +19,7 @@ namespace cobot_command::simulator {
 
 class StatusServer {
  public:
-  StatusServer(const Settings& settings, const language::Variables& variables, Instant start,
+  StatusServer(const Settings& settings, const tm_script::Variables& variables, Instant start,
                Outgoing& outgoing, Outbox& outbox);
 
   /// The address decides whether the client may write.

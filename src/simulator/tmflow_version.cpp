@@ -11,7 +11,7 @@ const std::vector<std::string>& knownTmflowVersions() {
   return kVersions;
 }
 
-language::Version tmflowVersion(const std::string& text) {
+tm_script::Version tmflowVersion(const std::string& text) {
   const auto& known = knownTmflowVersions();
   if (std::find(known.begin(), known.end(), text) == known.end()) return {1, 80};
   return {1, std::stoi(text.substr(2))};

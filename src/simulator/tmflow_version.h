@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "cobot_command/language/functions.h"
+#include "cobot_command/tm_script/functions.h"
 
 namespace cobot_command::simulator {
 
 /// The first with priority commands and the new WaitQueueTag.
-inline constexpr language::Version kPriorityCommands{1, 82};
+inline constexpr tm_script::Version kPriorityCommands{1, 82};
 
 /// "1.80"; what is no version is taken for that one.
-[[nodiscard]] language::Version tmflowVersion(const std::string& text);
+[[nodiscard]] tm_script::Version tmflowVersion(const std::string& text);
 
 }  // namespace cobot_command::simulator

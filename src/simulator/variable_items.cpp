@@ -8,9 +8,9 @@ namespace cobot_command::simulator {
 
 namespace {
 
-using language::Array;
-using language::Scalar;
 using protocol::ItemValue;
+using tm_script::Array;
+using tm_script::Scalar;
 
 template <class T>
 ItemValue elementsOf(const Array& array) {
@@ -22,41 +22,41 @@ ItemValue elementsOf(const Array& array) {
 
 ItemValue toItem(const Array& array) {
   switch (array.element) {
-    case language::ScalarType::Byte:
+    case tm_script::ScalarType::Byte:
       return elementsOf<std::uint8_t>(array);
-    case language::ScalarType::Int:
+    case tm_script::ScalarType::Int:
       return elementsOf<std::int32_t>(array);
-    case language::ScalarType::Float:
+    case tm_script::ScalarType::Float:
       return elementsOf<float>(array);
-    case language::ScalarType::Double:
+    case tm_script::ScalarType::Double:
       return elementsOf<double>(array);
-    case language::ScalarType::Bool:
+    case tm_script::ScalarType::Bool:
       return elementsOf<bool>(array);
-    case language::ScalarType::String:
+    case tm_script::ScalarType::String:
       break;
   }
   return elementsOf<std::string>(array);
 }
 
 template <class T>
-language::Value fromItem(const T& scalar) {
+tm_script::Value fromItem(const T& scalar) {
   return Scalar(scalar);
 }
 template <class T>
-language::Value fromItem(const std::vector<T>& elements) {
-  Array array{language::typeOf(Scalar(T())), {}};
+tm_script::Value fromItem(const std::vector<T>& elements) {
+  Array array{tm_script::typeOf(Scalar(T())), {}};
   for (const T& element : elements) array.items.emplace_back(element);
   return array;
 }
 
 }  // namespace
 
-ItemValue toItem(const language::Value& value) {
+ItemValue toItem(const tm_script::Value& value) {
   if (const auto* array = std::get_if<Array>(&value)) return toItem(*array);
   return std::visit([](const auto& scalar) { return ItemValue(scalar); }, std::get<Scalar>(value));
 }
 
-language::Value toLanguage(const ItemValue& value) {
+tm_script::Value toLanguage(const ItemValue& value) {
   return std::visit([](const auto& content) { return fromItem(content); }, value);
 }
 

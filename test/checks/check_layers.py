@@ -6,15 +6,15 @@ import sys
 
 ALLOWED = {
     "common": set(),
-    "language": {"common"},
+    "tm_script": {"common"},
     "protocol": {"common"},
     "arm": {"common"},
     "motion": {"common", "arm"},
     "planning": {"common", "protocol", "arm", "motion"},
     "transport": {"common"},
     "link": {"common", "protocol", "arm"},
-    "blocks": {"common", "language", "protocol", "arm", "motion", "planning", "link"},
-    "simulator": {"common", "language", "protocol", "arm", "motion", "planning"},
+    "blocks": {"common", "tm_script", "protocol", "arm", "motion", "planning", "link"},
+    "simulator": {"common", "tm_script", "protocol", "arm", "motion", "planning"},
     "runtime": {"common", "protocol", "arm", "motion", "planning", "transport", "link", "blocks", "simulator"},
 }
 # Folders of headers that the core may include. What is not here is refused: nobody can list all packages of ROS.

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cobot_command/language/checker.h"
-#include "cobot_command/language/interpreter.h"
+#include "cobot_command/tm_script/checker.h"
+#include "cobot_command/tm_script/interpreter.h"
 
-namespace cobot_command::language {
+namespace cobot_command::tm_script {
 
 class FakeRobot : public Environment {
  public:
@@ -105,7 +105,7 @@ class Session {
   explicit Session(Version tmflow = {1, 80}) : functions(functionsOf(tmflow)) {}
 
   [[nodiscard]] Findings check(std::string_view text) {
-    return language::check(parse(text), functions, scope(), robot);
+    return tm_script::check(parse(text), functions, scope(), robot);
   }
   [[nodiscard]] Interpreter start(std::string_view text) {
     return Interpreter(parse(text).statements, functions, scope(), robot);
@@ -144,4 +144,4 @@ class Session {
   FunctionTable functions;
 };
 
-}  // namespace cobot_command::language
+}  // namespace cobot_command::tm_script

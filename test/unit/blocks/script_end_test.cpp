@@ -11,7 +11,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "cobot_command/blocks/error_ids.h"
-#include "cobot_command/language/parser.h"
+#include "cobot_command/tm_script/parser.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -34,8 +34,8 @@ std::string faultOf(const std::string& text) {
 
 std::vector<std::string> statementsOf(const std::vector<std::string>& lines) {
   std::vector<std::string> texts;
-  for (const auto& statement : language::parse(fmt::format("{}", fmt::join(lines, "\r\n"))).statements) {
-    texts.push_back(language::toText(statement));
+  for (const auto& statement : tm_script::parse(fmt::format("{}", fmt::join(lines, "\r\n"))).statements) {
+    texts.push_back(tm_script::toText(statement));
   }
   return texts;
 }

@@ -1,0 +1,31 @@
+// Checks a whole script before anything of it is run, as the controller does.
+//
+// An error: syntax, an unknown name or function, arguments or operands of a wrong type, a second declaration,
+// an item that does not exist, an index outside an item of fixed length. A warning: a real that becomes an
+// integer, an int that becomes a byte, a text that becomes a number or the other way round, a text without
+// its double quotes, a variable in single quotes inside a text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cobot_command/tm_script/environment.h"
+#include "cobot_command/tm_script/functions.h"
+#include "cobot_command/tm_script/parser.h"
+#include "cobot_command/tm_script/variables.h"
+
+namespace cobot_command::tm_script {
+
+struct Findings {
+  std::vector<Fault> errors;    ///< in the order of the lines
+  std::vector<Fault> warnings;  ///< likewise
+};
+
+/// Variables that the script declares are known from the next line on; nothing is set.
+[[nodiscard]] Findings check(const ParsedScript& script, const FunctionTable& functions, const Scope& scope,
+                             const Environment& environment);
+
+/// The controller's reply without its id: "OK", "OK;2;3", or "ERROR;1;3", where errors hide warnings.
+[[nodiscard]] std::string replyOf(const Findings& findings);
+
+}  // namespace cobot_command::tm_script
