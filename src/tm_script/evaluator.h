@@ -48,7 +48,7 @@ class Evaluator {
     ItemName item;
     ItemShape shape;
     std::optional<std::size_t> index;
-    Value whole;
+    std::optional<Value> whole;  ///< of an item: only when something has asked for it
   };
 
   [[nodiscard]] Evaluated valueOf(const Expression& expression);
@@ -67,9 +67,11 @@ class Evaluator {
   [[nodiscard]] Result<Arguments, Stop> argumentsOf(const Call& call);
   [[nodiscard]] Evaluated callRobot(const std::string& function, const Arguments& arguments);
   [[nodiscard]] Result<ItemName, Stop> nameOf(const Item& item);
-  [[nodiscard]] Result<std::size_t, Stop> indexOf(const Expression& index, const Value& array);
+  [[nodiscard]] Evaluated readItem(const ItemName& name);
+  [[nodiscard]] Result<std::size_t, Stop> indexOf(const Expression& index, std::size_t size);
+  [[nodiscard]] Result<std::size_t, Stop> sizeOfTarget(Target& target);
   [[nodiscard]] Result<Target, Stop> targetOf(const Expression& expression);
-  [[nodiscard]] Evaluated readTarget(const Target& target) const;
+  [[nodiscard]] Evaluated readTarget(Target& target);
   [[nodiscard]] Evaluated assign(Target target, const Value& value, const Expression* source = nullptr);
   [[nodiscard]] Evaluated writeItem(const Target& target, const Value& value);
   /// Adds 1 or -1, and gives the value before or after.

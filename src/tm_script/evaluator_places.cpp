@@ -22,19 +22,22 @@ Result<ItemName, Stop> Evaluator::nameOf(const Item& item) {
 Result<Value, Stop> Evaluator::of(const Item& item) {
   const auto name = nameOf(item);
   if (!name) return refuse(name.error());
+  return readItem(*name);
+}
+
+Result<Value, Stop> Evaluator::readItem(const ItemName& name) {
   if (auto answer = known()) return std::move(*answer);
-  auto value = robot_.read(*name);
+  auto value = robot_.read(name);
   if (!value) return fault(std::move(value.error()));
   return remember(std::move(*value), false);
 }
 
-Result<std::size_t, Stop> Evaluator::indexOf(const Expression& index, const Value& array) {
+Result<std::size_t, Stop> Evaluator::indexOf(const Expression& index, std::size_t size) {
   const auto value = valueOf(index);
   if (!value) return refuse(value.error());
   const auto number = convert(std::get<Scalar>(*value), ScalarType::Int);
   if (!number) return fault(number.error());
   const auto at = std::get<std::int32_t>(*number);
-  const std::size_t size = std::get<Array>(array).items.size();
   if (at < 0 || static_cast<std::size_t>(at) >= size) {
     return fault(fmt::format("index {} is outside of an array of {}", at, size));
   }
@@ -44,7 +47,7 @@ Result<std::size_t, Stop> Evaluator::indexOf(const Expression& index, const Valu
 Result<Value, Stop> Evaluator::of(const Element& element) {
   auto array = valueOf(*element.array);
   if (!array) return array;
-  const auto index = indexOf(*element.index, *array);
+  const auto index = indexOf(*element.index, std::get<Array>(*array).items.size());
   if (!index) return refuse(index.error());
   return Value(std::get<Array>(*array).items[*index]);
 }
@@ -61,26 +64,35 @@ Result<Evaluator::Target, Stop> Evaluator::targetOf(const Expression& expression
                                 target.item.attribute);
     if (!shape) return fault(std::move(shape.error()));
     target.shape = *shape;
-    auto known_answer = known();
-    auto value =
-        known_answer ? Result<Value, std::string>(std::move(*known_answer)) : robot_.read(target.item);
-    if (!value) return fault(std::move(value.error()));
-    target.whole = known_answer ? std::move(*value) : remember(std::move(*value), false);
   } else {
     target.variable = std::get<Name>(whole.node).name;
     target.whole = *find(target.variable);
-    target.shape = {typeOf(target.whole), true, std::nullopt};
+    target.shape = {typeOf(*target.whole), true, std::nullopt};
   }
   if (!element) return target;
-  const auto index = indexOf(*element->index, target.whole);
+  const auto size = sizeOfTarget(target);
+  if (!size) return refuse(size.error());
+  const auto index = indexOf(*element->index, *size);
   if (!index) return refuse(index.error());
   target.index = *index;
   return target;
 }
 
-Result<Value, Stop> Evaluator::readTarget(const Target& target) const {
-  if (!target.index) return target.whole;
-  return Value(std::get<Array>(target.whole).items[*target.index]);
+Result<std::size_t, Stop> Evaluator::sizeOfTarget(Target& target) {
+  if (target.shape.length) return *target.shape.length;
+  const auto whole = readTarget(target);
+  if (!whole) return refuse(whole.error());
+  return std::get<Array>(*whole).items.size();
+}
+
+Result<Value, Stop> Evaluator::readTarget(Target& target) {
+  if (!target.whole) {
+    auto value = readItem(target.item);
+    if (!value) return value;
+    target.whole = std::move(*value);
+  }
+  if (!target.index) return *target.whole;
+  return Value(std::get<Array>(*target.whole).items[*target.index]);
 }
 
 Result<Value, Stop> Evaluator::assign(Target target, const Value& value, const Expression* source) {
@@ -89,14 +101,14 @@ Result<Value, Stop> Evaluator::assign(Target target, const Value& value, const E
   if (!converted) return fault(std::move(converted.error()));
   if (target.variable.empty()) return writeItem(target, *converted);
   if (target.index) {
-    std::get<Array>(target.whole).items[*target.index] = std::get<Scalar>(*converted);
+    std::get<Array>(*target.whole).items[*target.index] = std::get<Scalar>(*converted);
   } else {
     target.whole = *converted;
   }
-  if (sizeOf(target.whole) > kMaxValueBytes) {
+  if (sizeOf(*target.whole) > kMaxValueBytes) {
     return fault(fmt::format("a value of more than {} bytes", kMaxValueBytes));
   }
-  changed_[target.variable] = std::move(target.whole);
+  changed_[target.variable] = std::move(*target.whole);
   return std::move(*converted);
 }
 
@@ -113,7 +125,7 @@ Result<Value, Stop> Evaluator::writeItem(const Target& target, const Value& valu
 }
 
 Result<Value, Stop> Evaluator::step(const Expression& expression, int by, bool gives_old) {
-  const auto target = targetOf(expression);
+  auto target = targetOf(expression);
   if (!target) return refuse(target.error());
   auto old = readTarget(*target);
   if (!old) return old;
@@ -132,7 +144,9 @@ Result<Value, Stop> Evaluator::of(const Assignment& assignment) {
     const bool is_last = i + 1 == assignment.targets.size();
     const Expression* source = is_last && !assignment.operators[i] ? &*assignment.value : nullptr;
     if (const auto& binary = assignment.operators[i]) {
-      auto result = applyOperator(*binary, *readTarget(*target), *value);
+      const auto old = readTarget(*target);
+      if (!old) return refuse(old.error());
+      auto result = applyOperator(*binary, *old, *value);
       if (!result) return fault(std::move(result.error()));
       value = std::move(*result);
     }
