@@ -62,18 +62,17 @@ std::optional<Gap> toolGap(const Target& target, const link::RobotStatus& status
                          radToDeg(gap.angle))};
 }
 
-TargetKind kindOf(protocol::DataFormat::Target target, TargetKind cartesian) {
-  return target == protocol::DataFormat::Target::Joint ? TargetKind::Joints : cartesian;
+TargetKind kindOf(script::DataFormat::Target target, TargetKind cartesian) {
+  return target == script::DataFormat::Target::Joint ? TargetKind::Joints : cartesian;
 }
 
 template <class Command>
-constexpr bool kIsAbsolute =
-    std::is_same_v<Command, protocol::Ptp> || std::is_same_v<Command, protocol::Line> ||
-    std::is_same_v<Command, protocol::PLine>;
+constexpr bool kIsAbsolute = std::is_same_v<Command, script::Ptp> || std::is_same_v<Command, script::Line> ||
+                             std::is_same_v<Command, script::PLine>;
 template <class Command>
 constexpr bool kIsRelative =
-    std::is_same_v<Command, protocol::MovePtp> || std::is_same_v<Command, protocol::MoveLine> ||
-    std::is_same_v<Command, protocol::MovePLine>;
+    std::is_same_v<Command, script::MovePtp> || std::is_same_v<Command, script::MoveLine> ||
+    std::is_same_v<Command, script::MovePLine>;
 
 template <class Command>
 std::optional<TargetKind> targetKindOf(const Command& command) {
@@ -81,9 +80,9 @@ std::optional<TargetKind> targetKindOf(const Command& command) {
     return kindOf(command.format.target, TargetKind::Pose);
   } else if constexpr (kIsRelative<Command>) {
     return kindOf(command.format.target, TargetKind::Offset);
-  } else if constexpr (std::is_same_v<Command, protocol::Circle>) {
+  } else if constexpr (std::is_same_v<Command, script::Circle>) {
     return command.arc_angle == 0 ? TargetKind::Pose : TargetKind::Offset;
-  } else if constexpr (std::is_same_v<Command, protocol::PvtEnter>) {
+  } else if constexpr (std::is_same_v<Command, script::PvtEnter>) {
     return command.cartesian ? TargetKind::Pose : TargetKind::Joints;
   } else {
     return std::nullopt;
@@ -91,13 +90,13 @@ std::optional<TargetKind> targetKindOf(const Command& command) {
 }
 
 /// Whatever was queued before it leaves the robot somewhere on its way.
-bool stops(const protocol::ScriptCommand& command) {
-  return std::holds_alternative<protocol::StopAndClearBuffer>(command);
+bool stops(const script::ScriptCommand& command) {
+  return std::holds_alternative<script::StopAndClearBuffer>(command);
 }
 
 }  // namespace
 
-std::optional<TargetKind> targetKindOf(const std::vector<protocol::ScriptCommand>& commands) {
+std::optional<TargetKind> targetKindOf(const std::vector<script::ScriptCommand>& commands) {
   std::optional<TargetKind> last;
   for (const auto& command : commands) {
     const auto kind = std::visit([](const auto& c) { return targetKindOf(c); }, command);
@@ -106,11 +105,11 @@ std::optional<TargetKind> targetKindOf(const std::vector<protocol::ScriptCommand
   return last;
 }
 
-std::optional<Target> jointTargetOf(const std::vector<protocol::ScriptCommand>& commands) {
+std::optional<Target> jointTargetOf(const std::vector<script::ScriptCommand>& commands) {
   std::optional<Target> last;
   for (const auto& command : commands) {
-    const auto* ptp = std::get_if<protocol::Ptp>(&command);
-    if (ptp != nullptr && ptp->format.target == protocol::DataFormat::Target::Joint) {
+    const auto* ptp = std::get_if<script::Ptp>(&command);
+    if (ptp != nullptr && ptp->format.target == script::DataFormat::Target::Joint) {
       // Where it began is not known, so that it may be there.
       last = Target{TargetKind::Joints, arm::toJointVector(ptp->target), arm::Pose::Identity(), true};
     } else if (stops(command) || std::visit([](const auto& c) { return targetKindOf(c); }, command)) {

@@ -13,7 +13,7 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/types.h"
 #include "cobot_command/link/robot_status.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 
@@ -31,10 +31,10 @@ struct Target {
 };
 
 /// Of the last motion among them; nothing when there is none, or a stop behind it.
-[[nodiscard]] std::optional<TargetKind> targetKindOf(const std::vector<protocol::ScriptCommand>& commands);
+[[nodiscard]] std::optional<TargetKind> targetKindOf(const std::vector<script::ScriptCommand>& commands);
 
 /// Of a last motion to joints: that is known also where it cannot be planned, for want of a start or a model.
-[[nodiscard]] std::optional<Target> jointTargetOf(const std::vector<protocol::ScriptCommand>& commands);
+[[nodiscard]] std::optional<Target> jointTargetOf(const std::vector<script::ScriptCommand>& commands);
 
 struct ArrivalLimits {
   double position = 0;  ///< [m]

@@ -11,7 +11,7 @@
 
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/common/time.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 
@@ -48,12 +48,12 @@ struct CommandTraits {
 /// The command of the block, without QueueTag and ScriptExit. `base`: the active base in the robot base, for
 /// targets in a tf frame. The controller takes whole numbers for speed, time and blending: they are rounded
 /// to the nearest, the speed to 1 at least. Precondition: check() found nothing.
-[[nodiscard]] protocol::ScriptCommand commandOf(const MoveAbsoluteGoal& goal, const arm::Pose& base);
-[[nodiscard]] protocol::ScriptCommand commandOf(const MoveRelativeGoal& goal, const arm::Pose& base);
-[[nodiscard]] protocol::ScriptCommand commandOf(const MoveCircleGoal& goal, const arm::Pose& base);
-[[nodiscard]] protocol::ScriptCommand commandOf(const ChangeBaseGoal& goal, const arm::Pose& base);
-[[nodiscard]] protocol::ScriptCommand commandOf(const ChangeTcpGoal& goal, const arm::Pose& base);
-[[nodiscard]] protocol::ScriptCommand commandOf(const ProgramControlGoal& goal);
+[[nodiscard]] script::ScriptCommand commandOf(const MoveAbsoluteGoal& goal, const arm::Pose& base);
+[[nodiscard]] script::ScriptCommand commandOf(const MoveRelativeGoal& goal, const arm::Pose& base);
+[[nodiscard]] script::ScriptCommand commandOf(const MoveCircleGoal& goal, const arm::Pose& base);
+[[nodiscard]] script::ScriptCommand commandOf(const ChangeBaseGoal& goal, const arm::Pose& base);
+[[nodiscard]] script::ScriptCommand commandOf(const ChangeTcpGoal& goal, const arm::Pose& base);
+[[nodiscard]] script::ScriptCommand commandOf(const ProgramControlGoal& goal);
 
 /// The lines of a raw script, without line ends, without empty ones, and without a ScriptExit() at the end:
 /// that is told by CommandTraits::exits_node, as it has to come behind the queue tag. Precondition as above.

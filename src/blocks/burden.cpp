@@ -8,9 +8,9 @@
 
 namespace cobot_command::blocks {
 
-bool Burden::accepted(const protocol::ScriptCommand& command, bool behind_motion) {
-  const auto* tool = std::get_if<protocol::ChangeTcp>(&command);
-  const auto* load = std::get_if<protocol::ChangeLoad>(&command);
+bool Burden::accepted(const script::ScriptCommand& command, bool behind_motion) {
+  const auto* tool = std::get_if<script::ChangeTcp>(&command);
+  const auto* load = std::get_if<script::ChangeLoad>(&command);
   if (tool != nullptr) tool_ = {tool->weight, behind_motion};
   if (load != nullptr) load_ = {load->weight, behind_motion};
   return tool != nullptr || load != nullptr;

@@ -6,7 +6,7 @@
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/active_frames.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 
@@ -20,7 +20,7 @@ class Burden {
  public:
   /// Takes what the command says of tool or load, if it does. `behind_motion`: the robot may still have to
   /// finish others first.
-  bool accepted(const protocol::ScriptCommand& command, bool behind_motion);
+  bool accepted(const script::ScriptCommand& command, bool behind_motion);
   /// What waited behind a motion has come.
   void queueDone() { tool_.behind_motion = load_.behind_motion = false; }
   /// The queue was emptied, or may be: of a change that waited in it nobody knows whether it came.

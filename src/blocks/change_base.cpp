@@ -24,9 +24,9 @@ std::vector<Failure> check(const ChangeBaseGoal& goal) {
 }
 
 /// A base is measured in the robot base, whichever base is active.
-protocol::ScriptCommand commandOf(const ChangeBaseGoal& goal, const arm::Pose& /*base*/) {
-  if (!goal.base_name.empty()) return protocol::ChangeBase{goal.base_name};
-  return protocol::ChangeBase{targetOf(goal.transformation, goal.base_pose, arm::Pose::Identity())};
+script::ScriptCommand commandOf(const ChangeBaseGoal& goal, const arm::Pose& /*base*/) {
+  if (!goal.base_name.empty()) return script::ChangeBase{goal.base_name};
+  return script::ChangeBase{targetOf(goal.transformation, goal.base_pose, arm::Pose::Identity())};
 }
 
 }  // namespace cobot_command::blocks

@@ -38,10 +38,10 @@ std::vector<Failure> check(const ChangeTcpGoal& goal) {
   return std::move(checks).violations();
 }
 
-protocol::ScriptCommand commandOf(const ChangeTcpGoal& goal, const arm::Pose& /*base*/) {
-  if (!goal.tcp_name.empty()) return protocol::ChangeTcp{goal.tcp_name, std::nullopt, std::nullopt};
-  return protocol::ChangeTcp{goal.tcp_offset, goal.weight,
-                             protocol::ToolInertia{goal.moment_of_inertia, goal.mass_center}};
+script::ScriptCommand commandOf(const ChangeTcpGoal& goal, const arm::Pose& /*base*/) {
+  if (!goal.tcp_name.empty()) return script::ChangeTcp{goal.tcp_name, std::nullopt, std::nullopt};
+  return script::ChangeTcp{goal.tcp_offset, goal.weight,
+                           script::ToolInertia{goal.moment_of_inertia, goal.mass_center}};
 }
 
 }  // namespace cobot_command::blocks

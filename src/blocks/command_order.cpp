@@ -5,14 +5,16 @@
 #include "block_rules.h"
 #include <fmt/format.h>
 
+#include "cobot_command/script/script_reader.h"
+
 namespace cobot_command::blocks {
 namespace {
 
-CommandOrder orderOf(Block block, protocol::ScriptCommand command, bool moves) {
+CommandOrder orderOf(Block block, script::ScriptCommand command, bool moves) {
   CommandOrder order;
   order.block = block;
   order.moves = moves;
-  order.lines.push_back(protocol::toText(command));
+  order.lines.push_back(script::toText(command));
   order.commands.emplace().push_back(std::move(command));
   return order;
 }
@@ -68,11 +70,11 @@ CommandOrder orderOf(const RunScriptGoal& goal, const arm::Pose& /*base*/) {
   order.lines = linesOf(goal);
   order.stands_at_end = !setsVelocities(order.lines);
   order.pauses = std::any_of(order.lines.begin(), order.lines.end(), pauses);
-  if (const auto parsed = protocol::parseScript(fmt::format("{}", fmt::join(order.lines, "\r\n")))) {
+  if (const auto read = script::readScript(fmt::format("{}", fmt::join(order.lines, "\r\n")))) {
     order.commands.emplace();
-    for (const auto& line : parsed->lines) order.commands->push_back(line.command);
+    for (const auto& [line, command] : *read) order.commands->push_back(command);
     order.has_exit =
-        !order.commands->empty() && std::holds_alternative<protocol::ScriptExit>(order.commands->back());
+        !order.commands->empty() && std::holds_alternative<script::ScriptExit>(order.commands->back());
   }
   return order;
 }
@@ -83,15 +85,9 @@ CommandOrder orderOf(const ProgramControlGoal& goal) {
   return order;
 }
 
-std::optional<protocol::IoModule> moduleOf(const OutputAction& output) {
-  if (output.module == "EndModule") return protocol::IoModule::EndModule;
-  if (output.module == "ControlBox") return protocol::IoModule::ControlBox;
-  return std::nullopt;
-}
-
 CommandOrder orderOf(const OutputAction& output) {
-  protocol::WriteOutput write;
-  write.module = *moduleOf(output);
+  script::WriteOutput write;
+  write.module = *script::ioModule(output.module);
   write.index = output.output;
   write.on = output.value;
   // A line of script, and it fails as one: the cycle tells that error as the one of its step.
@@ -100,10 +96,10 @@ CommandOrder orderOf(const OutputAction& output) {
 
 void addLastLines(CommandOrder& order) {
   if (order.tag) {
-    order.lines.push_back(protocol::toText(protocol::ScriptCommand(protocol::QueueTag{*order.tag, false})));
+    order.lines.push_back(script::toText(script::ScriptCommand(script::QueueTag{*order.tag, false})));
   }
   if (order.exits_node) {
-    order.lines.push_back(protocol::toText(protocol::ScriptCommand(protocol::ScriptExit{})));
+    order.lines.push_back(script::toText(script::ScriptCommand(script::ScriptExit{})));
   }
 }
 

@@ -10,7 +10,7 @@
 #include "cobot_command/blocks/error_catalogue.h"
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/common/time.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 
@@ -22,7 +22,7 @@ struct CommandOrder {
   std::vector<std::string> lines;
   /// What the lines mean, tag and exit aside; absent when they are a raw script that says more than this
   /// layer knows.
-  std::optional<std::vector<protocol::ScriptCommand>> commands;
+  std::optional<std::vector<script::ScriptCommand>> commands;
   bool moves = false;             ///< a cancel has to stop the robot
   bool exits_node = false;        ///< ScriptExit() is to stand behind its lines
   bool has_exit = false;          ///< its own lines end with one that has a number
@@ -45,9 +45,8 @@ struct CommandOrder {
 [[nodiscard]] CommandOrder orderOf(const ExitListenNodeGoal& goal, const arm::Pose& base);
 [[nodiscard]] CommandOrder orderOf(const RunScriptGoal& goal, const arm::Pose& base);
 [[nodiscard]] CommandOrder orderOf(const ProgramControlGoal& goal);
-/// Precondition: moduleOf() knows the module.
+/// Precondition: it names a module (script::ioModule()).
 [[nodiscard]] CommandOrder orderOf(const OutputAction& output);
-[[nodiscard]] std::optional<protocol::IoModule> moduleOf(const OutputAction& output);
 
 /// The queue tag, when one is open for it, and the exit from the node.
 void addLastLines(CommandOrder& order);

@@ -221,7 +221,7 @@ void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) 
 }
 
 /// A controller may take a tool that the arm cannot carry, and fail in the first motion (FB section 5).
-void CommandCore::Impl::takeBurden(const protocol::ScriptCommand& command, bool behind_motion) {
+void CommandCore::Impl::takeBurden(const script::ScriptCommand& command, bool behind_motion) {
   if (!burden_.accepted(command, behind_motion)) return;
   weigh();
   if (!robot_.tooMuch()) return;

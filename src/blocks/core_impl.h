@@ -177,7 +177,7 @@ class CommandCore::Impl : private link::Wire {
   void handle(const link::RobotStatus& status, Instant now);
   void commandAccepted(const CommandOrder& order, Instant now);
   [[nodiscard]] static LooseMotion::End endOf(const CommandOrder& order);
-  void takeBurden(const protocol::ScriptCommand& command, bool behind_motion);
+  void takeBurden(const script::ScriptCommand& command, bool behind_motion);
   void weigh();
   void robotChanged(Instant now);
 

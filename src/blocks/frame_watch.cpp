@@ -23,7 +23,7 @@ bool same(const std::optional<arm::Pose>& a, const std::optional<arm::Pose>& b) 
 
 template <class Change>
 std::pair<std::optional<arm::Pose>, std::string> targetOf(const Change& change, const char* zero_name) {
-  if (const auto* values = std::get_if<protocol::SixNumbers>(&change)) return {arm::toPose(*values), ""};
+  if (const auto* values = std::get_if<script::SixNumbers>(&change)) return {arm::toPose(*values), ""};
   const auto& name = std::get<std::string>(change);
   if (name == zero_name) return {arm::Pose::Identity(), name};
   return {std::nullopt, name};
@@ -36,13 +36,13 @@ bool operator==(const ActiveFrames& a, const ActiveFrames& b) {
          std::tie(a.base_name, a.tcp_name, a.tool_mass) == std::tie(b.base_name, b.tcp_name, b.tool_mass);
 }
 
-void FrameWatch::accepted(const protocol::ScriptCommand& command, bool behind_motion, Instant now) {
-  std::visit(Overloaded{[&](const protocol::ChangeBase& change) {
-                          auto [pose, name] = targetOf(change.base, "RobotBase");
+void FrameWatch::accepted(const script::ScriptCommand& command, bool behind_motion, Instant now) {
+  std::visit(Overloaded{[&](const script::ChangeBase& change) {
+                          auto [pose, name] = targetOf(change.base, script::kRobotBase);
                           base_ = Commanded{pose, name, std::nullopt, behind_motion, now};
                         },
-                        [&](const protocol::ChangeTcp& change) {
-                          auto [pose, name] = targetOf(change.tcp, "NOTOOL");
+                        [&](const script::ChangeTcp& change) {
+                          auto [pose, name] = targetOf(change.tcp, script::kNoTool);
                           tcp_ = Commanded{pose, name, change.weight, behind_motion, now};
                         },
                         [](const auto&) {}},

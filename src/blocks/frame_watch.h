@@ -10,7 +10,7 @@
 #include "robot_watch.h"
 
 #include "cobot_command/blocks/active_frames.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 
@@ -18,7 +18,7 @@ class FrameWatch {
  public:
   /// A change that the controller accepted; other commands mean nothing here. `behind_motion`: the robot may
   /// still have to finish others first.
-  void accepted(const protocol::ScriptCommand& command, bool behind_motion, Instant now);
+  void accepted(const script::ScriptCommand& command, bool behind_motion, Instant now);
   void robotChanged(const RobotWatch& robot, Instant now);
   /// The queue was emptied: a change that waited in it will not come.
   void stopped();

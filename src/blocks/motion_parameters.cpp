@@ -10,7 +10,7 @@
 namespace cobot_command::blocks {
 namespace {
 
-using protocol::DataFormat;
+using script::DataFormat;
 
 constexpr double kMaxSpeedPercent = 100;
 constexpr double kMaxSpeedMmPerSecond = 4500;
@@ -78,8 +78,8 @@ void checkMovement(ParameterChecks& checks, int movement_command, int data_forma
   }
 }
 
-protocol::MotionOptions optionsOf(const MotionParameters& parameters) {
-  protocol::MotionOptions options;
+script::MotionOptions optionsOf(const MotionParameters& parameters) {
+  script::MotionOptions options;
   options.speed = std::max(1, rounded(parameters.speed));
   options.accel_time = rounded(parameters.accel_time);
   options.blending = parameters.blending_enable ? rounded(parameters.blending_value) : 0;

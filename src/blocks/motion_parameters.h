@@ -10,7 +10,7 @@
 #include "block_rules.h"
 #include "parameter_checks.h"
 
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 
@@ -21,7 +21,7 @@ class FormatList {
   constexpr FormatList(const std::array<std::string_view, N>& names) : names_(names.data()), count_(N) {}
 
   /// Nothing for a number that is not in the list.
-  [[nodiscard]] std::optional<protocol::DataFormat> at(int number) const;
+  [[nodiscard]] std::optional<script::DataFormat> at(int number) const;
   /// "data_format is 9 (CPP 0, CAP 1)"
   [[nodiscard]] std::string found(int number) const;
 
@@ -49,13 +49,13 @@ template <class Move>
 
 /// Unknown formats count as speed and blending in %: which format is wrong is checked elsewhere.
 void checkMotion(ParameterChecks& checks, const MotionParameters& parameters,
-                 const std::optional<protocol::DataFormat>& format);
+                 const std::optional<script::DataFormat>& format);
 
 /// PTP takes joints and poses with speed and blending in %, Line takes poses.
 void checkMovement(ParameterChecks& checks, int movement_command, int data_format, const FormatList& formats,
                    int ptp_error, int line_error);
 
-[[nodiscard]] protocol::MotionOptions optionsOf(const MotionParameters& parameters);
+[[nodiscard]] script::MotionOptions optionsOf(const MotionParameters& parameters);
 
 template <class Move>
 [[nodiscard]] CommandTraits traitsOfMove(const Move& goal) {

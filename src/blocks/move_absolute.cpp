@@ -57,12 +57,12 @@ std::vector<Failure> check(const MoveAbsoluteGoal& goal) {
   return std::move(checks).violations();
 }
 
-protocol::ScriptCommand commandOf(const MoveAbsoluteGoal& goal, const arm::Pose& base) {
-  const protocol::DataFormat format = kFormats.at(goal.data_format).value_or(protocol::DataFormat{});
+script::ScriptCommand commandOf(const MoveAbsoluteGoal& goal, const arm::Pose& base) {
+  const script::DataFormat format = kFormats.at(goal.data_format).value_or(script::DataFormat{});
   const SixValues target = targetOf(goal.target, goal.target_pose, base);
-  const protocol::MotionOptions options = optionsOf(parametersOf(goal));
-  if (isLine(goal)) return protocol::Line{format, target, options};
-  protocol::Ptp ptp{format, target, options, std::nullopt};
+  const script::MotionOptions options = optionsOf(parametersOf(goal));
+  if (isLine(goal)) return script::Line{format, target, options};
+  script::Ptp ptp{format, target, options, std::nullopt};
   if (goal.robot_pose_enable) ptp.pose_bits = goal.robot_pose;
   return ptp;
 }

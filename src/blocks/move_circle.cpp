@@ -51,11 +51,11 @@ std::vector<Failure> check(const MoveCircleGoal& goal) {
   return std::move(checks).violations();
 }
 
-protocol::ScriptCommand commandOf(const MoveCircleGoal& goal, const arm::Pose& base) {
-  return protocol::Circle{kFormats.at(goal.data_format).value_or(protocol::DataFormat{}),
-                          targetOf(goal.arc_point, goal.arc_pose, base),
-                          targetOf(goal.end_point, goal.end_pose, base), optionsOf(parametersOf(goal)),
-                          arcAngleOf(goal)};
+script::ScriptCommand commandOf(const MoveCircleGoal& goal, const arm::Pose& base) {
+  return script::Circle{kFormats.at(goal.data_format).value_or(script::DataFormat{}),
+                        targetOf(goal.arc_point, goal.arc_pose, base),
+                        targetOf(goal.end_point, goal.end_pose, base), optionsOf(parametersOf(goal)),
+                        arcAngleOf(goal)};
 }
 
 }  // namespace cobot_command::blocks

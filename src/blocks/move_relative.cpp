@@ -26,13 +26,13 @@ std::vector<Failure> check(const MoveRelativeGoal& goal) {
   return std::move(checks).violations();
 }
 
-protocol::ScriptCommand commandOf(const MoveRelativeGoal& goal, const arm::Pose& /*base*/) {
-  const protocol::DataFormat format = kFormats.at(goal.data_format).value_or(protocol::DataFormat{});
-  const protocol::MotionOptions options = optionsOf(parametersOf(goal));
+script::ScriptCommand commandOf(const MoveRelativeGoal& goal, const arm::Pose& /*base*/) {
+  const script::DataFormat format = kFormats.at(goal.data_format).value_or(script::DataFormat{});
+  const script::MotionOptions options = optionsOf(parametersOf(goal));
   if (goal.movement_command == static_cast<int>(Movement::Line)) {
-    return protocol::MoveLine{format, goal.target, options};
+    return script::MoveLine{format, goal.target, options};
   }
-  return protocol::MovePtp{format, goal.target, options};
+  return script::MovePtp{format, goal.target, options};
 }
 
 }  // namespace cobot_command::blocks

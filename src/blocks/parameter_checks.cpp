@@ -8,7 +8,7 @@
 
 #include "cobot_command/blocks/error_ids.h"
 #include "cobot_command/common/foreign_text.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -47,7 +47,7 @@ void ParameterChecks::sixValues(const char* field, const SixValues& values) {
 }
 
 void ParameterChecks::name(const char* field, const std::string& name) {
-  require(protocol::isName(name), own_error::kNameInvalid,
+  require(script::isName(name), own_error::kNameInvalid,
           fmt::format("{} is \"{}\", {} bytes", field, foreignText(name, kQuoteLimit), name.size()));
 }
 

@@ -19,8 +19,8 @@ constexpr int kMaxCycles = 1000000;
 constexpr double kMaxDwell = 3600;
 
 bool isOutput(const OutputAction& output) {
-  const auto module = moduleOf(output);
-  return module && output.output >= 0 && output.output < protocol::ioCount(*module);
+  const auto module = script::ioModule(output.module);
+  return module && output.output >= 0 && output.output < script::ioCount(*module);
 }
 
 /// What is wrong with a step besides its move.

@@ -49,7 +49,7 @@ Origin Preflight::origin(const RobotWatch& robot, const FrameWatch& frames, cons
   return origin;
 }
 
-Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<protocol::ScriptCommand>& commands,
+Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<script::ScriptCommand>& commands,
                                                      const Origin& origin) const {
   if (!arm_) return std::optional<Plan>();
   planning::ScriptPlanner planner = origin.behind.value_or(planning::ScriptPlanner(*arm_, origin.start));
@@ -57,7 +57,7 @@ Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<protocol:
   plan.tcp = origin.start.tcp.value_or(arm::Pose::Identity());
   plan.arrival = origin.arrival;
   std::optional<Duration> begin;
-  for (const protocol::ScriptCommand& command : commands) {
+  for (const script::ScriptCommand& command : commands) {
     const auto step = planner.append(command, origin.arrival);
     if (!step) return refuse(toFailure(step.error()));
     if (!step->planned) return std::optional<Plan>();
@@ -74,7 +74,7 @@ Result<std::optional<Plan>, Failure> Preflight::plan(const std::vector<protocol:
   return std::optional<Plan>(std::move(plan));
 }
 
-std::optional<Target> Preflight::targetOf(const std::vector<protocol::ScriptCommand>& commands,
+std::optional<Target> Preflight::targetOf(const std::vector<script::ScriptCommand>& commands,
                                           const Plan& plan) {
   const auto kind = targetKindOf(commands);
   const auto& end = plan.end.start;

@@ -16,7 +16,7 @@
 #include "cobot_command/common/time.h"
 #include "cobot_command/motion/trajectory.h"
 #include "cobot_command/planning/script_planner.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 
@@ -51,8 +51,8 @@ class Preflight {
                               Instant now) const;
 
   /// No plan without a model, or when the start or the effect of a command is not known.
-  [[nodiscard]] Result<std::optional<Plan>, Failure> plan(
-      const std::vector<protocol::ScriptCommand>& commands, const Origin& origin) const;
+  [[nodiscard]] Result<std::optional<Plan>, Failure> plan(const std::vector<script::ScriptCommand>& commands,
+                                                          const Origin& origin) const;
 
   /// A blended command was sent: the next one blends with it, or starts at its end.
   void queue(const std::optional<Plan>& plan, Instant now);
@@ -74,7 +74,7 @@ class Preflight {
     [[nodiscard]] Instant end() const { return began + planner.duration(); }
   };
   [[nodiscard]] bool isQueued(const RobotWatch& robot, Instant now) const;
-  [[nodiscard]] static std::optional<Target> targetOf(const std::vector<protocol::ScriptCommand>& commands,
+  [[nodiscard]] static std::optional<Target> targetOf(const std::vector<script::ScriptCommand>& commands,
                                                       const Plan& plan);
 
   std::optional<arm::ArmModel> arm_;

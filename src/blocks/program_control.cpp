@@ -22,9 +22,9 @@ std::vector<Failure> check(const ProgramControlGoal& goal) {
   return std::move(checks).violations();
 }
 
-protocol::ScriptCommand commandOf(const ProgramControlGoal& goal) {
-  if (is(goal, ProgramCommand::Pause)) return protocol::Pause{};
-  return protocol::Resume{};
+script::ScriptCommand commandOf(const ProgramControlGoal& goal) {
+  if (is(goal, ProgramCommand::Pause)) return script::Pause{};
+  return script::Resume{};
 }
 
 }  // namespace cobot_command::blocks

@@ -9,6 +9,7 @@
 
 #include "cobot_command/blocks/error_ids.h"
 #include "cobot_command/tm_script/open_end.h"
+#include "cobot_command/tm_script/parser.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -69,10 +70,11 @@ bool hasWord(std::string_view line, std::string_view word) {
 }
 
 bool isScriptExit(const Line& line) {
-  const auto command = protocol::parseCommand(line.text);
-  if (!command) return false;
-  const auto* exit = std::get_if<protocol::ScriptExit>(&*command);
-  return exit != nullptr && !exit->mode;
+  const auto parsed = tm_script::parse(line.text);
+  if (!parsed.faults.empty() || parsed.statements.size() != 1) return false;
+  const auto* expression = std::get_if<tm_script::Expression>(&parsed.statements.front().content);
+  const auto* call = expression == nullptr ? nullptr : std::get_if<tm_script::Call>(&expression->node);
+  return call != nullptr && call->function == "ScriptExit" && call->arguments.empty();
 }
 
 bool endsWithScriptExit(const std::vector<Line>& lines) {
@@ -97,7 +99,7 @@ std::string faultOf(const std::string& script, bool await_motion) {
   const std::vector<Line> lines = split(script);
   if (lines.empty()) return "it is empty";
   for (const Line& line : lines) {
-    if (!protocol::isScriptLine(line.text)) {
+    if (!script::isScriptLine(line.text)) {
       return fmt::format("line {} has control characters, or is not UTF-8", line.number);
     }
     for (const char* word : {"QueueTag", "WaitQueueTag"}) {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cobot_command/blocks/error_ids.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 
@@ -50,8 +50,7 @@ void StopRun::ask(const std::optional<Target>& target, Instant now) {
   stop.result.number = ++last_;
   stop.result.target = target;
   stop.told = hasToBeTold();
-  stop.script_id =
-      link_.sendScript(protocol::toText(protocol::ScriptCommand(protocol::StopAndClearBuffer{})), now);
+  stop.script_id = link_.sendScript(script::toText(script::ScriptCommand(script::StopAndClearBuffer{})), now);
   stops_.push_back(std::move(stop));
 }
 

@@ -15,23 +15,23 @@
 namespace cobot_command::planning {
 namespace {
 
-using protocol::DataFormat;
+using script::DataFormat;
 using Made = Result<motion::Command, motion::Refusal>;
 
-Duration timeToTopSpeed(const protocol::MotionOptions& options) {
+Duration timeToTopSpeed(const script::MotionOptions& options) {
   return std::chrono::milliseconds(options.accel_time);
 }
 
-double ratio(const protocol::MotionOptions& options) {
+double ratio(const script::MotionOptions& options) {
   return options.speed / 100.0;
 }
 
-motion::PathSpeed pathSpeed(const DataFormat& format, const protocol::MotionOptions& options) {
+motion::PathSpeed pathSpeed(const DataFormat& format, const script::MotionOptions& options) {
   if (format.speed == DataFormat::Speed::Percent) return motion::SpeedRatio{ratio(options)};
   return motion::TcpSpeed{mmToM(options.speed)};
 }
 
-motion::PoseOffset poseOffset(const DataFormat& format, const protocol::SixNumbers& offset) {
+motion::PoseOffset poseOffset(const DataFormat& format, const script::SixNumbers& offset) {
   using Axes = motion::PoseOffset::Axes;
   return {arm::toPose(offset), format.target == DataFormat::Target::Tool ? Axes::Tool : Axes::Base};
 }
@@ -49,7 +49,7 @@ motion::Refusal unknownBits(const std::array<int, 3>& bits, const arm::Pose& poi
 
 }  // namespace
 
-Made toMotion(const protocol::Ptp& ptp) {
+Made toMotion(const script::Ptp& ptp) {
   if (ptp.format.target == DataFormat::Target::Joint) {
     return motion::Ptp{arm::toJointVector(ptp.target), ratio(ptp.options), timeToTopSpeed(ptp.options)};
   }
@@ -62,38 +62,38 @@ Made toMotion(const protocol::Ptp& ptp) {
   return motion::Ptp{target, ratio(ptp.options), timeToTopSpeed(ptp.options)};
 }
 
-Made toMotion(const protocol::Line& line) {
+Made toMotion(const script::Line& line) {
   return motion::Line{arm::toPose(line.target), pathSpeed(line.format, line.options),
                       timeToTopSpeed(line.options)};
 }
 
-Made toMotion(const protocol::Circle& circle) {
+Made toMotion(const script::Circle& circle) {
   std::optional<double> angle;
   if (circle.arc_angle != 0) angle = degToRad(circle.arc_angle);
   return motion::Circle{arm::toPose(circle.via), arm::toPose(circle.end), angle,
                         pathSpeed(circle.format, circle.options), timeToTopSpeed(circle.options)};
 }
 
-Made toMotion(const protocol::MovePtp& move) {
+Made toMotion(const script::MovePtp& move) {
   motion::MovePtp made{poseOffset(move.format, move.offset), ratio(move.options),
                        timeToTopSpeed(move.options)};
   if (move.format.target == DataFormat::Target::Joint) made.offset = arm::toJointVector(move.offset);
   return made;
 }
 
-Made toMotion(const protocol::MoveLine& move) {
+Made toMotion(const script::MoveLine& move) {
   return motion::MoveLine{poseOffset(move.format, move.offset), pathSpeed(move.format, move.options),
                           timeToTopSpeed(move.options)};
 }
 
-Made toMotion(const protocol::PLine& line) {
+Made toMotion(const script::PLine& line) {
   motion::PLine made{arm::toPose(line.target), pathSpeed(line.format, line.options),
                      timeToTopSpeed(line.options)};
   if (line.format.target == DataFormat::Target::Joint) made.target = arm::toJointVector(line.target);
   return made;
 }
 
-Made toMotion(const protocol::MovePLine& move) {
+Made toMotion(const script::MovePLine& move) {
   motion::MovePLine made{poseOffset(move.format, move.offset), pathSpeed(move.format, move.options),
                          timeToTopSpeed(move.options)};
   if (move.format.target == DataFormat::Target::Joint) made.offset = arm::toJointVector(move.offset);
@@ -103,14 +103,14 @@ Made toMotion(const protocol::MovePLine& move) {
 Made toMotion(const PvtBlock& pvt) {
   if (!pvt.cartesian) {
     std::vector<motion::PvtJointPoint> points;
-    for (const protocol::PvtPoint& point : pvt.points) {
+    for (const script::PvtPoint& point : pvt.points) {
       points.push_back(
           {arm::toJointVector(point.position), arm::toJointVector(point.velocity), point.duration});
     }
     return motion::Pvt{std::move(points)};
   }
   std::vector<motion::PvtPosePoint> points;
-  for (const protocol::PvtPoint& point : pvt.points) {
+  for (const script::PvtPoint& point : pvt.points) {
     const auto& [x, y, z, rx, ry, rz] = point.velocity;
     points.push_back({arm::toPose(point.position),
                       {{mmToM(x), mmToM(y), mmToM(z)}, {degToRad(rx), degToRad(ry), degToRad(rz)}},

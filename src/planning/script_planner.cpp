@@ -13,7 +13,7 @@
 namespace cobot_command::planning {
 namespace {
 
-using protocol::SixNumbers;
+using script::SixNumbers;
 
 /// A frame given by value or by name; of the names only `identity` is known.
 std::optional<arm::Pose> frameOf(const std::variant<SixNumbers, std::string>& given, const char* identity) {
@@ -68,15 +68,15 @@ motion::Setting ScriptPlanner::setting() const {
           kStartTolerance};
 }
 
-Result<PlannedStep, motion::Refusal> ScriptPlanner::append(const protocol::ScriptCommand& command,
+Result<PlannedStep, motion::Refusal> ScriptPlanner::append(const script::ScriptCommand& command,
                                                            Duration arrival) {
   return std::visit(
       [&](const auto& one) -> Appended {
         if constexpr (std::is_constructible_v<ScriptMotion, decltype(one)>) {
           return append(ScriptMotion(one), arrival);
-        } else if constexpr (std::is_same_v<decltype(one), const protocol::PvtExit&>) {
+        } else if constexpr (std::is_same_v<decltype(one), const script::PvtExit&>) {
           return append(ScriptMotion(pvt_), arrival);
-        } else if constexpr (std::is_same_v<decltype(one), const protocol::StopAndClearBuffer&>) {
+        } else if constexpr (std::is_same_v<decltype(one), const script::StopAndClearBuffer&>) {
           return stop(arrival);
         } else {
           note(one);
@@ -88,20 +88,20 @@ Result<PlannedStep, motion::Refusal> ScriptPlanner::append(const protocol::Scrip
       command);
 }
 
-void ScriptPlanner::note(const protocol::ChangeBase& change) {
-  base_ = frameOf(change.base, "RobotBase");
+void ScriptPlanner::note(const script::ChangeBase& change) {
+  base_ = frameOf(change.base, script::kRobotBase);
 }
 
-void ScriptPlanner::note(const protocol::ChangeTcp& change) {
-  tcp_ = frameOf(change.tcp, "NOTOOL");
+void ScriptPlanner::note(const script::ChangeTcp& change) {
+  tcp_ = frameOf(change.tcp, script::kNoTool);
   blend_.reset();
 }
 
-void ScriptPlanner::note(const protocol::QueueTag& tag) {
+void ScriptPlanner::note(const script::QueueTag& tag) {
   if (tag.wait) blend_.reset();
 }
 
-void ScriptPlanner::note(const protocol::WaitQueueTag&) {
+void ScriptPlanner::note(const script::WaitQueueTag&) {
   blend_.reset();
 }
 
@@ -113,12 +113,12 @@ void ScriptPlanner::follow(const Start& frames) {
   speed_override_ = frames.speed_override;
 }
 
-void ScriptPlanner::note(const protocol::ContinueVJog&) {
+void ScriptPlanner::note(const script::ContinueVJog&) {
   end_.reset();
   blend_.reset();
 }
 
-void ScriptPlanner::note(const protocol::ContinueVLine&) {
+void ScriptPlanner::note(const script::ContinueVLine&) {
   end_.reset();
   blend_.reset();
 }

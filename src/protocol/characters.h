@@ -14,9 +14,6 @@ namespace cobot_command::protocol {
 [[nodiscard]] constexpr bool isLetter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
-[[nodiscard]] constexpr bool isControl(char c) {
-  return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
-}
 
 /// 0..15, or 16 when it is no hexadecimal digit.
 [[nodiscard]] constexpr unsigned hexValue(char c) {

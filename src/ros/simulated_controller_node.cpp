@@ -52,13 +52,12 @@ link::RobotStatus asStreamed(const simulator::RobotState& state) {
 }
 
 Result<simulator::OperatorAction, std::string> inputOf(const SetInput::Request& request) {
-  const bool box = request.module == "ControlBox";
-  if (!box && request.module != "EndModule") {
+  const auto module = script::ioModule(request.module);
+  if (!module) {
     return refuse("module \"" + foreignText(request.module, kQuoteLimit) +
                   "\": the modules are ControlBox and EndModule");
   }
-  return simulator::SetInput{box ? protocol::IoModule::ControlBox : protocol::IoModule::EndModule,
-                             request.input, request.value != 0};
+  return simulator::SetInput{*module, request.input, request.value != 0};
 }
 
 void logTraffic(const simulator::LogLine& line) {

@@ -90,17 +90,15 @@ Read readError(Words& words) {
 }
 
 Read readInput(Words& words) {
-  const std::string module = words.next();
-  const bool box = module == "ControlBox";
-  if (!box && module != "EndModule") {
-    return refuse(fmt::format("\"{}\": the modules are ControlBox and EndModule", module));
-  }
+  const std::string name = words.next();
+  const auto module = script::ioModule(name);
+  if (!module) return refuse(fmt::format("\"{}\": the modules are ControlBox and EndModule", name));
   const auto index = toInt(words.next());
   const auto value = toInt(words.next());
   if (!index || !value || (*value != 0 && *value != 1)) {
     return refuse(std::string("give the number of the input, and 0 or 1"));
   }
-  return SetInput{box ? protocol::IoModule::ControlBox : protocol::IoModule::EndModule, *index, *value == 1};
+  return SetInput{*module, *index, *value == 1};
 }
 
 bool isDelay(const std::string& fault) {

@@ -2,10 +2,10 @@
 
 #include <cstring>
 
-#include "robot_functions.h"
 #include <fmt/format.h>
 
 #include "cobot_command/common/overloaded.h"
+#include "cobot_command/script/robot_functions.h"
 
 namespace cobot_command::simulator {
 
@@ -56,8 +56,8 @@ std::optional<std::string> ScriptEnvironment::objectionTo(
       arguments.size() == 1 && arguments[0] ? std::get_if<std::string>(&*arguments[0]) : nullptr;
   if (name != nullptr && function == "ChangeBase") return unknownName(project_.bases, *name);
   if (name != nullptr && function == "ChangeTCP") return unknownName(project_.tools, *name);
-  if (!velocity_licence_ && needsLicence(function)) return function + " needs a licence";
-  return simulator::objectionTo(function, arguments);
+  if (!velocity_licence_ && script::needsLicence(function)) return function + " needs a licence";
+  return script::objectionTo(function, arguments);
 }
 
 std::optional<std::string> ScriptEnvironment::write(const tm_script::ItemName& item,
@@ -85,9 +85,8 @@ tm_script::CallAnswer ScriptEnvironment::writeOutput(const tm_script::ItemName& 
   }
   const auto level = std::get<std::uint8_t>(value);
   if (level > 1) return tm_script::CallFailure{fmt::format("an output is 0 or 1, not {}", level)};
-  protocol::WriteOutput write;
-  const bool is_box = std::get<std::string>(item.keys.front()) == "ControlBox";
-  write.module = is_box ? protocol::IoModule::ControlBox : protocol::IoModule::EndModule;
+  script::WriteOutput write;
+  write.module = *script::ioModule(std::get<std::string>(item.keys.front()));
   write.index = static_cast<int>(index);
   write.on = level == 1;
   write.instant = item.attribute == "InstantDO";
@@ -100,7 +99,7 @@ tm_script::CallAnswer ScriptEnvironment::call(const std::string& function,
   if (auto objection = objectionTo(function, scalarsIn(arguments))) {
     return tm_script::CallFailure{std::move(*objection)};
   }
-  return effects_.execute(commandOf(function, arguments));
+  return effects_.execute(script::commandOf(function, arguments));
 }
 
 tm_script::CallAnswer ScriptEnvironment::listenSend(const tm_script::Arguments& arguments) {

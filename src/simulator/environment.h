@@ -10,7 +10,7 @@
 #include "robot_items.h"
 
 #include "cobot_command/protocol/message.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 #include "cobot_command/tm_script/environment.h"
 
 namespace cobot_command::simulator {
@@ -19,7 +19,7 @@ class ScriptEnvironment final : public tm_script::Environment {
  public:
   /// What comes of a script.
   struct Effects {
-    std::function<tm_script::CallAnswer(const protocol::ScriptCommand&)> execute;
+    std::function<tm_script::CallAnswer(const script::ScriptCommand&)> execute;
     std::function<tm_script::CallAnswer(const SetAnalogOutput&, bool is_instant)> set;
     std::function<void(const protocol::ListenData&)> send;
   };

@@ -4,7 +4,7 @@
 #include "outbox.h"
 #include <fmt/format.h>
 
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 #include "cobot_command/simulator/robot_state.h"
 
 namespace cobot_command::simulator {
@@ -27,9 +27,9 @@ class IoBoard {
  public:
   explicit IoBoard(Outbox& outbox) : outbox_(outbox) {}
 
-  void write(const protocol::WriteOutput& write) {
+  void write(const script::WriteOutput& write) {
     outputs_.at(write.module, write.index) = write.on;
-    outbox_.log(protocol::toText(write));
+    outbox_.log(script::toText(write));
   }
   void write(const SetAnalogOutput& write) {
     analog_output_ = write.volt;
@@ -39,10 +39,10 @@ class IoBoard {
     camera_light_ = write.on;
     outbox_.log(fmt::format("the light of the camera is {}", write.on ? "on" : "off"));
   }
-  void setInput(protocol::IoModule module, int index, bool on) {
+  void setInput(script::IoModule module, int index, bool on) {
     inputs_.at(module, index) = on;
     outbox_.log(fmt::format("input {} of the {} is {}", index,
-                            module == protocol::IoModule::ControlBox ? "control box" : "end module",
+                            module == script::IoModule::ControlBox ? "control box" : "end module",
                             on ? "on" : "off"));
   }
 

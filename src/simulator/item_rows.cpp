@@ -7,14 +7,14 @@
 #include "controller_clock.h"
 #include "sensors.h"
 
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::simulator {
 
 namespace {
 
-using protocol::IoModule;
 using protocol::ItemValue;
+using script::IoModule;
 using Byte = std::uint8_t;
 using Bytes = std::vector<Byte>;
 using V = ItemValues;
@@ -77,7 +77,7 @@ template <IoModule Module>
 Written writeOutput(const ItemValue& value, N number) {
   const auto on = bit(value);
   if (!on) return std::nullopt;
-  return protocol::WriteOutput{Module, static_cast<int>(number), *on};
+  return script::WriteOutput{Module, static_cast<int>(number), *on};
 }
 Written writeLight(const ItemValue& value, N) {
   const auto on = bit(value);

@@ -45,11 +45,11 @@ Floats poseFloats(const arm::Pose& pose) {
   return {numbers.begin(), numbers.end()};
 }
 
-Floats inertiaMoments(const protocol::ToolInertia& inertia) {
+Floats inertiaMoments(const script::ToolInertia& inertia) {
   return floatsOf(inertia.moment);
 }
 
-Floats massCenter(const protocol::ToolInertia& inertia) {
+Floats massCenter(const script::ToolInertia& inertia) {
   return floatsOf(inertia.mass_center);
 }
 

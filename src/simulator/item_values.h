@@ -42,8 +42,8 @@ using Floats = std::vector<float>;
 /// Each times a unit's size.
 [[nodiscard]] Floats floats(const Eigen::Ref<const Eigen::VectorXd>& numbers, double factor = 1.0);
 [[nodiscard]] Floats poseFloats(const arm::Pose& pose);                      ///< [mm, deg]
-[[nodiscard]] Floats inertiaMoments(const protocol::ToolInertia& inertia);   ///< [kg mm^2]
-[[nodiscard]] Floats massCenter(const protocol::ToolInertia& inertia);       ///< [mm, deg]
+[[nodiscard]] Floats inertiaMoments(const script::ToolInertia& inertia);     ///< [kg mm^2]
+[[nodiscard]] Floats massCenter(const script::ToolInertia& inertia);         ///< [mm, deg]
 [[nodiscard]] Floats degrees(const arm::JointVector& joints);                ///< [deg] or [deg/s]
 [[nodiscard]] Floats twistFloats(const Eigen::Matrix<double, 6, 1>& twist);  ///< [mm/s, deg/s]
 [[nodiscard]] float linearSpeed(const Eigen::Matrix<double, 6, 1>& twist);   ///< [mm/s]

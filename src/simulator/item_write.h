@@ -7,7 +7,7 @@
 #include "io_board.h"
 
 #include "cobot_command/protocol/item_content.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 #include "cobot_command/simulator/operator_action.h"
 
 namespace cobot_command::simulator {
@@ -32,6 +32,6 @@ struct SetVariable {
 };
 
 using ItemWrite = std::variant<PressButton, SetCameraLight, SetAnalogOutput, SetProjectName, SetAutoRemote,
-                               SetVariable, SetProjectSpeed, protocol::WriteOutput>;
+                               SetVariable, SetProjectSpeed, script::WriteOutput>;
 
 }  // namespace cobot_command::simulator

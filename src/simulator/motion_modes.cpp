@@ -34,7 +34,7 @@ std::optional<Duration> shorter(const std::optional<Duration>& a, const std::opt
 
 // --- PVT ---------------------------------------------------------------------------------------------------
 
-void MotionQueue::addPoint(const protocol::PvtPoint& point) {
+void MotionQueue::addPoint(const script::PvtPoint& point) {
   pvt_->block.points.push_back(point);
   pvt_->time += point.duration;
 }

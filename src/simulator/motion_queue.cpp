@@ -72,8 +72,8 @@ MotionQueue::MotionQueue(const arm::ArmModel& arm, const arm::JointVector& postu
 
 void MotionQueue::resetSetting() {
   setting_.base = setting_.tcp = arm::Pose::Identity();
-  base_name_ = "RobotBase";
-  tcp_name_ = "NOTOOL";
+  base_name_ = script::kRobotBase;
+  tcp_name_ = script::kNoTool;
   tcp_mass_ = load_ = 0.0;
   tcp_inertia_ = {};
   paused_ = pvt_paused_ = false;
@@ -234,7 +234,7 @@ void MotionQueue::apply(const QueuedTag& tag, Instant) {
   settle(tag, !error_);
 }
 
-void MotionQueue::apply(const protocol::WriteOutput& write, Instant) {
+void MotionQueue::apply(const script::WriteOutput& write, Instant) {
   events_.emplace_back(write);
 }
 

@@ -35,10 +35,10 @@ struct BaseChange {
   std::string name;  ///< empty when given by value
 };
 struct TcpChange {
-  arm::Pose pose;                                ///< in the flange [m]
-  std::string name;                              ///< empty when given by value
-  std::optional<double> mass;                    ///< [kg]; absent: as before
-  std::optional<protocol::ToolInertia> inertia;  ///< likewise
+  arm::Pose pose;                              ///< in the flange [m]
+  std::string name;                            ///< empty when given by value
+  std::optional<double> mass;                  ///< [kg]; absent: as before
+  std::optional<script::ToolInertia> inertia;  ///< likewise
 };
 struct LoadChange {
   double mass = 0;  ///< [kg]
@@ -57,7 +57,7 @@ struct VelocityMode {
   std::optional<Velocity> first{};  ///< came before the mode began
 };
 using QueueItem = std::variant<MotionRequest, BaseChange, TcpChange, LoadChange, QueuedTag, PvtMark,
-                               VelocityMode, protocol::WriteOutput, SetAnalogOutput>;
+                               VelocityMode, script::WriteOutput, SetAnalogOutput>;
 
 /// What the queue tells: a tag came to its end.
 struct TagSettled {
@@ -76,7 +76,7 @@ struct MotionFailed {
 };
 /// WriteOutput, SetAnalogOutput: the motions before it are done, it is to be written now.
 using QueueEvent =
-    std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed, protocol::WriteOutput, SetAnalogOutput>;
+    std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed, script::WriteOutput, SetAnalogOutput>;
 
 class MotionQueue {
  public:
@@ -107,7 +107,7 @@ class MotionQueue {
   // --- PVT: motion_modes.cpp
   /// From here on points, and what is queued between them.
   void openPvt(bool cartesian) { pvt_.emplace(OpenPvt{{cartesian, {}}, {}, 0.0}); }
-  void addPoint(const protocol::PvtPoint& point);
+  void addPoint(const script::PvtPoint& point);
   /// The whole is queued.
   void closePvt();
   [[nodiscard]] bool pvtIsOpen() const { return pvt_.has_value(); }
@@ -150,7 +150,7 @@ class MotionQueue {
   [[nodiscard]] const std::string& baseName() const { return base_name_; }
   [[nodiscard]] const std::string& tcpName() const { return tcp_name_; }
   [[nodiscard]] double tcpMass() const { return tcp_mass_; }
-  [[nodiscard]] const protocol::ToolInertia& tcpInertia() const { return tcp_inertia_; }
+  [[nodiscard]] const script::ToolInertia& tcpInertia() const { return tcp_inertia_; }
   [[nodiscard]] double load() const { return load_; }
   /// Why the last motion was not made; until the next one is queued.
   [[nodiscard]] const std::optional<RobotError>& error() const { return error_; }
@@ -203,7 +203,7 @@ class MotionQueue {
   void apply(const QueuedTag& tag, Instant now);
   void apply(const PvtMark&, Instant) {}  // the PVT is over
   void apply(const VelocityMode& mode, Instant now);
-  void apply(const protocol::WriteOutput& write, Instant now);
+  void apply(const script::WriteOutput& write, Instant now);
   void apply(const SetAnalogOutput& write, Instant now);
   void fail(RobotError error);
   void dropQueue();
@@ -217,7 +217,7 @@ class MotionQueue {
   motion::Setting setting_;
   std::string base_name_, tcp_name_;
   double tcp_mass_ = 0.0;
-  protocol::ToolInertia tcp_inertia_;
+  script::ToolInertia tcp_inertia_;
   double load_ = 0.0;
 
   arm::JointVector posture_;  // where the arm stands, while nothing is active

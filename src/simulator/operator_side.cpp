@@ -121,9 +121,9 @@ OperatorReply SimulatedController::Impl::act(const ClearError&) {
 }
 
 OperatorReply SimulatedController::Impl::act(const SetInput& action) {
-  if (action.index < 0 || action.index >= protocol::ioCount(action.module)) {
+  if (action.index < 0 || action.index >= script::ioCount(action.module)) {
     return notDone(fmt::format("there is no input {}: allowed are 0 to {}", action.index,
-                               protocol::ioCount(action.module) - 1));
+                               script::ioCount(action.module) - 1));
   }
   io_.setInput(action.module, action.index, action.on);
   return done(fmt::format("the input is {}", action.on ? "on" : "off"));

@@ -7,6 +7,7 @@
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/arm/pose_bits.h"
+#include "cobot_command/script/script_command.h"
 #include "cobot_command/tm_script/checker.h"
 #include "cobot_command/tm_script/interpreter.h"
 
@@ -85,14 +86,14 @@ Frame::Frame(const SixFloats& from) : numbers(from) {
 }
 
 ProjectData::ProjectData(const Settings& settings, const arm::ArmModel& model) {
-  bases.emplace("RobotBase", Taught<Frame>(Frame(arm::Pose::Identity()), true));
+  bases.emplace(script::kRobotBase, Taught<Frame>(Frame(arm::Pose::Identity()), true));
   for (const auto& [name, pose] : settings.bases) bases.emplace(name, Taught<Frame>(Frame(pose)));
   const auto addTool = [this](const std::string& name, const arm::Pose& pose, bool is_fixed) {
     Tool tool;
     tool.frame = Frame(pose);
     tools.emplace(name, Taught<Tool>(tool, is_fixed));
   };
-  addTool("NOTOOL", arm::Pose::Identity(), true);
+  addTool(script::kNoTool, arm::Pose::Identity(), true);
   for (const auto& [name, pose] : settings.tcps) addTool(name, pose, name == "HandCamera");
   addTool("HandCamera", arm::toPose(kHandCamera), true);
   for (const auto& [name, joints] : settings.points) {

@@ -2,9 +2,9 @@
 
 #include "controller_functions.h"
 #include "item_table.h"
-#include "robot_functions.h"
 #include "robot_items.h"
 
+#include "cobot_command/script/robot_functions.h"
 #include "cobot_command/tm_script/parser.h"
 
 namespace cobot_command::simulator {
@@ -13,7 +13,7 @@ namespace {
 
 tm_script::FunctionTable allFunctions() {
   tm_script::FunctionTable functions;
-  declareRobotFunctions(functions);
+  script::declareRobotFunctions(functions);
   defineControllerFunctions(functions, [] { return RobotState(); });
   return functions;
 }

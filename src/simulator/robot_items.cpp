@@ -172,7 +172,7 @@ Result<Value, std::string> RobotItems::read(const tm_script::ItemName& item) con
 }
 
 Value RobotItems::ofIo(const std::string& module, const std::string& attribute) const {
-  const bool is_box = module == "ControlBox";
+  const bool is_box = script::ioModule(module) == script::IoModule::ControlBox;
   if (attribute == "AI") return arrayOf(ScalarType::Float, std::vector<float>(is_box ? 2 : 1, 0.0F));
   if (attribute == "AO" || attribute == "InstantAO") {
     return arrayOf(ScalarType::Float, std::array<float, 1>{io_.analogOutput()});
@@ -208,14 +208,14 @@ Value RobotItems::ofProject(const std::string& object, const std::string& name,
     return is_taught ? entry.taught : entry.now;
   };
   if (object == "Base") {
-    if (what == "Type") return Scalar(std::string(name == "RobotBase" ? "R" : "C"));
+    if (what == "Type") return Scalar(std::string(name == script::kRobotBase ? "R" : "C"));
     return arrayOf(ScalarType::Float, of(project_.bases.at(name)).numbers);
   }
   if (object == "Point") {
     const Point& point = of(project_.points.at(name));
     if (what == "Pose") return arrayOf(ScalarType::Int, point.pose_bits);
-    if (what == "BaseName") return Scalar(std::string("RobotBase"));
-    if (what == "TCPName") return Scalar(std::string("NOTOOL"));
+    if (what == "BaseName") return Scalar(std::string(script::kRobotBase));
+    if (what == "TCPName") return Scalar(std::string(script::kNoTool));
     return arrayOf(ScalarType::Float, what == "Flange" ? point.flange : point.frame.numbers);
   }
   const Tool& tool = of(project_.tools.at(name));

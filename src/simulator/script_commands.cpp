@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <chrono>
 
-#include "robot_functions.h"
 #include "script_interpreter.h"
 #include "tmflow_version.h"
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/script/robot_functions.h"
 
 namespace cobot_command::simulator {
 
@@ -15,8 +15,8 @@ namespace {
 tm_script::CallAnswer done() {
   return tm_script::Value(tm_script::Scalar(true));
 }
-protocol::ToolInertia inertiaOf(const Tool& tool) {
-  protocol::ToolInertia inertia;
+script::ToolInertia inertiaOf(const Tool& tool) {
+  script::ToolInertia inertia;
   std::copy(tool.moment.begin(), tool.moment.end(), inertia.moment.begin());
   std::copy(tool.mass_center.begin(), tool.mass_center.end(), inertia.mass_center.begin());
   return inertia;
@@ -27,7 +27,7 @@ tm_script::CallAnswer full() {
 
 }  // namespace
 
-tm_script::CallAnswer ScriptInterpreter::perform(const protocol::ScriptCommand& command) {
+tm_script::CallAnswer ScriptInterpreter::perform(const script::ScriptCommand& command) {
   if (isQueued(command) && isFull()) return full();
   return std::visit([this](const auto& what) { return execute(what); }, command);
 }
@@ -49,32 +49,32 @@ tm_script::CallAnswer ScriptInterpreter::execute(const Motion& motion) {
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ChangeBase& change) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::ChangeBase& change) {
   if (const auto* name = std::get_if<std::string>(&change.base)) {
     robot_.queue.push(BaseChange{robot_.project.bases.at(*name).now.pose, *name});
   } else {
-    robot_.queue.push(BaseChange{arm::toPose(std::get<protocol::SixNumbers>(change.base)), ""});
+    robot_.queue.push(BaseChange{arm::toPose(std::get<script::SixNumbers>(change.base)), ""});
   }
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ChangeTcp& change) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::ChangeTcp& change) {
   if (const auto* name = std::get_if<std::string>(&change.tcp)) {
     const Tool& tool = robot_.project.tools.at(*name).now;
     robot_.queue.push(TcpChange{tool.frame.pose, *name, double{tool.mass}, inertiaOf(tool)});
   } else {
-    robot_.queue.push(TcpChange{arm::toPose(std::get<protocol::SixNumbers>(change.tcp)), "", change.weight,
-                                change.inertia});
+    robot_.queue.push(
+        TcpChange{arm::toPose(std::get<script::SixNumbers>(change.tcp)), "", change.weight, change.inertia});
   }
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ChangeLoad& change) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::ChangeLoad& change) {
   robot_.queue.push(LoadChange{change.weight});
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::QueueTag& tag) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::QueueTag& tag) {
   if (tag.wait) {
     if (auto failure = withinPvt("a wait for a tag")) return *failure;
   }
@@ -89,7 +89,7 @@ tm_script::CallAnswer ScriptInterpreter::execute(const protocol::QueueTag& tag) 
 
 // To 1.80 a time of 0 or less is no limit; from 1.82 on only one below 0 is, and tag 0 waits for nothing but
 // the time.
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::WaitQueueTag& wait) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::WaitQueueTag& wait) {
   constexpr int kUnknown = -1;
   const bool is_new = !(tmflow_ < kPriorityCommands);
   const std::optional<QueuedTag> tag = tags_.latest(wait.tag);
@@ -100,27 +100,27 @@ tm_script::CallAnswer ScriptInterpreter::execute(const protocol::WaitQueueTag& w
   return tm_script::Wait{};
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::StopAndClearBuffer&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::StopAndClearBuffer&) {
   if (!faults_.ignore_stop.take()) robot_.queue.stop(now_);
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::Pause&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::Pause&) {
   robot_.queue.pause(now_);
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::Resume&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::Resume&) {
   robot_.queue.resume(now_);
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ScriptExit&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::ScriptExit&) {
   exited_ = true;
   return tm_script::EndScript{tm_script::Scalar(true)};
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::WriteOutput& write) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::WriteOutput& write) {
   if (write.instant) {
     robot_.io.write(write);
   } else {

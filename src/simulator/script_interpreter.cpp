@@ -5,9 +5,10 @@
 #include <utility>
 
 #include "controller_functions.h"
-#include "robot_functions.h"
 #include "tmflow_version.h"
 #include <fmt/format.h>
+
+#include "cobot_command/script/robot_functions.h"
 
 namespace cobot_command::simulator {
 
@@ -32,7 +33,8 @@ const tm_script::Item* itemIn(const tm_script::Expression& target) {
 bool goesIntoTheQueue(const tm_script::Statement& statement) {
   const auto* expression = std::get_if<tm_script::Expression>(&statement.content);
   if (expression == nullptr) return false;
-  if (const auto* call = std::get_if<tm_script::Call>(&expression->node)) return isQueued(call->function);
+  if (const auto* call = std::get_if<tm_script::Call>(&expression->node))
+    return script::isQueued(call->function);
   const auto* assignment = std::get_if<tm_script::Assignment>(&expression->node);
   const auto* item = assignment == nullptr ? nullptr : itemIn(assignment->targets.front());
   return item != nullptr && item->object == "IO" && (item->attribute == "DO" || item->attribute == "AO");
@@ -52,10 +54,10 @@ ScriptInterpreter::ScriptInterpreter(const Settings& settings, Robot robot, TagT
       environment_(
           RobotItems(robot_.model, robot_.io, robot_.project, robot_.state), robot_.project,
           settings.velocity_licence,
-          {[this](const protocol::ScriptCommand& command) { return perform(command); },
+          {[this](const script::ScriptCommand& command) { return perform(command); },
            [this](const SetAnalogOutput& output, bool is_instant) { return set(output, is_instant); },
            [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {
-  declareRobotFunctions(functions_);
+  script::declareRobotFunctions(functions_);
   defineControllerFunctions(functions_, robot_.state);
 }
 

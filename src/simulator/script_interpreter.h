@@ -17,7 +17,7 @@
 #include "script_clients.h"
 #include "tag_table.h"
 
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 #include "cobot_command/simulator/settings.h"
 #include "cobot_command/tm_script/checker.h"
 #include "cobot_command/tm_script/interpreter.h"
@@ -96,33 +96,33 @@ class ScriptInterpreter {
   [[nodiscard]] bool waits(Instant now) const;
   void resumeWaiting();
   [[nodiscard]] tm_script::Scope scope() { return {locals_, robot_.project.variables}; }
-  tm_script::CallAnswer perform(const protocol::ScriptCommand& command);
+  tm_script::CallAnswer perform(const script::ScriptCommand& command);
   tm_script::CallAnswer set(const SetAnalogOutput& output, bool is_instant);
   [[nodiscard]] bool isFull() const { return robot_.queue.size() >= kMostWaiting; }
 
   template <class Motion>
   tm_script::CallAnswer execute(const Motion& motion);
-  tm_script::CallAnswer execute(const protocol::ChangeBase& change);
-  tm_script::CallAnswer execute(const protocol::ChangeTcp& change);
-  tm_script::CallAnswer execute(const protocol::ChangeLoad& change);
-  tm_script::CallAnswer execute(const protocol::QueueTag& tag);
-  tm_script::CallAnswer execute(const protocol::WaitQueueTag& wait);
-  tm_script::CallAnswer execute(const protocol::StopAndClearBuffer& stop);
-  tm_script::CallAnswer execute(const protocol::Pause& pause);
-  tm_script::CallAnswer execute(const protocol::Resume& resume);
-  tm_script::CallAnswer execute(const protocol::ScriptExit& exit);
-  tm_script::CallAnswer execute(const protocol::WriteOutput& write);
-  tm_script::CallAnswer execute(const protocol::PvtEnter& enter);  // from here on: script_modes.cpp
-  tm_script::CallAnswer execute(const protocol::PvtPoint& point);
-  tm_script::CallAnswer execute(const protocol::PvtExit& exit);
-  tm_script::CallAnswer execute(const protocol::PvtPause& pause);
-  tm_script::CallAnswer execute(const protocol::PvtResume& resume);
-  tm_script::CallAnswer execute(const protocol::ContinueVJog& mode);
-  tm_script::CallAnswer execute(const protocol::ContinueVLine& mode);
-  tm_script::CallAnswer execute(const protocol::SetContinueVJog& set);
-  tm_script::CallAnswer execute(const protocol::SetContinueVLine& set);
-  tm_script::CallAnswer execute(const protocol::StopContinueVmode& stop);
-  tm_script::CallAnswer execute(const protocol::SuspendContinueVmode& suspend);
+  tm_script::CallAnswer execute(const script::ChangeBase& change);
+  tm_script::CallAnswer execute(const script::ChangeTcp& change);
+  tm_script::CallAnswer execute(const script::ChangeLoad& change);
+  tm_script::CallAnswer execute(const script::QueueTag& tag);
+  tm_script::CallAnswer execute(const script::WaitQueueTag& wait);
+  tm_script::CallAnswer execute(const script::StopAndClearBuffer& stop);
+  tm_script::CallAnswer execute(const script::Pause& pause);
+  tm_script::CallAnswer execute(const script::Resume& resume);
+  tm_script::CallAnswer execute(const script::ScriptExit& exit);
+  tm_script::CallAnswer execute(const script::WriteOutput& write);
+  tm_script::CallAnswer execute(const script::PvtEnter& enter);  // from here on: script_modes.cpp
+  tm_script::CallAnswer execute(const script::PvtPoint& point);
+  tm_script::CallAnswer execute(const script::PvtExit& exit);
+  tm_script::CallAnswer execute(const script::PvtPause& pause);
+  tm_script::CallAnswer execute(const script::PvtResume& resume);
+  tm_script::CallAnswer execute(const script::ContinueVJog& mode);
+  tm_script::CallAnswer execute(const script::ContinueVLine& mode);
+  tm_script::CallAnswer execute(const script::SetContinueVJog& set);
+  tm_script::CallAnswer execute(const script::SetContinueVLine& set);
+  tm_script::CallAnswer execute(const script::StopContinueVmode& stop);
+  tm_script::CallAnswer execute(const script::SuspendContinueVmode& suspend);
   tm_script::CallAnswer set(const Velocity& velocity);
   /// What stands between PVTEnter and PVTExit does not run before the PVT has all its points.
   [[nodiscard]] std::optional<tm_script::CallFailure> withinPvt(const char* what) const;

@@ -30,41 +30,41 @@ std::optional<tm_script::CallFailure> ScriptInterpreter::withinPvt(const char* w
   return tm_script::CallFailure{std::string(what) + " cannot stand between PVTEnter and PVTExit"};
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtEnter& enter) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtEnter& enter) {
   if (auto failure = withinPvt("another PVTEnter")) return *failure;
   robot_.queue.openPvt(enter.cartesian);
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtPoint& point) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtPoint& point) {
   if (!robot_.queue.pvtIsOpen()) return outsidePvt("PVTPoint");
   robot_.queue.addPoint(point);
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtExit&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtExit&) {
   if (!robot_.queue.pvtIsOpen()) return outsidePvt("PVTExit");
   robot_.queue.closePvt();
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtPause&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtPause&) {
   robot_.queue.pausePvt(now_);
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::PvtResume&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtResume&) {
   robot_.queue.resumePvt(now_);
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ContinueVJog&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::ContinueVJog&) {
   if (auto failure = withinPvt("ContinueVJog")) return *failure;
   robot_.queue.push(VelocityMode{false, std::nullopt, std::nullopt});
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::ContinueVLine& mode) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::ContinueVLine& mode) {
   if (auto failure = withinPvt("ContinueVLine")) return *failure;
   robot_.queue.push(VelocityMode{true, limit(mode.zero_timeout), limit(mode.stop_timeout)});
   return done();
@@ -77,22 +77,22 @@ tm_script::CallAnswer ScriptInterpreter::set(const Velocity& velocity) {
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::SetContinueVJog& velocity) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::SetContinueVJog& velocity) {
   return set(Velocity(arm::toJointVector(velocity.velocity)));
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::SetContinueVLine& velocity) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::SetContinueVLine& velocity) {
   const auto& [x, y, z, rx, ry, rz] = velocity.velocity;
   return set(Velocity(
       motion::TcpVelocity{{mmToM(x), mmToM(y), mmToM(z)}, {degToRad(rx), degToRad(ry), degToRad(rz)}}));
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::StopContinueVmode&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::StopContinueVmode&) {
   robot_.queue.endVelocity(now_);
   return done();
 }
 
-tm_script::CallAnswer ScriptInterpreter::execute(const protocol::SuspendContinueVmode&) {
+tm_script::CallAnswer ScriptInterpreter::execute(const script::SuspendContinueVmode&) {
   robot_.queue.suspendVelocity(now_);
   return done();
 }

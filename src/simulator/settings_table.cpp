@@ -160,8 +160,8 @@ SettingTable projectTable(Settings& s) {
        "from leaving the Listen node until it is entered again"},
       {"tmflow_version", version(s.tmflow_version),
        "decides which functions scripts have, and which items there are"},
-      {"bases", poses(s.bases, "RobotBase"), "bases of the project, besides RobotBase", "base"},
-      {"tcps", poses(s.tcps, "NOTOOL"), "TCPs of the project, besides NOTOOL and HandCamera", "tcp"},
+      {"bases", poses(s.bases, script::kRobotBase), "bases of the project, besides RobotBase", "base"},
+      {"tcps", poses(s.tcps, script::kNoTool), "TCPs of the project, besides NOTOOL and HandCamera", "tcp"},
       {"points", postures(s.points), "points of the project, within the limits of the model", "point"},
       {"variables", declarations(s.variables),
        "variables of the project, as `int var_i = 5`: scripts see them all, the status port those that are "

@@ -7,15 +7,16 @@ import sys
 ALLOWED = {
     "common": set(),
     "tm_script": {"common"},
+    "script": {"common", "tm_script"},
     "protocol": {"common"},
     "arm": {"common"},
     "motion": {"common", "arm"},
-    "planning": {"common", "protocol", "arm", "motion"},
+    "planning": {"common", "script", "arm", "motion"},
     "transport": {"common"},
     "link": {"common", "protocol", "arm"},
-    "blocks": {"common", "tm_script", "protocol", "arm", "motion", "planning", "link"},
-    "simulator": {"common", "tm_script", "protocol", "arm", "motion", "planning"},
-    "runtime": {"common", "protocol", "arm", "motion", "planning", "transport", "link", "blocks", "simulator"},
+    "blocks": {"common", "tm_script", "script", "protocol", "arm", "motion", "planning", "link"},
+    "simulator": {"common", "tm_script", "script", "protocol", "arm", "motion", "planning"},
+    "runtime": {"common", "script", "protocol", "arm", "motion", "planning", "transport", "link", "blocks", "simulator"},
 }
 # Folders of headers that the core may include. What is not here is refused: nobody can list all packages of ROS.
 LIBRARIES = {"Eigen", "arpa", "boost", "console_bridge", "fmt", "gmock", "gtest", "kdl", "netinet", "nlohmann", "rapidcheck", "sys",

@@ -4,22 +4,22 @@
 
 #include "require.h"
 
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_reader.h"
 
-using namespace cobot_command::protocol;
+using namespace cobot_command::script;
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto script = parseScript(std::string_view(reinterpret_cast<const char*>(data), size));
+  const auto script = readScript(std::string_view(reinterpret_cast<const char*>(data), size));
   if (!script) {
     REQUIRE(!script.error().empty());
     return 0;
   }
-  for (const ParsedScript::Line& line : script->lines) {
-    const std::string text = toText(line.command);
-    const auto again = parseCommand(text);
+  for (const auto& [line, command] : *script) {
+    const auto again = readScript(toText(command));
     REQUIRE(again.has_value());
-    REQUIRE(again->index() == line.command.index());
+    REQUIRE(again->size() == 1U);
+    REQUIRE(again->front().command.index() == command.index());
   }
   return 0;
 }

@@ -109,7 +109,7 @@ template <class Goal, class Change>
 /// The script text of a goal that may be sent.
 template <class Goal>
 [[nodiscard]] std::string scriptOf(const Goal& goal, const arm::Pose& base = arm::Pose::Identity()) {
-  return protocol::toText(commandOf(goal, base));
+  return script::toText(commandOf(goal, base));
 }
 
 /// A pose in a frame that stands 1 m in front of the robot base, turned by 90 degrees about Z.

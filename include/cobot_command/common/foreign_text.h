@@ -23,5 +23,9 @@ inline constexpr std::size_t kQuoteLimit = 64;  // [bytes]
 [[nodiscard]] std::string escaped(std::string_view bytes);
 
 [[nodiscard]] bool isUtf8(std::string_view bytes);
+/// Of ASCII.
+[[nodiscard]] constexpr bool isControl(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+}
 
 }  // namespace cobot_command

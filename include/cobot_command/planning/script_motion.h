@@ -9,28 +9,28 @@
 #include "cobot_command/motion/blend.h"
 #include "cobot_command/motion/command.h"
 #include "cobot_command/motion/refusal.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::planning {
 
 /// What stands between PVTEnter and PVTExit: one motion.
 struct PvtBlock {
   bool cartesian = false;
-  std::vector<protocol::PvtPoint> points;
+  std::vector<script::PvtPoint> points;
 };
 
 /// The script commands that move the arm to a place.
-using ScriptMotion = std::variant<protocol::Ptp, protocol::Line, protocol::Circle, protocol::MovePtp,
-                                  protocol::MoveLine, protocol::PLine, protocol::MovePLine, PvtBlock>;
+using ScriptMotion = std::variant<script::Ptp, script::Line, script::Circle, script::MovePtp,
+                                  script::MoveLine, script::PLine, script::MovePLine, PvtBlock>;
 
 /// Refused when the pose bits are not 0..1, 2..3, 4..5; all other checks are motion::plan's.
-[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::Ptp& ptp);
-[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::Line& line);
-[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::Circle& circle);
-[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MovePtp& move);
-[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MoveLine& move);
-[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::PLine& line);
-[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const protocol::MovePLine& move);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::Ptp& ptp);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::Line& line);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::Circle& circle);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::MovePtp& move);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::MoveLine& move);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::PLine& line);
+[[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::MovePLine& move);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const PvtBlock& pvt);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const ScriptMotion& any);
 

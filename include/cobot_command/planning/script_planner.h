@@ -14,7 +14,7 @@
 #include "cobot_command/motion/refusal.h"
 #include "cobot_command/motion/trajectory.h"
 #include "cobot_command/planning/script_motion.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::planning {
 
@@ -69,7 +69,7 @@ class ScriptPlanner {
   /// `arrival`: when the robot gets the command, since the sequence began. One that arrives after the motion
   /// before it has ended starts from rest then; one that arrives after the place where it could have blended
   /// blends with what is left.
-  [[nodiscard]] Result<PlannedStep, motion::Refusal> append(const protocol::ScriptCommand& command,
+  [[nodiscard]] Result<PlannedStep, motion::Refusal> append(const script::ScriptCommand& command,
                                                             Duration arrival = Duration::zero());
 
   /// Base, TCP and project speed of what follows, from somebody who knows them better. Another TCP than
@@ -93,14 +93,14 @@ class ScriptPlanner {
 
   [[nodiscard]] Appended append(const ScriptMotion& motion, Duration arrival);
   PlannedStep stop(Duration arrival);
-  void note(const protocol::ChangeBase& change);
-  void note(const protocol::ChangeTcp& change);
-  void note(const protocol::QueueTag& tag);
-  void note(const protocol::PvtEnter& enter) { pvt_ = PvtBlock{enter.cartesian, {}}; }
-  void note(const protocol::PvtPoint& point) { pvt_.points.push_back(point); }
-  void note(const protocol::ContinueVJog& mode);
-  void note(const protocol::ContinueVLine& mode);
-  void note(const protocol::WaitQueueTag& wait);
+  void note(const script::ChangeBase& change);
+  void note(const script::ChangeTcp& change);
+  void note(const script::QueueTag& tag);
+  void note(const script::PvtEnter& enter) { pvt_ = PvtBlock{enter.cartesian, {}}; }
+  void note(const script::PvtPoint& point) { pvt_.points.push_back(point); }
+  void note(const script::ContinueVJog& mode);
+  void note(const script::ContinueVLine& mode);
+  void note(const script::WaitQueueTag& wait);
   template <class Other>
   void note(const Other& /*changes nothing*/) {}
   [[nodiscard]] std::optional<BlendMisfit> misfitOf(const motion::Trajectory& trajectory,

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 #include "cobot_command/simulator/fault_switches.h"
 #include "cobot_command/simulator/robot_state.h"
 
@@ -48,7 +48,7 @@ struct RaiseError {
 };
 struct ClearError {};
 struct SetInput {
-  protocol::IoModule module = protocol::IoModule::ControlBox;
+  script::IoModule module = script::IoModule::ControlBox;
   int index = 0;
   bool on = true;
 };

@@ -8,23 +8,23 @@
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::simulator {
 
 /// Digital inputs, or outputs; true: on.
 struct DigitalIo {
-  std::array<bool, protocol::ioCount(protocol::IoModule::ControlBox)> control_box{};
-  std::array<bool, protocol::ioCount(protocol::IoModule::EndModule)> end_module{};
+  std::array<bool, script::ioCount(script::IoModule::ControlBox)> control_box{};
+  std::array<bool, script::ioCount(script::IoModule::EndModule)> end_module{};
 
   /// Precondition: 0 <= index < ioCount(module).
-  [[nodiscard]] bool& at(protocol::IoModule module, int index) {
+  [[nodiscard]] bool& at(script::IoModule module, int index) {
     const auto place = static_cast<std::size_t>(index);
-    return module == protocol::IoModule::ControlBox ? control_box.at(place) : end_module.at(place);
+    return module == script::IoModule::ControlBox ? control_box.at(place) : end_module.at(place);
   }
-  [[nodiscard]] bool at(protocol::IoModule module, int index) const {
+  [[nodiscard]] bool at(script::IoModule module, int index) const {
     const auto place = static_cast<std::size_t>(index);
-    return module == protocol::IoModule::ControlBox ? control_box.at(place) : end_module.at(place);
+    return module == script::IoModule::ControlBox ? control_box.at(place) : end_module.at(place);
   }
 };
 
@@ -40,10 +40,10 @@ struct RobotState {
   arm::Pose flange = arm::Pose::Identity();                ///< in the robot base [m]
   arm::Pose base = arm::Pose::Identity();                  ///< the active base in the robot base [m]
   arm::Pose tcp = arm::Pose::Identity();                   ///< the active TCP in the flange [m]
-  std::string base_name = "RobotBase";                     ///< empty when it was given by value
-  std::string tcp_name = "NOTOOL";                         ///< empty when it was given by value
+  std::string base_name = script::kRobotBase;              ///< empty when it was given by value
+  std::string tcp_name = script::kNoTool;                  ///< empty when it was given by value
   double tcp_mass = 0;                                     ///< [kg], of the tool (ChangeTCP)
-  protocol::ToolInertia tcp_inertia;
+  script::ToolInertia tcp_inertia;
   double load = 0;  ///< [kg], of what it holds (ChangeLoad)
   /// From outside, on the TCP [N]: nothing touches it.
   Eigen::Vector3d tcp_force = Eigen::Vector3d::Zero();

@@ -134,8 +134,8 @@ TEST(ProgramControlRules, takePauseAndResumeAndNothingElse) {
   const auto command = [](int value) {
     return with<ProgramControlGoal>([&](auto& g) { g.command = value; });
   };
-  EXPECT_EQ(protocol::toText(commandOf(command(static_cast<int>(ProgramCommand::Pause)))), "Pause()");
-  EXPECT_EQ(protocol::toText(commandOf(command(static_cast<int>(ProgramCommand::Resume)))), "Resume()");
+  EXPECT_EQ(script::toText(commandOf(command(static_cast<int>(ProgramCommand::Pause)))), "Pause()");
+  EXPECT_EQ(script::toText(commandOf(command(static_cast<int>(ProgramCommand::Resume)))), "Resume()");
   for (const int known : {0, 1}) EXPECT_EQ(errorOf(command(known)), 0);
   for (const int unknown : {-1, 2, 99}) {
     EXPECT_EQ(errorOf(command(unknown)), own_error::kProgramCommandUnknown);

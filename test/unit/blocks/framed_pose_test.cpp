@@ -21,7 +21,7 @@ MoveAbsoluteGoal posed(const Change& change) {
 
 void expectTarget(const MoveAbsoluteGoal& goal, const arm::Pose& base, const SixValues& expected) {
   ASSERT_EQ(errorOf(goal), 0);
-  const auto ptp = std::get<protocol::Ptp>(commandOf(goal, base));
+  const auto ptp = std::get<script::Ptp>(commandOf(goal, base));
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(ptp.target[i], expected[i], 1e-9) << i;
 }
 

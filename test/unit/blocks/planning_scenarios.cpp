@@ -69,7 +69,7 @@ MoveCircleGoal circleAlong(const Way& way) {
 
 RunScriptGoal scriptOf(const MoveAbsoluteGoal& move) {
   RunScriptGoal goal;
-  goal.script = protocol::toText(commandOf(move, arm::Pose::Identity()));
+  goal.script = script::toText(commandOf(move, arm::Pose::Identity()));
   return goal;
 }
 

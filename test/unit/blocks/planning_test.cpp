@@ -185,7 +185,7 @@ TEST_F(Planning, countsTheBlendWithWhatIsQueuedInFrontOfIt) {
   blended.blending_enable = true;
   blended.blending_value = 20;
   const GoalId first = rig.submit(blended);
-  const protocol::ScriptCommand sent_first = blocks::commandOf(blended, arm::Pose::Identity());
+  const script::ScriptCommand sent_first = blocks::commandOf(blended, arm::Pose::Identity());
   rig.reply(rig.takeScript().id);
   rig.now += 100ms;
   const GoalId second = rig.submit(toJoints(kBack));
@@ -296,11 +296,29 @@ TEST_F(Planning, isLeftOutWithoutAStatusStreamAndWhileTheRobotMovesFromNobodyKno
   rig.takeScript();
 }
 
+TEST_F(Planning, ofARawScriptKnowsItsVariablesExpressionsAndConversions) {
+  rig.status(StatusFrames());
+  RunScriptGoal raw;
+  raw.await_motion = true;
+  raw.script =
+      "float[] there = {60,0,90,0,90,0}  // J1 first\n"
+      "there[0] += 100 * 3\n"
+      "PTP(\"JPP\", there, 35.0, 200, 0, false)";
+  const GoalId outside = rig.submit(raw);
+  ASSERT_NE(rig.outcome(outside), nullptr);
+  EXPECT_EQ(rig.outcome(outside)->error_id, own_error::kJointLimit)
+      << rig.outcome(outside)->error_description;
+  raw.script = "int turn = 60\nPTP(\"JPP\",turn,0,90,0,90,0,50.0,200,0,false)";
+  const GoalId inside = rig.submit(raw);
+  EXPECT_EQ(rig.progress(inside).back().planned, ptpTime(kHome, kAside));
+  rig.takeScript();
+}
+
 /// The next one begins with the acceptance, before any frame can show that the robot moves.
 TEST_F(Planning, isLeftOutBehindAMotionThatCouldNotBePlanned) {
   rig.status(StatusFrames());
   RunScriptGoal raw;
-  raw.script = "float speed = 30\nPTP(\"JPP\",60,0,90,0,90,0,speed,200,0,false)";
+  raw.script = "PTP(\"JPP\",60,0,90,0,90,0,speed_of_the_project,200,0,false)";
   rig.submit(raw);
   MoveAbsoluteGoal next = toJoints(kBack);
   next.buffer_mode = static_cast<int>(BufferMode::Buffered);

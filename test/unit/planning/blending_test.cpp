@@ -21,7 +21,7 @@ class BlendedScript : public testing::Test {
 };
 
 TEST(BlendOf, readsPercentAndMillimetres) {
-  const auto of = [](const std::string& text) { return blendOf(std::get<protocol::MoveLine>(line(text))); };
+  const auto of = [](const std::string& text) { return blendOf(std::get<script::MoveLine>(line(text))); };
   EXPECT_DOUBLE_EQ(std::get<motion::BlendShare>(*of(kSideways + "35,false)")).value, 0.35);
   EXPECT_DOUBLE_EQ(std::get<motion::BlendShare>(*of(kSideways + "250,false)")).value, 1.0);
   EXPECT_DOUBLE_EQ(std::get<motion::BlendRadius>(*of(kSidewaysByRadius + "35,false)")).metres, 0.035);
@@ -30,7 +30,7 @@ TEST(BlendOf, readsPercentAndMillimetres) {
 }
 
 TEST(BlendOf, doesNotDependOnPrecisePositioning) {
-  const auto of = [](const std::string& text) { return blendOf(std::get<protocol::Ptp>(line(text))); };
+  const auto of = [](const std::string& text) { return blendOf(std::get<script::Ptp>(line(text))); };
   EXPECT_TRUE(of("PTP(\"JPP\",0,0,90,0,90,0,50,200,20,true)"));
   EXPECT_TRUE(of("PTP(\"JPP\",0,0,90,0,90,0,50,200,20,false)"));
 }

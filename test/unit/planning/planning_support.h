@@ -8,6 +8,7 @@
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/planning/script_planner.h"
+#include "cobot_command/script/script_reader.h"
 
 namespace cobot_command::planning {
 
@@ -20,10 +21,10 @@ inline arm::JointVector workingPosture() {
   return arm::toJointVector({10, 15, 80, -5, 85, 20});
 }
 
-inline protocol::ScriptCommand line(const std::string& text) {
-  auto command = protocol::parseCommand(text);
-  if (!command) ADD_FAILURE() << text << ": " << command.error().message;
-  return command.value_or(protocol::Pause{});
+inline script::ScriptCommand line(const std::string& text) {
+  const auto read = script::readScript(text);
+  if (!read) ADD_FAILURE() << text << ": " << read.error().front().reason;
+  return read ? read->front().command : script::Pause{};
 }
 
 /// The step, or a failed test that names the refusal.

@@ -109,8 +109,7 @@ TEST_F(ScriptPlannerTest, doesNotKnowWhereAStopLeavesTheArm) {
 
 TEST_F(ScriptPlannerTest, knowsTheArmBehindAStopThatComesWhenAllIsDone) {
   append(planner, "PTP(\"JPP\",0,0,90,0,90,0,50,200,0,false)");
-  const auto stop =
-      planner.append(protocol::ScriptCommand(protocol::StopAndClearBuffer{}), planner.duration());
+  const auto stop = planner.append(script::ScriptCommand(script::StopAndClearBuffer{}), planner.duration());
   ASSERT_TRUE(stop);
   EXPECT_TRUE(stop->planned);
   EXPECT_EQ(planner.joints(), arm::toJointVector({0, 0, 90, 0, 90, 0}));

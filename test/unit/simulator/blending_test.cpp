@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cobot_command/planning/script_planner.h"
+#include "cobot_command/script/script_reader.h"
 
 namespace cobot_command::simulator::test {
 namespace {
@@ -61,7 +62,7 @@ TEST_F(BlendingTest, takesTheTimeAndThePathThatArePlanned) {
   std::vector<planning::PlannedStep> steps;
   std::string script;
   for (const std::string& text : lines) {
-    const auto step = planner.append(*protocol::parseCommand(text));
+    const auto step = planner.append(script::readScript(text)->front().command);
     ASSERT_TRUE(step) << text << ": " << step.error().message;
     if (step->trajectory) steps.push_back(*step);
     script += text + kEnd;

@@ -299,18 +299,18 @@ TEST_F(StoppedByErrorTest, stopsTheProjectWhenTheRobotFailsIfThatIsThePolicy) {
 // --- Inputs.
 TEST_F(OperatorTest, setsInputsThatTheStreamShows) {
   connectStatus();
-  EXPECT_TRUE(done(SetInput{protocol::IoModule::EndModule, 1, true}));
-  EXPECT_TRUE(done(SetInput{protocol::IoModule::ControlBox, 7, true}));
+  EXPECT_TRUE(done(SetInput{script::IoModule::EndModule, 1, true}));
+  EXPECT_TRUE(done(SetInput{script::IoModule::ControlBox, 7, true}));
   auto frame = statusFrame();
   EXPECT_EQ(itemNamed(frame, "End_DI1").value, "\x01");
   EXPECT_EQ(itemNamed(frame, "Ctrl_DI7").value, "\x01");
-  EXPECT_TRUE(done(SetInput{protocol::IoModule::EndModule, 1, false}));
+  EXPECT_TRUE(done(SetInput{script::IoModule::EndModule, 1, false}));
   EXPECT_EQ(itemNamed(statusFrame(), "End_DI1").value, std::string(1, '\0'));
 }
 
 TEST_F(OperatorTest, refusesInputsThatAreNotThere) {
-  EXPECT_THAT(refusal(SetInput{protocol::IoModule::EndModule, 4, true}), HasSubstr("0 to 3"));
-  EXPECT_THAT(refusal(SetInput{protocol::IoModule::ControlBox, -1, true}), HasSubstr("0 to 15"));
+  EXPECT_THAT(refusal(SetInput{script::IoModule::EndModule, 4, true}), HasSubstr("0 to 3"));
+  EXPECT_THAT(refusal(SetInput{script::IoModule::ControlBox, -1, true}), HasSubstr("0 to 15"));
 }
 
 TEST_F(OperatorTest, findsEachActionInTheLog) {

@@ -39,7 +39,7 @@ TEST_F(ScriptItemsTest, haveTheLengthsOfTheModules) {
 }
 
 TEST_F(ScriptItemsTest, readInputsAndOutputs) {
-  robot.operate(SetInput{protocol::IoModule::ControlBox, 3, true});
+  robot.operate(SetInput{script::IoModule::ControlBox, 3, true});
   expectValue("IO[\"ControlBox\"].DI[3]", "1");
   EXPECT_EQ(run("IO[\"EndModule\"].InstantDO[2]=1"), ok("1"));
   expectValue("IO[\"EndModule\"].DO", "{0,0,1,0}");

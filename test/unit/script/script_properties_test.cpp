@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_reader.h"
 
-namespace cobot_command::protocol {
+namespace cobot_command::script {
 namespace {
 
 using Bytes = std::string;
@@ -107,25 +107,31 @@ std::vector<double> numbersOf(const ScriptCommand& command) {
 RC_GTEST_PROP(ScriptProperty, isReadAsItWasWritten, ()) {
   const ScriptCommand command = anyCommand();
   const Bytes text = toText(command);
-  const auto read = parseCommand(text);
-  RC_ASSERT(read.has_value());
-  RC_ASSERT(read->index() == command.index());
-  RC_ASSERT(toText(*read) == text);
+  const auto commands = readScript(text);
+  RC_ASSERT(commands.has_value());
+  RC_ASSERT(commands->size() == 1U);
+  const ScriptCommand& read = commands->front().command;
+  RC_ASSERT(read.index() == command.index());
+  RC_ASSERT(toText(read) == text);
   RC_ASSERT(text.find_first_of("\r\n") == Bytes::npos);
   const auto before = numbersOf(command);
-  const auto after = numbersOf(*read);
+  const auto after = numbersOf(read);
   for (std::size_t i = 0; i < before.size(); ++i) RC_ASSERT(std::abs(before[i] - after[i]) <= 0.51e-6);
 }
 
 RC_GTEST_PROP(ScriptProperty, ofManyLinesHasAsManyCommands, ()) {
   std::vector<ScriptCommand> script(*rc::gen::inRange<std::size_t>(0, 10));
-  for (ScriptCommand& command : script) command = anyCommand();
-  const auto parsed = parseScript(toText(script));
-  RC_ASSERT(parsed.has_value());
-  RC_ASSERT(parsed->lines.size() == script.size());
+  for (ScriptCommand& command : script) {
+    do {
+      command = anyCommand();
+    } while (std::holds_alternative<ScriptExit>(command));  // nothing behind it is executed
+  }
+  const auto read = readScript(toText(script));
+  RC_ASSERT(read.has_value());
+  RC_ASSERT(read->size() == script.size());
   for (std::size_t i = 0; i < script.size(); ++i) {
-    RC_ASSERT(parsed->lines[i].number == static_cast<int>(i) + 1);
-    RC_ASSERT(toText(parsed->lines[i].command) == toText(script[i]));
+    RC_ASSERT((*read)[i].line == static_cast<int>(i) + 1);
+    RC_ASSERT(toText((*read)[i].command) == toText(script[i]));
   }
 }
 
@@ -138,18 +144,18 @@ RC_GTEST_PROP(ScriptProperty, ofAnyTextIsCommandsOrFaultsOfItsLines, ()) {
   Bytes text;
   for (const Bytes& t : *rc::gen::container<std::vector<Bytes>>(token)) text += t;
   const int lines = 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-  const auto script = parseScript(text);
+  const auto script = readScript(text);
   if (script) {
-    for (const auto& line : script->lines) RC_ASSERT(parseCommand(toText(line.command)).has_value());
+    for (const auto& [line, command] : *script) RC_ASSERT(readScript(toText(command)).has_value());
   } else {
     int last = 0;
-    for (const ScriptFault& fault : script.error()) {
-      RC_ASSERT(fault.line > last && fault.line <= lines);
-      RC_ASSERT(!fault.message.empty());
+    for (const tm_script::Fault& fault : script.error()) {
+      RC_ASSERT(fault.line >= last && fault.line <= lines);
+      RC_ASSERT(!fault.reason.empty());
       last = fault.line;
     }
   }
 }
 
 }  // namespace
-}  // namespace cobot_command::protocol
+}  // namespace cobot_command::script

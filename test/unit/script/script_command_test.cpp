@@ -1,4 +1,4 @@
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 
 #include <clocale>
 #include <locale>
@@ -7,24 +7,29 @@
 #include "test_names.h"
 #include <gmock/gmock.h>
 
-namespace cobot_command::protocol {
+#include "cobot_command/script/script_reader.h"
+
+namespace cobot_command::script {
 namespace {
 
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-template <class Command>
-Command parsed(std::string_view line) {
-  const auto command = parseCommand(line);
-  const auto* value = command ? std::get_if<Command>(&*command) : nullptr;
-  EXPECT_NE(value, nullptr) << line << ": " << (command ? "another command" : command.error().message);
-  return value == nullptr ? Command{} : *value;
+/// The only command of the text.
+ScriptCommand read(std::string_view text) {
+  const auto commands = readScript(text);
+  EXPECT_TRUE(commands) << text << ": " << commands.error().front().reason;
+  EXPECT_TRUE(!commands || commands->size() == 1) << text;
+  return commands && !commands->empty() ? commands->front().command : Pause{};
 }
 
-std::string faultOf(std::string_view line) {
-  const auto command = parseCommand(line);
-  return command ? "no fault" : command.error().message;
+template <class Command>
+Command parsed(std::string_view line) {
+  const ScriptCommand command = read(line);
+  const auto* value = std::get_if<Command>(&command);
+  EXPECT_NE(value, nullptr) << line << " is another command";
+  return value == nullptr ? Command{} : *value;
 }
 
 // The commands of the fact sheet 1.7 and of the manual: the text that is read and the one that is written.
@@ -93,18 +98,14 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return testName(test.index, test.param.read); });
 
 TEST_P(KnownText, isReadAndWritten) {
-  const auto command = parseCommand(GetParam().read);
-  ASSERT_TRUE(command) << command.error().message;
-  EXPECT_EQ(toText(*command), GetParam().written);
+  EXPECT_EQ(toText(read(GetParam().read)), GetParam().written);
 }
 
 TEST_P(KnownText, isReadAgainAsTheSame) {
-  const auto command = parseCommand(GetParam().written);
-  ASSERT_TRUE(command) << command.error().message;
-  EXPECT_EQ(toText(*command), GetParam().written);
+  EXPECT_EQ(toText(read(GetParam().written)), GetParam().written);
 }
 
-TEST(ParseCommand, putsEveryArgumentInItsPlace) {
+TEST(ReadCommand, putsEveryArgumentInItsPlace) {
   const auto ptp = parsed<Ptp>("PTP(\"CPP\",1,2,3,4,5,6,7,8,9,true,0,2,4)");
   EXPECT_EQ(ptp.format, (DataFormat{DataFormat::Target::Cartesian}));
   EXPECT_THAT(ptp.target, ElementsAre(1, 2, 3, 4, 5, 6));
@@ -135,7 +136,7 @@ TEST(ParseCommand, putsEveryArgumentInItsPlace) {
   EXPECT_THAT(tcp.inertia->mass_center, ElementsAre(14, 15, 16, 17, 18, 19));
 }
 
-TEST(ParseCommand, readsWhichOutputIsWrittenAndHow) {
+TEST(ReadCommand, readsWhichOutputIsWrittenAndHow) {
   const auto write = parsed<WriteOutput>("IO[\"EndModule\"].DO[3]=1");
   EXPECT_EQ(write.module, IoModule::EndModule);
   EXPECT_EQ(write.index, 3);
@@ -144,7 +145,7 @@ TEST(ParseCommand, readsWhichOutputIsWrittenAndHow) {
   EXPECT_TRUE(parsed<WriteOutput>("IO[\"ControlBox\"].InstantDO[0]=0").instant);
 }
 
-TEST(ParseCommand, takesBlanksCommentsAndAllSpellings) {
+TEST(ReadCommand, takesBlanksCommentsAndAllSpellings) {
   const auto wait = parsed<WaitQueueTag>(" \tWaitQueueTag ( 0x0A , 0b101 ) // until it is there");
   EXPECT_EQ(wait.tag, 10);
   EXPECT_EQ(wait.timeout, 5);
@@ -154,128 +155,15 @@ TEST(ParseCommand, takesBlanksCommentsAndAllSpellings) {
       parsed<Line>("Line(\"CPP\",{1,2.,.3,+4,-5,-.6},1,2,3,False)").options.disable_precise_positioning);
 }
 
-TEST(ParseCommand, readsNumbersExactly) {
+TEST(ReadCommand, readsNumbersExactly) {
   EXPECT_EQ(parsed<ChangeLoad>("ChangeLoad(10.1)").weight, 10.1);
   EXPECT_EQ(parsed<ChangeLoad>("ChangeLoad(417.123456)").weight, 417.123456);
   EXPECT_EQ(parsed<ChangeLoad>("ChangeLoad(-0.04263335)").weight, -0.04263335);
   EXPECT_DOUBLE_EQ(parsed<ChangeLoad>("ChangeLoad(99999999999999999999)").weight, 1e20);
 }
 
-TEST(ParseCommand, readsADoubledQuoteAsOne) {
+TEST(ReadCommand, readsADoubledQuoteAsOne) {
   EXPECT_EQ(std::get<std::string>(parsed<ChangeBase>("ChangeBase(\"a\"\"b//c\")").base), "a\"b//c");
-}
-
-struct FaultyLine {
-  const char* line;
-  const char* said;
-};
-void PrintTo(const FaultyLine& faulty, std::ostream* out) {
-  *out << faulty.line;
-}
-
-class Faulty : public testing::TestWithParam<FaultyLine> {};
-INSTANTIATE_TEST_SUITE_P(
-    ScriptCommand, Faulty,
-    testing::Values(
-        FaultyLine{"", "empty line"}, FaultyLine{"  // nothing", "empty line"},
-        FaultyLine{"var_counter++", "column 12"}, FaultyLine{"int var_i = 100", "column 5"},
-        FaultyLine{"1,2", "expected a command"}, FaultyLine{"IO()", "unknown function IO"},
-        FaultyLine{"IO[\"ExtModule0\"].DO[2]=1",
-                   "argument 1 (module) is \"ExtModule0\", expected one of ControlBox, EndModule"},
-        FaultyLine{"IO[ControlBox].DO[2]=1",
-                   "the variable ControlBox, expected one of ControlBox, EndModule"},
-        FaultyLine{"IO[\"ControlBox\"].DI[2]=1", "argument 2 (attribute) is the variable DI"},
-        FaultyLine{"IO[\"ControlBox\"].DO[16]=1",
-                   "argument 3 (output) is 16, expected an integer from 0 to 15"},
-        FaultyLine{"IO[\"EndModule\"].DO[4]=1", "argument 3 (output) is 4, expected an integer from 0 to 3"},
-        FaultyLine{"IO[\"EndModule\"].DO[-1]=1", "argument 3 (output) is -1"},
-        FaultyLine{"IO[\"EndModule\"].DO[0]=2", "argument 4 (value) is 2, expected an integer from 0 to 1"},
-        FaultyLine{"IO[\"EndModule\"].DO[0]=true", "argument 4 (value) is true"},
-        FaultyLine{"IO[\"EndModule\"].DO={1,0,0,0}", "column 19: expected '['"},
-        FaultyLine{"IO[\"EndModule\"].DO[0]", "the end of the line"},
-        FaultyLine{"Pause", "the end of the line"}, FaultyLine{"Pause(", "column 7"},
-        FaultyLine{"Pause() Resume()", "column 9: expected the end of the line"},
-        FaultyLine{"Pause();", "column 8"}, FaultyLine{"ChangeLoad(1,)", "column 14: expected an argument"},
-        FaultyLine{"ChangeLoad(,1)", "column 12"}, FaultyLine{"ChangeLoad(1 2)", "column 14"},
-        FaultyLine{"ChangeLoad(1e3)", "column 13"}, FaultyLine{"ChangeLoad(nan)", "the variable nan"},
-        FaultyLine{"ChangeLoad(inf)", "the variable inf"}, FaultyLine{"ChangeLoad(-inf)", "column 12"},
-        FaultyLine{"ChangeLoad(0x)", "column 14: expected hexadecimal digits"},
-        FaultyLine{"ChangeLoad(0b2)", "column 14"}, FaultyLine{"ChangeLoad(0x123456789)", "column 14"},
-        FaultyLine{"ChangeBase(\"Robot)", "the end of the line"},
-        FaultyLine{"ChangeBase(\u201DRobotBase\u201D)", "column 12"},
-        FaultyLine{"ChangeBase({1,2)", "column 16"},
-        FaultyLine{"ChangeBase({})", "column 13: expected a number"},
-        FaultyLine{"ChangeBase({\"a\"})", "column 13: expected a number"},
-        FaultyLine{"Pline(\"CAP\",1,2,3,4,5,6,100,200,50)", "unknown function Pline, known are PTP"},
-        FaultyLine{"PLine(\"CPP\",1,2,3,4,5,6,100,200,50)", "one of JAP, CAP"},
-        FaultyLine{"PLine(\"CAP\",1,2,3,4,5,6,100,200,50,false)", "expected 10 arguments, found 11"},
-        FaultyLine{"Move_PLine(\"TPP\",1)", "one of CAP, TAP, JAP"},
-        FaultyLine{"PVTEnter(2)", "argument 1 (mode) is 2"},
-        FaultyLine{"PVTPoint(0,0,90,0,90,0,2.0)", "velocity"},
-        FaultyLine{"pause()", "unknown function pause"},
-        FaultyLine{"Pause(1)", "expected 0 arguments, found 1"},
-        FaultyLine{"PTP()", "argument 1 (data format) is missing"},
-        FaultyLine{"PTP(1)", "argument 1 (data format) is 1, expected one of JPP, CPP"},
-        FaultyLine{"PTP(\"TPP\",1,2,3,4,5,6,7,8,9,true)", "\"TPP\", expected one of JPP, CPP"},
-        FaultyLine{"PTP(\"CPPX\",1,2,3,4,5,6,7,8,9,true)", "\"CPPX\""},
-        FaultyLine{"Line(\"TPP\",1,2,3,4,5,6,7,8,9,true)", "one of CPP, CPR, CAP, CAR"},
-        FaultyLine{"Circle(\"CPR\",1)", "one of CPP, CAP"},
-        FaultyLine{"Move_PTP(\"CAP\",1)", "one of CPP, TPP, JPP"},
-        FaultyLine{"Move_Line(\"JPP\",1)", "TAP, TAR"},
-        FaultyLine{"PTP(\"JPP\",targetP1,10,200,0,false)", "argument 2 (target) is the variable targetP1"},
-        FaultyLine{"PTP(\"JPP\",{1,2,3,4,5},10,200,0,false)", "an array of 5, expected 6 numbers"},
-        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7.5,8,9,true)", "argument 8 (speed) is 7.5, expected an integer"},
-        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7,2147483648,9,true)", "argument 9 (time to top speed)"},
-        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7,8,9,1)", "argument 11 (precise positioning off) is 1"},
-        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7,8,9)", "argument 11 (precise positioning off) is missing"},
-        FaultyLine{"PTP(\"JPP\",1,2,3,4,5,6,7,8,9,true,0,2,4)", "expected 11 arguments, found 14"},
-        FaultyLine{"PTP(\"CPP\",1,2,3,4,5,6,7,8,9,true,0,2)", "argument 14 (pose configuration) is missing"},
-        FaultyLine{"PTP(\"CPP\",1,2,3,4,5,6,7,8,9,true,{0,2,4.5})",
-                   "argument 12 (pose configuration) is 4.5"},
-        FaultyLine{"ChangeBase(1,2,3,4,5)", "argument 6 (base) is missing"},
-        FaultyLine{"ChangeBase(\"\")", "expected a name"}, FaultyLine{"ChangeBase(\"a\tb\")", "a\\tb"},
-        FaultyLine{"ChangeBase(\"a\xC8\")", "expected a name"}, FaultyLine{"ChangeTCP(true)", "is true"},
-        FaultyLine{"ChangeTCP(\"NOTOOL\",2)", "expected 1 arguments, found 2"},
-        FaultyLine{"ChangeTCP(1,2,3,4,5,6,7,8)", "argument 9 (moment of inertia and mass centre) is missing"},
-        FaultyLine{"ChangeLoad(\"5\")", "is \"5\", expected a number"},
-        FaultyLine{"QueueTag()", "argument 1 (tag) is missing"}, FaultyLine{"QueueTag(0)", "from 1 to 15"},
-        FaultyLine{"QueueTag(16)", "from 1 to 15"}, FaultyLine{"QueueTag(1,2)", "from 0 to 1"},
-        FaultyLine{"QueueTag(1,true)", "is true"}, FaultyLine{"StopAndClearBuffer(3)", "from 0 to 2"},
-        FaultyLine{"ScriptExit(2)", "from 0 to 1"}, FaultyLine{"ScriptExit(-1)", "from 0 to 1"}),
-    [](const auto& test) { return testName(test.index, test.param.line); });
-
-TEST_P(Faulty, saysWhatWasFoundAndWhatIsExpected) {
-  EXPECT_THAT(faultOf(GetParam().line), HasSubstr(GetParam().said)) << GetParam().line;
-}
-
-TEST(ParseScript, keepsTheNumbersOfTheLines) {
-  const auto script = parseScript("\r\nChangeBase(\"RobotBase\")\r\n// home\r\n\r\nPause()\nResume()\r\n");
-  ASSERT_TRUE(script);
-  ASSERT_EQ(script->lines.size(), 3u);
-  EXPECT_EQ(script->lines[0].number, 2);
-  EXPECT_EQ(script->lines[1].number, 5);
-  EXPECT_EQ(script->lines[2].number, 6);
-  EXPECT_TRUE(std::holds_alternative<Resume>(script->lines[2].command));
-}
-
-TEST(ParseScript, reportsEveryFaultyLine) {
-  const auto script = parseScript("Pause(\r\n\r\nResume()\r\nQueueTag(99)\r\nnothing");
-  ASSERT_FALSE(script);
-  std::vector<int> lines;
-  for (const ScriptFault& fault : script.error()) lines.push_back(fault.line);
-  EXPECT_THAT(lines, ElementsAre(1, 4, 5));
-}
-
-TEST(ParseScript, takesAnEmptyScript) {
-  for (const char* text : {"", "\r\n", "\n\n// nothing\n"}) {
-    const auto script = parseScript(text);
-    ASSERT_TRUE(script) << text;
-    EXPECT_TRUE(script->lines.empty());
-  }
-}
-
-TEST(ParseScript, doesNotTakeALoneCarriageReturnForALineEnd) {
-  EXPECT_FALSE(parseScript("Pause()\rResume()"));
 }
 
 TEST(ToText, joinsLinesWithoutOneAtTheEnd) {
@@ -359,4 +247,4 @@ TEST_F(DecimalComma, changesNeitherWrittenNorReadNumbers) {
 }
 
 }  // namespace
-}  // namespace cobot_command::protocol
+}  // namespace cobot_command::script

@@ -6,10 +6,10 @@
 #include <string>
 #include <variant>
 
-#include "cobot_command/protocol/script_command.h"
+#include "cobot_command/script/script_command.h"
 #include "cobot_command/tm_script/functions.h"
 
-namespace cobot_command::simulator {
+namespace cobot_command::script {
 
 /// Precondition of all that takes: the arguments have the types of a declared form that has it here.
 class CallArguments {
@@ -27,15 +27,14 @@ class CallArguments {
   double number() { return take<double>(); }
   bool boolean() { return take<bool>(); }
 
-  protocol::DataFormat format() {
+  DataFormat format() {
     const std::string letters = text();
-    return {static_cast<protocol::DataFormat::Target>(letters[0]),
-            static_cast<protocol::DataFormat::Speed>(letters[1]),
-            static_cast<protocol::DataFormat::Blending>(letters[2])};
+    return {static_cast<DataFormat::Target>(letters[0]), static_cast<DataFormat::Speed>(letters[1]),
+            static_cast<DataFormat::Blending>(letters[2])};
   }
   /// Speed, time to top speed and blending.
-  protocol::MotionOptions motionOptions() {
-    protocol::MotionOptions options;
+  MotionOptions motionOptions() {
+    MotionOptions options;
     options.speed = integer();
     options.accel_time = integer();
     options.blending = integer();
@@ -70,4 +69,4 @@ class CallArguments {
   std::size_t next_ = 0;
 };
 
-}  // namespace cobot_command::simulator
+}  // namespace cobot_command::script

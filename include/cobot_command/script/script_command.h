@@ -1,5 +1,5 @@
-// The script commands of the Listen node (thesis 4.3, I848-E-03 chapter 8) as types, and their text, both
-// ways.
+// The script commands of the Listen node (thesis 4.3, I848-E-03 chapter 8) as types, and their text. What is
+// known of each as a function of the robot stands in its row, src/script/*_functions.cpp.
 //
 // Units are the controller's own: mm, degrees, ms, %, mm/s, kg, kg mm^2. Numbers are written to the nearest
 // millionth (a nanometre: a thousand times finer than what the arm can hold, and finer than the controller's
@@ -15,9 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "cobot_command/common/result.h"
-
-namespace cobot_command::protocol {
+namespace cobot_command::script {
 
 /// Six numbers: X Y Z [mm] RX RY RZ [deg], or J1..J6 [deg], as the data format says.
 using SixNumbers = std::array<double, 6>;
@@ -110,6 +108,10 @@ struct SetContinueVLine {
 };
 struct StopContinueVmode {};
 struct SuspendContinueVmode {};
+/// What every project has: the robot base as a base, the flange as a TCP.
+inline constexpr const char* kRobotBase = "RobotBase";
+inline constexpr const char* kNoTool = "NOTOOL";
+
 struct ChangeBase {
   std::variant<SixNumbers, std::string> base;  ///< value, or the name of a base in the project ("RobotBase")
 };
@@ -142,8 +144,11 @@ struct ScriptExit {
   std::optional<int> mode;  ///< 0, 1, TMflow 1.82 and later
 };
 
-/// Where digital inputs and outputs are; the text of its name is that of the enumerator.
+/// Where digital inputs and outputs are.
 enum class IoModule { ControlBox, EndModule };
+/// As it stands in scripts: "ControlBox".
+[[nodiscard]] std::string_view toString(IoModule module);
+[[nodiscard]] std::optional<IoModule> ioModule(std::string_view name);
 /// How many digital outputs a module has, and as many inputs (fact sheet 2.4).
 [[nodiscard]] constexpr int ioCount(IoModule module) {
   return module == IoModule::ControlBox ? 16 : 4;
@@ -175,36 +180,8 @@ inline constexpr std::size_t kMaxNameLength = 255;
 /// command takes, the module has the output, and optional parts stand only where the comments above allow
 /// them.
 [[nodiscard]] std::string toText(const ScriptCommand& command);
+[[nodiscard]] std::string toText(const WriteOutput& write);
 /// Lines joined by CR LF, without one at the end.
 [[nodiscard]] std::string toText(const std::vector<ScriptCommand>& script);
 
-/// Why a line is not one of the commands above: syntax, unknown function, argument count or type, format,
-/// range.
-///
-/// Ranges that are checked: integers fit into 32 bits, QueueTag 1..15 with wait 0 or 1, the modes of
-/// StopAndClearBuffer, ScriptExit and PVTEnter, module and index of an output and its value 0 or 1. Speeds,
-/// times, poses and pose bits are not: the controller accepts any and fails when it moves (fact sheet 1.3).
-/// Nor is the tag of WaitQueueTag, which has a result for unknown tags.
-struct ScriptFault {
-  int line = 1;         ///< from 1, empty lines count
-  std::string message;  ///< found, expected
-};
-
-/// One line of script. Arguments may be written as the controller takes them: `p6` as six numbers or as
-/// {...}, blanks between tokens, integers where floats are expected, 0x and 0b integers, True and False. A
-/// float where an integer is expected is a fault here; the controller warns and cuts it (fact sheet 1.3).
-[[nodiscard]] Result<ScriptCommand, ScriptFault> parseCommand(std::string_view line);
-
-struct ParsedScript {
-  struct Line {
-    int number = 1;
-    ScriptCommand command;
-  };
-  std::vector<Line> lines;
-};
-
-/// A whole script; every faulty line is reported. Separators: CR LF or LF; empty lines and // comments are
-/// passed over.
-[[nodiscard]] Result<ParsedScript, std::vector<ScriptFault>> parseScript(std::string_view script);
-
-}  // namespace cobot_command::protocol
+}  // namespace cobot_command::script
