@@ -1,14 +1,11 @@
 // One row for each function of the robot: everything that is known of it in one place.
 #pragma once
 
-#include <algorithm>
-#include <cassert>
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 #include <variant>
 #include <vector>
 

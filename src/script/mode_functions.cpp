@@ -1,5 +1,7 @@
 // Modes of motion: PVT, and continuous velocities, which need a licence.
 
+#include <utility>
+
 #include "function_row.h"
 
 namespace cobot_command::script {

@@ -1,6 +1,7 @@
 // PTP, Line, Circle, PLine and their relative ones.
 
 #include <cassert>
+#include <utility>
 
 #include "function_row.h"
 #include <fmt/format.h>

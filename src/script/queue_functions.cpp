@@ -1,5 +1,7 @@
 // The queue of motions: its tags, its stop, its pause; and the end of the Listen node.
 
+#include <utility>
+
 #include "function_row.h"
 
 namespace cobot_command::script {

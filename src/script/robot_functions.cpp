@@ -1,5 +1,6 @@
 #include "cobot_command/script/robot_functions.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -83,6 +84,15 @@ void declareRobotFunctions(tm_script::FunctionTable& functions) {
   }
   functions.declare("int ListenSend(int, any)", {1, 76});
   functions.declare("int ListenSend(int, any[])", {1, 76});
+}
+
+KnownArguments knownArguments(const tm_script::Arguments& arguments) {
+  KnownArguments known;
+  for (const tm_script::Value& argument : arguments) {
+    const auto* scalar = std::get_if<tm_script::Scalar>(&argument);
+    known.push_back(scalar == nullptr ? std::nullopt : std::optional(*scalar));
+  }
+  return known;
 }
 
 std::optional<std::string> objectionTo(const std::string& function, const KnownArguments& arguments) {

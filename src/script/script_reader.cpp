@@ -1,6 +1,8 @@
 #include "cobot_command/script/script_reader.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -37,15 +39,6 @@ bool isFinite(const Value& value) {
   if (const auto* scalar = std::get_if<Scalar>(&value)) return isFinite(*scalar);
   const auto& items = std::get<tm_script::Array>(value).items;
   return std::all_of(items.begin(), items.end(), [](const Scalar& item) { return isFinite(item); });
-}
-
-KnownArguments scalarsIn(const tm_script::Arguments& arguments) {
-  KnownArguments scalars;
-  for (const Value& argument : arguments) {
-    const auto* scalar = std::get_if<Scalar>(&argument);
-    scalars.push_back(scalar == nullptr ? std::nullopt : std::optional(*scalar));
-  }
-  return scalars;
 }
 
 /// A robot that does nothing, and of which nothing is known but its outputs and functions.
@@ -89,7 +82,7 @@ class Notebook final : public tm_script::Environment {
   [[nodiscard]] tm_script::CallAnswer call(const std::string& function,
                                            const tm_script::Arguments& arguments) override {
     if (function == "ListenSend") return Value(Scalar(std::int32_t{0}));
-    if (auto objection = script::objectionTo(function, scalarsIn(arguments))) {
+    if (auto objection = script::objectionTo(function, knownArguments(arguments))) {
       return tm_script::CallFailure{std::move(*objection)};
     }
     if (!std::all_of(arguments.begin(), arguments.end(),

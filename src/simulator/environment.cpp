@@ -33,15 +33,6 @@ std::string bytesOf(const Value& value) {
   return bytes;
 }
 
-std::vector<std::optional<Scalar>> scalarsIn(const tm_script::Arguments& arguments) {
-  std::vector<std::optional<Scalar>> scalars;
-  for (const Value& argument : arguments) {
-    const auto* scalar = std::get_if<Scalar>(&argument);
-    scalars.push_back(scalar == nullptr ? std::nullopt : std::optional(*scalar));
-  }
-  return scalars;
-}
-
 template <class Map>
 std::optional<std::string> unknownName(const Map& map, const std::string& name) {
   if (map.count(name) > 0) return std::nullopt;
@@ -96,7 +87,7 @@ tm_script::CallAnswer ScriptEnvironment::writeOutput(const tm_script::ItemName& 
 tm_script::CallAnswer ScriptEnvironment::call(const std::string& function,
                                               const tm_script::Arguments& arguments) {
   if (function == "ListenSend") return listenSend(arguments);
-  if (auto objection = objectionTo(function, scalarsIn(arguments))) {
+  if (auto objection = objectionTo(function, script::knownArguments(arguments))) {
     return tm_script::CallFailure{std::move(*objection)};
   }
   return effects_.execute(script::commandOf(function, arguments));

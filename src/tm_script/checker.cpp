@@ -68,15 +68,6 @@ class Checker {
   Findings findings_;
 };
 
-std::string linesOf(const std::vector<Fault>& faults) {
-  std::string text;
-  int last = 0;
-  for (const Fault& fault : faults) {
-    if (std::exchange(last, fault.line) != fault.line) text += ';' + std::to_string(fault.line);
-  }
-  return text;
-}
-
 }  // namespace
 
 Findings check(const ParsedScript& script, const FunctionTable& functions, const Scope& scope,
@@ -88,10 +79,6 @@ Findings check(const ParsedScript& script, const FunctionTable& functions, const
   std::stable_sort(findings.errors.begin(), findings.errors.end(),
                    [](const Fault& a, const Fault& b) { return a.line < b.line; });
   return findings;
-}
-
-std::string replyOf(const Findings& findings) {
-  return findings.errors.empty() ? "OK" + linesOf(findings.warnings) : "ERROR" + linesOf(findings.errors);
 }
 
 }  // namespace cobot_command::tm_script

@@ -3,12 +3,27 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cobot_command/tm_script/checker.h"
 #include "cobot_command/tm_script/interpreter.h"
 
 namespace cobot_command::tm_script {
+
+inline std::string linesOf(const std::vector<Fault>& faults) {
+  std::string text;
+  int last = 0;
+  for (const Fault& fault : faults) {
+    if (std::exchange(last, fault.line) != fault.line) text += ';' + std::to_string(fault.line);
+  }
+  return text;
+}
+
+/// The controller's reply without its id: "OK", "OK;2;3", or "ERROR;1;3", where errors hide warnings.
+inline std::string replyOf(const Findings& findings) {
+  return findings.errors.empty() ? "OK" + linesOf(findings.warnings) : "ERROR" + linesOf(findings.errors);
+}
 
 class FakeRobot : public Environment {
  public:

@@ -1,4 +1,4 @@
-// The robot's own functions: which forms of which function each version of TMflow has (fact sheet 2.2), and
+// The robot's own functions: which forms of which function each version of TMflow has (TM 2.2), and
 // the command that a call of one means. One row for each in src/script/*_functions.cpp.
 #pragma once
 
@@ -15,8 +15,9 @@ namespace cobot_command::script {
 /// All of them, with ListenSend(), which is no command.
 void declareRobotFunctions(tm_script::FunctionTable& functions);
 
-/// The arguments of a call, as far as they are known.
+/// The arguments of a call, as far as they are known. Arrays are not looked at.
 using KnownArguments = std::vector<std::optional<tm_script::Scalar>>;
+[[nodiscard]] KnownArguments knownArguments(const tm_script::Arguments& arguments);
 /// What is wrong with a call, as far as its arguments are known: a data format that the function does not
 /// take, a tag or mode that does not exist, a name that can be none. Whether the project has a base or TCP is
 /// not looked at, nor is the licence.

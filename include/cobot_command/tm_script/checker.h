@@ -25,7 +25,4 @@ struct Findings {
 [[nodiscard]] Findings check(const ParsedScript& script, const FunctionTable& functions, const Scope& scope,
                              const Environment& environment);
 
-/// The controller's reply without its id: "OK", "OK;2;3", or "ERROR;1;3", where errors hide warnings.
-[[nodiscard]] std::string replyOf(const Findings& findings);
-
 }  // namespace cobot_command::tm_script

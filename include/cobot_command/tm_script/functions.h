@@ -3,8 +3,8 @@
 //
 // A declaration reads as in the manual:
 //
-//   bool PTP(string, 6 float, int, int, int, bool)     six floats of their own
-//   bool PTP(string, float[6], int, int, int, bool)    an array of exactly six
+//   bool PTP(string, 6 double, int, int, int, bool)    six numbers of their own
+//   bool PTP(string, double[6], int, int, int, bool)   an array of exactly six
 //   bool QueueTag(int, int?)                           ? may be left out, with all behind it
 //   bool StopAndClearBuffer(literal int)               no variable or expression
 //   any[] Array_Append(any[], element)                 any: of any type; number: any number; element: of the

@@ -2,7 +2,9 @@
 
 #include <clocale>
 #include <locale>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "test_names.h"
 #include <gmock/gmock.h>
@@ -32,7 +34,7 @@ Command parsed(std::string_view line) {
   return value == nullptr ? Command{} : *value;
 }
 
-// The commands of the fact sheet 1.7 and of the manual: the text that is read and the one that is written.
+// The commands of TM 1.7 and of the manual: the text that is read and the one that is written.
 struct TextPair {
   const char* read;
   const char* written;
@@ -164,6 +166,23 @@ TEST(ReadCommand, readsNumbersExactly) {
 
 TEST(ReadCommand, readsADoubledQuoteAsOne) {
   EXPECT_EQ(std::get<std::string>(parsed<ChangeBase>("ChangeBase(\"a\"\"b//c\")").base), "a\"b//c");
+}
+
+template <std::size_t... places>
+std::vector<ScriptCommand> oneOfEach(std::index_sequence<places...> /*all*/) {
+  return {ScriptCommand(std::in_place_index<places>)...};
+}
+
+/// A row that is forgotten, or stands twice, shows here.
+TEST(ToText, isToBeHadOfEveryCommandAndTellsThemApart) {
+  std::set<std::string> functions;
+  const auto all = oneOfEach(std::make_index_sequence<std::variant_size_v<ScriptCommand>>());
+  for (ScriptCommand command : all) {
+    if (auto* base = std::get_if<ChangeBase>(&command)) base->base = "a";
+    const std::string text = toText(command);
+    functions.insert(text.substr(0, text.find('(')));
+  }
+  EXPECT_EQ(functions.size(), all.size());
 }
 
 TEST(ToText, joinsLinesWithoutOneAtTheEnd) {
