@@ -14,7 +14,7 @@ namespace cobot_command::blocks {
 namespace {
 
 /// What the tool of a calibrated arm may be from where the nominal model has it: captures of real ones show 1
-/// to 6 mm (fact sheet 4.1).
+/// to 6 mm (TM 4.1).
 constexpr ArrivalLimits kCalibration{0.010, degToRad(1.0)};
 /// An arm that is no further from its model than this is not calibrated, or simulated: 32-bit floats of mm
 /// and deg.

@@ -1,7 +1,7 @@
 // Where a motion should leave the robot, and whether the status stream shows it there.
 //
 // A real arm is calibrated: the same joints put its tool up to some millimetres from where the nominal model
-// has it (fact sheet 4.1). So a joint target is compared joint by joint, a pose with the pose of the TCP that
+// has it (TM 4.1). So a joint target is compared joint by joint, a pose with the pose of the TCP that
 // the controller streams, which is that of its own, calibrated arm. What was planned as an offset from where
 // the robot stood has the error of the model in it, and is compared with as much more tolerance.
 #pragma once

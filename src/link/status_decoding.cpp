@@ -72,7 +72,7 @@ struct ItemRow {
   Reader read;
 };
 
-// Error_Content is streamed by TMflow 1.76 and older only (fact sheet 3.1).
+// Error_Content is streamed by TMflow 1.76 and older only (TM 3.1).
 constexpr ItemRow kItems[] = {
     {"Robot_Link", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.linked); }},
     {"Joint_Angle", [](const StatusItem& i, RobotStatus& s) { return readJoints(i, s.joints); }},

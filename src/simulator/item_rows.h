@@ -1,5 +1,5 @@
 // The predefined items of the status port, a row each: name, value, who may write it and what that does, and
-// the versions of TMflow that have it (fact sheet 3.1).
+// the versions of TMflow that have it (TM 3.1).
 #pragma once
 
 #include <cstddef>

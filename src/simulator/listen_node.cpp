@@ -20,7 +20,7 @@ const tm_script::Call* callIn(const tm_script::Statement& statement) {
 }
 
 /// The argument of the first such call that has a literal one: it does not wait for its turn (TMflow 1.82;
-/// fact sheet 1.4).
+/// TM 1.4).
 std::optional<int> priorityMode(const tm_script::Script& script, std::string_view function) {
   for (const tm_script::Statement& statement : script) {
     const tm_script::Call* call = callIn(statement);

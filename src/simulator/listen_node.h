@@ -1,6 +1,6 @@
 // The script port: who is connected, what they ask, where the project's flow is, which scripts run.
 //
-// Checks of a frame in the order length, checksum, header, data, mode (fact sheet 1.6).
+// Checks of a frame in the order length, checksum, header, data, mode (TM 1.6).
 #pragma once
 
 #include <optional>

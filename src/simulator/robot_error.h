@@ -1,4 +1,4 @@
-// The controller's Error_Code for a motion that cannot be made (fact sheet 2.6).
+// The controller's Error_Code for a motion that cannot be made (TM 2.6).
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct RobotError {
   std::string text;  ///< for Error_Content and the log
 };
 
-/// The mapping is ours where the fact sheet only names the codes; see doc/simulator.md. `reaches_end`: the
+/// The mapping is ours where only the codes are known; see doc/simulator.md. `reaches_end`: the
 /// arm could be where the motion ends.
 [[nodiscard]] RobotError robotErrorFor(const motion::Refusal& refusal, bool reaches_end);
 

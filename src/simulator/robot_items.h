@@ -1,4 +1,4 @@
-// The items of scripts: IO, Robot, Point, Base, TCP (fact sheet 2.4).
+// The items of scripts: IO, Robot, Point, Base, TCP (TM 2.4).
 #pragma once
 
 #include <functional>

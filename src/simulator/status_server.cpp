@@ -126,7 +126,7 @@ void StatusServer::answer(ClientId id, const Client& client, const protocol::Fra
 }
 
 // Checks in the controller's order: mode, permission, content, existence, read-only, operating mode, value
-// (fact sheet chapter 3); each of all items before the next.
+// (TM 3); each of all items before the next.
 StatusFrame StatusServer::answerTo(const StatusFrame& request, bool may_write, const ItemSource& source) {
   switch (static_cast<StatusMode>(request.mode)) {
     case StatusMode::ReadBinary:

@@ -1,4 +1,4 @@
-// What TMSTA 01 can be asked about: the last four queue tags (fact sheet 1.5).
+// What TMSTA 01 can be asked about: the last four queue tags (TM 1.5).
 #pragma once
 
 #include <cstddef>

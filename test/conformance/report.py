@@ -104,7 +104,7 @@ _INTRODUCTION = """\
 # What is checked of the protocol
 
 Made by `test/conformance/run_conformance.py --list --markdown`; a test holds it against the checks. Each check is one
-fact of the fact sheet (sections 1 to 3), seen by a small client in Python that shares no code with this project. The
+fact of doc/tm-robot.md (sections 1 to 3), seen by a small client in Python that shares no code with this project. The
 number in an id is the section. How to run them, also against a real robot: `test/conformance/README.md`.
 
 - **certainty**: *documented*: by a manual, a data sheet or a capture of a real robot. *Derived*: inferred, computed, or

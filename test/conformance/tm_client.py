@@ -1,7 +1,7 @@
-"""A small client of the TM robot's script and status ports, written from the fact sheet alone.
+"""A small client of the TM robot's script and status ports, written from the facts (doc/tm-robot.md, doc/conformance.md) alone.
 
 It shares nothing with the sources of this project, so that both can be wrong only independently. It is strict: bytes
-from the robot that break the grammar of frames (fact sheet 1.1) are an error wherever they turn up.
+from the robot that break the grammar of frames (TM 1.1) are an error wherever they turn up.
 """
 import re
 import select

@@ -1,4 +1,4 @@
-"""The predefined items of the status port (fact sheet 3.1, table of TMflow 1.84), their types, who may write them."""
+"""The predefined items of the status port (TM 3.1, table of TMflow 1.84), their types, who may write them."""
 import struct
 
 # A type and its items, a line each. `*` marks what may be written in automatic mode, `+` in both modes.
@@ -53,7 +53,7 @@ UNSURE = {
 # In TMflow 1.76 and 1.80 only.
 OLDER = ['Ctrl_AO1', 'End_AO0', 'Ext0_DO', 'Ext0_DI', 'Ext0_AO', 'Ext0_AI', 'Ext7_DO', 'Ext7_DI', 'Robot_Mode']
 
-# The table that the vendor's ROS driver needs (fact sheet 3.2).
+# The table that the vendor's ROS driver needs (TM 3.2).
 VENDOR_TABLE = (
     'Robot_Link Robot_Error Project_Run Project_Pause Safeguard_A ESTOP Camera_Light Error_Code Joint_Angle '
     'Coord_Robot_Flange Coord_Robot_Tool TCP_Force TCP_Force3D TCP_Speed TCP_Speed3D Joint_Speed Joint_Torque '

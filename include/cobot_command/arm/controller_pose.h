@@ -1,6 +1,6 @@
 // Poses and joints as the controller writes them (mm and degrees), and their conversion to SI.
 //
-// R = Rz(RZ) Ry(RY) Rx(RX): fixed axes X, Y, Z (fact sheet 4.3). Angles are reported in (-180, 180]; at RY =
+// R = Rz(RZ) Ry(RY) Rx(RX): fixed axes X, Y, Z (TM 4.3). Angles are reported in (-180, 180]; at RY =
 // +-90 degrees RZ is reported as 0.
 #pragma once
 

@@ -10,7 +10,7 @@ namespace cobot_command::link {
 
 /// Items that are not known, whose value has not the size of their type, or has a number that is not finite,
 /// are left out; the latter two are named in RobotStatus::unreadable. Units on the wire:
-/// mm, deg, deg/s, mNm (fact sheet 3.1).
+/// mm, deg, deg/s, mNm (TM 3.1).
 [[nodiscard]] RobotStatus toRobotStatus(const std::vector<protocol::StatusItem>& items, Instant received);
 
 }  // namespace cobot_command::link

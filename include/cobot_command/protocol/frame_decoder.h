@@ -50,7 +50,7 @@ using DecodeEvent = std::variant<Frame, DecodeFault>;
 class FrameDecoder {
  public:
   struct Options {
-    /// Accept an empty LENGTH and search for ",*CS\r\n" instead: some bridges send it (fact sheet 1.6). Off
+    /// Accept an empty LENGTH and search for ",*CS\r\n" instead: some bridges send it (TM 1.6). Off
     /// by default.
     bool accept_empty_length = false;
   };

@@ -1,4 +1,4 @@
-// The three formats of items on the status port: BINARY, STRING and JSON (fact sheet chapter 3).
+// The three formats of items on the status port: BINARY, STRING and JSON (TM 3).
 //
 // What stands in a frame is first cut into items whose values are bytes in that format; which value the bytes
 // mean depends on the type of the item, which the frame does not tell.

@@ -1,4 +1,4 @@
-// What the frames of port 5890 mean, as types, in both directions (fact sheet 1.3 to 1.6).
+// What the frames of port 5890 mean, as types, in both directions (TM 1.3 to 1.6).
 #pragma once
 
 #include <optional>

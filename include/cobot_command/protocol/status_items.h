@@ -1,4 +1,4 @@
-// The item stream of the Ethernet Slave, port 5891 (TMSVR; fact sheet chapter 3).
+// The item stream of the Ethernet Slave, port 5891 (TMSVR; TM 3).
 //
 // DATA = Id,Mode,Content. Here: the BINARY format, which is what the vendor's ROS driver needs, and mode-0
 // replies.
@@ -69,7 +69,7 @@ struct StatusFrame {
 [[nodiscard]] Result<std::vector<StatusItem>, MessageFault> parseBinaryItems(std::string_view content);
 [[nodiscard]] std::string encodeBinaryItems(const std::vector<StatusItem>& items);
 
-/// Mode 0: what became of a request. Codes: fact sheet chapter 3.
+/// Mode 0: what became of a request. Codes: TM 3.
 struct StatusReply {
   enum class Code {
     Ok = 0,

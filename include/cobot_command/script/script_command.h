@@ -94,7 +94,7 @@ struct PvtPoint {
 struct PvtExit {};
 struct PvtPause {};
 struct PvtResume {};
-/// Continuous velocities, which need a licence (fact sheet 2.2).
+/// Continuous velocities, which need a licence (TM 2.2).
 struct ContinueVJog {};
 struct ContinueVLine {
   int zero_timeout = 0;  ///< without a new velocity the arm comes to rest [ms]
@@ -149,7 +149,7 @@ enum class IoModule { ControlBox, EndModule };
 /// As it stands in scripts: "ControlBox".
 [[nodiscard]] std::string_view toString(IoModule module);
 [[nodiscard]] std::optional<IoModule> ioModule(std::string_view name);
-/// How many digital outputs a module has, and as many inputs (fact sheet 2.4).
+/// How many digital outputs a module has, and as many inputs (TM 2.4).
 [[nodiscard]] constexpr int ioCount(IoModule module) {
   return module == IoModule::ControlBox ? 16 : 4;
 }

@@ -60,7 +60,7 @@ struct RobotState {
   bool safeguard = false;  ///< open: it holds the arm
   OperatingMode mode = OperatingMode::Automatic;
   bool error = false;
-  int error_code = 0;  ///< as the controller's Error_Code (fact sheet 2.6)
+  int error_code = 0;  ///< as the controller's Error_Code (TM 2.6)
   std::string error_text;
   std::optional<Instant> error_time;  ///< since when it is in error
   int queued_motions = 0;             ///< accepted and not ended, the running one included

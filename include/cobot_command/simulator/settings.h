@@ -19,13 +19,13 @@
 
 namespace cobot_command::simulator {
 
-/// What the project does when a motion cannot be made (fact sheet 8.9: not documented for port 5890).
+/// What the project does when a motion cannot be made (TM 8.9: not documented for port 5890).
 enum class MotionErrorPolicy {
   ReportFalse,  ///< the error shows in the status stream, open tags are reported false, the project runs on
   StopProject   ///< the same, then the project stops: the script port closes
 };
 
-/// The 47 items that the vendor's ROS driver needs (fact sheet 3.2); then what tells tool, base and error, as
+/// The 47 items that the vendor's ROS driver needs (TM 3.2); then what tells tool, base and error, as
 /// far as the version has it.
 [[nodiscard]] std::vector<std::string> defaultStreamItems();
 
@@ -35,7 +35,7 @@ struct Settings {
   /// Posture at the start [rad]: J = 0, 0, 90, 0, 90, 0 degrees, tool downwards.
   arm::JointVector start_posture =
       (arm::JointVector() << 0.0, 0.0, degToRad(90), 0.0, degToRad(90), 0.0).finished();
-  Duration status_period = std::chrono::milliseconds(15);  ///< of the status stream (fact sheet chapter 3)
+  Duration status_period = std::chrono::milliseconds(15);  ///< of the status stream (TM 3)
   protocol::ItemFormat stream_format = protocol::ItemFormat::Binary;
   /// Predefined items and global variables, in the order of the stream. Robot_Link comes first in any case.
   std::vector<std::string> stream_items = defaultStreamItems();

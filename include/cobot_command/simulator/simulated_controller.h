@@ -35,7 +35,7 @@ struct CloseClient {
   Port port;
   ClientId client;
 };
-/// The script port is served only while a project runs (fact sheet 1.2): with it closed, clients are refused.
+/// The script port is served only while a project runs (TM 1.2): with it closed, clients are refused.
 /// The status port is opened once, in the constructor; the script port there too when a project runs.
 struct OpenPort {
   Port port;

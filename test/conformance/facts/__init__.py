@@ -1,1 +1,1 @@
-"""The facts, a file for each section of the fact sheet."""
+"""The facts, a file for each section of doc/tm-robot.md."""

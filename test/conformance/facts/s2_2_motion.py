@@ -23,7 +23,7 @@ def ptp_reaches_a_pose(robot):
     same_pose(tool(robot), target, 'Coord_Robot_Tool')
 
 
-EIGHT = {  # fact sheet 5.1
+EIGHT = {  # TM 5.1
     (0, 2, 4): (0, 0, 90, 0, 90, 0),
     (0, 2, 5): (0, 43.1401, 30.2710, -163.4111, -90, -180),
     (0, 3, 4): (0, 86.8699, -90, 93.1301, 90, 0),

@@ -119,7 +119,7 @@ def error_content_is_not_in_1_80(robot):
 @check('TM-3.1.30', 'Joint_Angle in deg, poses in mm and deg', 'C', since='1.80')
 def units_of_poses(robot):
     near(robot.value('Joint_Angle'), [0, 0, 90, 0, 90, 0], 0.01, 'Joint_Angle')
-    near(robot.value('Coord_Robot_Flange')[:3], [517.5, -122.3, 461.05], 0.02, 'Coord_Robot_Flange')  # fact sheet 4.4
+    near(robot.value('Coord_Robot_Flange')[:3], [517.5, -122.3, 461.05], 0.02, 'Coord_Robot_Flange')  # TM 4.4
 
 
 @check('TM-3.1.31', 'Coord_*_Flange is the flange, Coord_*_Tool the TCP; Coord_Base_* in the current base', 'C',

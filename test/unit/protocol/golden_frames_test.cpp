@@ -135,10 +135,10 @@ TEST(GoldenFrames, areAsTheReferenceSaysInEveryPair) {
   }
 }
 
-/// The frames that we computed ourselves, fact sheet 1.7, apart from those that are golden as well.
-class FactSheetFrame : public testing::TestWithParam<const char*> {};
+/// The frames that we computed ourselves, TM 1.7, apart from those that are golden as well.
+class ComputedFrame : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(
-    Frame, FactSheetFrame,
+    Frame, ComputedFrame,
     testing::Values(
         "$TMSCT,41,1,PTP(\"JPP\",0,0,90,0,90,0,35,200,0,false),*0F\r\n",
         "$TMSCT,73,2,PTP(\"CPP\",417.50,-122.30,343.90,180.00,0.00,90.00,10,200,0,false,0,2,4),*0C\r\n",
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
         "$TMSCT,9,1,ERROR;1,*07\r\n", "$TMSCT,6,1,OK;1,*54\r\n"),
     kTextAsName);
 
-TEST_P(FactSheetFrame, isDecodedAndEncodedToTheSameBytes) {
+TEST_P(ComputedFrame, isDecodedAndEncodedToTheSameBytes) {
   FrameDecoder decoder;
   decoder.feed(GetParam());
   const auto event = decoder.next();

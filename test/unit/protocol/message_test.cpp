@@ -159,7 +159,7 @@ TEST(ControllerMessage, refusesAHeaderThatNoControllerSendsOnThisPort) {
   }
 }
 
-TEST(Encode, writesTheFramesOfTheFactSheet) {
+TEST(Encode, writesTheKnownFrames) {
   EXPECT_EQ(encode(ClientMessage(ListenNodeQuery{})), "$TMSTA,2,00,*41\r\n");
   EXPECT_EQ(encode(ClientMessage(TagQuery{1})), "$TMSTA,5,01,01,*6A\r\n");
   EXPECT_EQ(encode(ClientMessage(ScriptRequest{"17", "ScriptExit()"})), "$TMSCT,15,17,ScriptExit(),*51\r\n");

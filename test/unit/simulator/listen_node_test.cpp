@@ -1,4 +1,4 @@
-// What the script port answers, byte for byte as in fact sheet 1.3 to 1.6.
+// What the script port answers, byte for byte as in TM 1.3 to 1.6.
 #include "simulated_robot.h"
 #include <gtest/gtest.h>
 

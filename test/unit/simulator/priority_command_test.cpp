@@ -1,4 +1,4 @@
-// Stop and exit with a literal argument: they do not wait for their turn (TMflow 1.82; fact sheet 1.4).
+// Stop and exit with a literal argument: they do not wait for their turn (TMflow 1.82; TM 1.4).
 #include "simulated_robot.h"
 #include <gtest/gtest.h>
 

@@ -76,7 +76,7 @@ TEST(StatusVariables, existOnTheStatusPortWhenTheyAreStreamed) {
 
 class ItemsOfAVersion : public testing::TestWithParam<std::tuple<const char*, const char*, bool>> {};
 
-TEST_P(ItemsOfAVersion, areThoseOfTheFactSheet) {
+TEST_P(ItemsOfAVersion, areThoseOfThatVersion) {
   const auto& [version, name, exists] = GetParam();
   Streaming stream(ofVersion(version));
   EXPECT_EQ(stream.read(name) == std::string("04,NotExist;") + name, !exists) << stream.read(name);

@@ -1,4 +1,4 @@
-// The vectors of the robot's fact sheet (chapters 2.3, 4.4, 5.1 and 5.2): numbers that were computed or
+// The vectors of TM 2.3, 4.4, 5.1 and 5.2: numbers that were computed or
 // recorded by others than this code.
 #include <array>
 #include <string>
@@ -53,7 +53,7 @@ const std::vector<ForwardVector> forward_vectors = {
 };
 // clang-format on
 
-TEST(FactSheet, forwardKinematicsGivesEveryListedPoseWithItsBits) {
+TEST(RobotVectors, forwardKinematicsGivesEveryListedPoseWithItsBits) {
   ASSERT_EQ(forward_vectors.size(), 28U);
   for (const ForwardVector& vector : forward_vectors) {
     const ArmModel arm = model(vector.model);
@@ -141,7 +141,7 @@ const std::vector<InverseTable> inverse_tables = {
 };
 // clang-format on
 
-TEST(FactSheet, inverseKinematicsGivesAllEightListedPosturesWithTheirBits) {
+TEST(RobotVectors, inverseKinematicsGivesAllEightListedPosturesWithTheirBits) {
   ASSERT_EQ(inverse_tables.size(), 5U);
   for (const InverseTable& table : inverse_tables) {
     SCOPED_TRACE(table.model);
@@ -166,7 +166,7 @@ struct Capture {
   ControllerPose pose;
 };
 
-TEST(FactSheet, posesRecordedFromRealArmsAreWithinTheirCalibration) {
+TEST(RobotVectors, posesRecordedFromRealArmsAreWithinTheirCalibration) {
   const std::vector<Capture> captures = {
       {"tm12",
        {-5.303604, 55.2007942, 69.6347, -29.8407936, 79.27841, 6.384208},
@@ -184,7 +184,7 @@ TEST(FactSheet, posesRecordedFromRealArmsAreWithinTheirCalibration) {
 }
 
 // The manual's trans(): translation P2 - P1, rotation R2 R1^T, both in the common base.
-TEST(FactSheet, theManualsTransExampleHoldsWithThisEulerConvention) {
+TEST(RobotVectors, theManualsTransExampleHoldsWithThisEulerConvention) {
   const Pose p1 = toPose({-388.3831, -199.8061, 367.0702, 177.4319, 1.717448, -46.02005});
   const Pose p2 = toPose({-436.9584, 115.7343, 371.4378, 179.4419, -42.86601, -96.91867});
   Pose trans = Pose::Identity();
@@ -197,7 +197,7 @@ TEST(FactSheet, theManualsTransExampleHoldsWithThisEulerConvention) {
               testing::Pointwise(testing::DoubleNear(1e-4), inverse));
 }
 
-TEST(FactSheet, theManualsChangerefExampleHoldsWithThisEulerConvention) {
+TEST(RobotVectors, theManualsChangerefExampleHoldsWithThisEulerConvention) {
   const Pose pose = toPose({-431.927, -140.6103, 368.7306, -179.288, -0.6893783, -105.8449});
   const Pose base = toPose({-431.93, -140.61, 368.73, -57.70, -44.98, 33.62});
   const ControllerPose expected = {0.0020, 0.0000, -0.0023, 113.9423, 14.9346, -123.1989};
