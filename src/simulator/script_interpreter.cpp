@@ -33,8 +33,8 @@ const tm_script::Item* itemIn(const tm_script::Expression& target) {
 bool goesIntoTheQueue(const tm_script::Statement& statement) {
   const auto* expression = std::get_if<tm_script::Expression>(&statement.content);
   if (expression == nullptr) return false;
-  if (const auto* call = std::get_if<tm_script::Call>(&expression->node))
-    return script::isQueued(call->function);
+  const auto* call = std::get_if<tm_script::Call>(&expression->node);
+  if (call != nullptr) return script::isQueued(call->function);
   const auto* assignment = std::get_if<tm_script::Assignment>(&expression->node);
   const auto* item = assignment == nullptr ? nullptr : itemIn(assignment->targets.front());
   return item != nullptr && item->object == "IO" && (item->attribute == "DO" || item->attribute == "AO");

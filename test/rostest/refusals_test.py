@@ -66,8 +66,8 @@ class Refusals(CobotTestCase):
 
     def test_of_all_until_a_stop_acknowledges_the_error_which_the_next_motion_then_clears(self):
         self.establish_at_home()
-        # Too far for joint 3, in words that the layer does not read: the controller finds it out.
-        far = script("float[] far = {0,0,170,0,90,0}", 'PTP("JPP",far,35,200,0,false)', await_motion=True)
+        # Too far for joint 3, behind a line that only the robot can read: the controller finds it out.
+        far = script("float[] now = Robot[0].Joint", 'PTP("JPP",0,0,170,0,90,0,35,200,0,false)', await_motion=True)
         self.robot.run(far)
         self.robot.robot_status.wait_for(lambda s: s.in_error == RobotStatus.TRUE, "the error")
         self.assert_rejected(self.robot.run(to_joints(*HOME)), 0x222)

@@ -80,7 +80,7 @@ TEST(StallWithoutAModel, isFoundInASecondAsWell) {
   rig.connect();
   rig.status(StatusFrames());
   RunScriptGoal script;
-  script.script = "float f = 1\r\nPTP(\"CPP\",400,0,300,180,0,90,10,200,0,false)";
+  script.script = "float[] now = Robot[0].Joint\r\nPTP(\"CPP\",400,0,300,180,0,90,10,200,0,false)";
   script.await_motion = true;
   const GoalId id = rig.submit(script);
   rig.reply(rig.takeScript().id);
