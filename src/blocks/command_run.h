@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "command_order.h"
+#include "command_run_states.h"
 #include "failure.h"
 #include "reason_wait.h"
 #include "robot_watch.h"
 #include "stall_watch.h"
 #include "stop_run.h"
 
-#include "cobot_command/blocks/command_run_states.h"
 #include "cobot_command/link/script_link.h"
 #include "cobot_command/link/tag_ledger.h"
 

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "connect_run_states.h"
 #include "failure.h"
 #include "output_board.h"
 #include "reason_wait.h"
 #include "robot_watch.h"
 
-#include "cobot_command/blocks/connect_run_states.h"
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/link/script_link.h"
 #include "cobot_command/link/status_link.h"

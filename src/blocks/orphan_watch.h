@@ -1,9 +1,8 @@
 // A motion from before this connection (states: orphan_states.h): found once, told, and perhaps stopped.
 #pragma once
 
+#include "orphan_states.h"
 #include "robot_watch.h"
-
-#include "cobot_command/blocks/orphan_states.h"
 
 namespace cobot_command::blocks {
 

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "failure.h"
+#include "pick_and_place_states.h"
 #include "reason_wait.h"
 #include "robot_watch.h"
 
 #include "cobot_command/blocks/finish.h"
 #include "cobot_command/blocks/goal.h"
-#include "cobot_command/blocks/pick_and_place_states.h"
 #include "cobot_command/common/time.h"
 
 namespace cobot_command::blocks {

@@ -14,8 +14,8 @@
 #include "arrival.h"
 #include "failure.h"
 #include "robot_watch.h"
+#include "stop_run_states.h"
 
-#include "cobot_command/blocks/stop_run_states.h"
 #include "cobot_command/link/script_link.h"
 #include "cobot_command/link/tag_ledger.h"
 

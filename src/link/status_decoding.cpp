@@ -1,4 +1,4 @@
-#include "cobot_command/link/status_decoding.h"
+#include "status_decoding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "cobot_command/link/status_link.h"
 
+#include "status_decoding.h"
 #include <fmt/format.h>
 
-#include "cobot_command/link/status_decoding.h"
 #include "cobot_command/protocol/message.h"
 #include "cobot_command/protocol/status_items.h"
 

@@ -1,4 +1,4 @@
-#include "cobot_command/ros/action_servers.h"
+#include "action_servers.h"
 
 #include "cobot_command/ChangeBaseAction.h"
 #include "cobot_command/ChangeTCPAction.h"

@@ -5,12 +5,12 @@
 #include <random>
 #include <utility>
 
+#include "action_servers.h"
 #include <fmt/format.h>
 #include <ros/console.h>
 
 #include "cobot_command/common/overloaded.h"
 #include "cobot_command/link/tag_ledger.h"
-#include "cobot_command/ros/action_servers.h"
 #include "cobot_command/ros/node_end.h"
 
 namespace cobot_command::ros_adapter {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "status_messages.h"
 #include <boost/function.hpp>
 #include <fmt/format.h>
 #include <geometry_msgs/PoseStamped.h>
@@ -17,7 +18,6 @@
 #include "cobot_command/SetInput.h"
 #include "cobot_command/SetProjectSpeed.h"
 #include "cobot_command/common/foreign_text.h"
-#include "cobot_command/ros/status_messages.h"
 
 namespace cobot_command::ros_adapter {
 namespace {

@@ -1,4 +1,4 @@
-#include "cobot_command/ros/status_messages.h"
+#include "status_messages.h"
 
 #include <cstdint>
 

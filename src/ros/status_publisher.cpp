@@ -3,11 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "status_messages.h"
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
-
-#include "cobot_command/ros/status_messages.h"
 
 namespace cobot_command::ros_adapter {
 namespace {

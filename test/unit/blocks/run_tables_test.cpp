@@ -1,13 +1,12 @@
 // The tables of the two kinds of goals.
 
+#include "command_run_states.h"
+#include "connect_run_states.h"
+#include "orphan_states.h"
+#include "pick_and_place_states.h"
+#include "stop_run_states.h"
 #include "table_checks.h"
 #include <gtest/gtest.h>
-
-#include "cobot_command/blocks/command_run_states.h"
-#include "cobot_command/blocks/connect_run_states.h"
-#include "cobot_command/blocks/orphan_states.h"
-#include "cobot_command/blocks/pick_and_place_states.h"
-#include "cobot_command/blocks/stop_run_states.h"
 
 namespace cobot_command::blocks {
 namespace {

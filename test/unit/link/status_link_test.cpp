@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "recording_wire.h"
+#include "status_decoding.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/units.h"
-#include "cobot_command/link/status_decoding.h"
 #include "cobot_command/protocol/status_items.h"
 
 namespace cobot_command::link {
