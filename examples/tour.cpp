@@ -293,6 +293,7 @@ bool succeeds(Part part) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): whatever is thrown here is a std::exception
 int main(int argc, char** argv) try {
   ros::init(argc, argv, "tour", ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
   heedSignals();

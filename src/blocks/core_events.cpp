@@ -4,6 +4,14 @@
 #include <fmt/format.h>
 
 namespace cobot_command::blocks {
+namespace {
+
+/// A raw script may, unless it was planned and has no motion.
+bool mayMove(const CommandOrder& order) {
+  return order.moves && !(order.plan && order.plan->motions.empty());
+}
+
+}  // namespace
 
 CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
                         FrameFinder frame_finder, NewestGoal newest)
@@ -177,7 +185,7 @@ void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) 
 
 void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   log(Severity::Warning, "link lost: " + event.reason);
-  const bool moved = loose_.mayMove() || (run_ && run_->order().moves);
+  const bool moved = loose_.mayMove() || (run_ && mayMove(run_->order()));
   if (moved) left_moving_ = connect_.target();
   dropWaiting("the link was lost: " + event.reason);
   if (run_) run_->linkLost(event.reason, now);

@@ -100,7 +100,7 @@ int named(const YAML::Node& node, const std::string& key, const Names& names) {
 /// A YAML map, of which every key has to be known.
 class Map {
  public:
-  Map(YAML::Node node, const char* what, const std::vector<std::string>& keys) : node_(std::move(node)) {
+  Map(const YAML::Node& node, const char* what, const std::vector<std::string>& keys) : node_(node) {
     if (!node_.IsMap()) {
       throw Fault(node_.Mark(), fmt::format("{} is {}; it must be a map", what, found(node_)));
     }

@@ -113,7 +113,7 @@ simulator::OperatorReply SimulatedControllerNode::operate(const simulator::Opera
       runtime_.post([action, answer](simulator::SimulatedController& controller,
                                      Instant now) { answer->reply = controller.operate(action, now); },
                     [answer] { answer->promise.set_value(answer->reply); });
-  const simulator::OperatorReply shut_down{false, "the simulator is shutting down"};
+  simulator::OperatorReply shut_down{false, "the simulator is shutting down"};
   if (!posted) return shut_down;
   answer.reset();  // so that an action that is never come to breaks the promise
   try {

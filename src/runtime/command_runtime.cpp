@@ -187,9 +187,10 @@ class CommandRuntime::Impl {
 };
 
 CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
-                               Observer observer, blocks::FrameFinder frames, blocks::NewestGoal newest)
-    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(frames),
-                                   std::move(newest))) {}
+                               Observer observer, blocks::FrameFinder frames,
+                               const blocks::NewestGoal& newest)
+    : impl_(
+          std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(frames), newest)) {}
 
 CommandRuntime::~CommandRuntime() = default;
 

@@ -33,7 +33,8 @@ std::int64_t stampOf(const RobotState& state) {
 
 }  // namespace
 
-void defineControllerFunctions(tm_script::FunctionTable& functions, std::function<RobotState()> state) {
+void defineControllerFunctions(tm_script::FunctionTable& functions,
+                               const std::function<RobotState()>& state) {
   // The engine's numbers are fixed by the standard; those of its distributions are not.
   const auto engine = std::make_shared<std::mt19937>();
   functions.define("float random()", kSinceEver, [engine](const Arguments&) -> Computed {

@@ -9,6 +9,6 @@
 namespace cobot_command::simulator {
 
 /// random, GetNow, GetNowStamp. All numbers are the same on every run of the simulation.
-void defineControllerFunctions(tm_script::FunctionTable& functions, std::function<RobotState()> state);
+void defineControllerFunctions(tm_script::FunctionTable& functions, const std::function<RobotState()>& state);
 
 }  // namespace cobot_command::simulator

@@ -21,23 +21,23 @@ class NoRobot final : public tm_script::Environment {
   Result<tm_script::ItemShape, std::string> shapeOf(const std::string&,
                                                     const std::vector<std::optional<tm_script::Scalar>>&,
                                                     const std::string&) const override {
-    return refuse(kNone);
+    return refuse(none_);
   }
-  std::optional<std::string> objectionTo(
+  [[nodiscard]] std::optional<std::string> objectionTo(
       const std::string&, const std::vector<std::optional<tm_script::Scalar>>&) const override {
-    return kNone;
+    return none_;
   }
-  Result<tm_script::Value, std::string> read(const tm_script::ItemName&) override { return refuse(kNone); }
+  Result<tm_script::Value, std::string> read(const tm_script::ItemName&) override { return refuse(none_); }
   std::optional<std::string> write(const tm_script::ItemName&, std::optional<std::size_t>,
                                    const tm_script::Value&) override {
-    return kNone;
+    return none_;
   }
   tm_script::CallAnswer call(const std::string&, const tm_script::Arguments&) override {
-    return tm_script::CallFailure{kNone};
+    return tm_script::CallFailure{none_};
   }
 
  private:
-  const std::string kNone = "a declaration has no items and no functions of a robot";
+  const std::string none_ = "a declaration has no items and no functions of a robot";
 };
 
 /// Beside the flange, looking along its axis [mm, deg]. Ours: the camera of each robot is calibrated.
@@ -88,14 +88,14 @@ Frame::Frame(const SixFloats& from) : numbers(from) {
 ProjectData::ProjectData(const Settings& settings, const arm::ArmModel& model) {
   bases.emplace(script::kRobotBase, Taught<Frame>(Frame(arm::Pose::Identity()), true));
   for (const auto& [name, pose] : settings.bases) bases.emplace(name, Taught<Frame>(Frame(pose)));
-  const auto addTool = [this](const std::string& name, const arm::Pose& pose, bool is_fixed) {
+  const auto add_tool = [this](const std::string& name, const arm::Pose& pose, bool is_fixed) {
     Tool tool;
     tool.frame = Frame(pose);
     tools.emplace(name, Taught<Tool>(tool, is_fixed));
   };
-  addTool(script::kNoTool, arm::Pose::Identity(), true);
-  for (const auto& [name, pose] : settings.tcps) addTool(name, pose, name == "HandCamera");
-  addTool("HandCamera", arm::toPose(kHandCamera), true);
+  add_tool(script::kNoTool, arm::Pose::Identity(), true);
+  for (const auto& [name, pose] : settings.tcps) add_tool(name, pose, name == "HandCamera");
+  add_tool("HandCamera", arm::toPose(kHandCamera), true);
   for (const auto& [name, joints] : settings.points) {
     Point point;
     point.frame = Frame(arm::forwardKinematics(model, joints));

@@ -14,11 +14,9 @@ int codeFor(motion::Refusal::Reason reason, bool reaches_end) {
     case Reason::DegenerateCircle:
       return 0x15;  // circle
     case Reason::BadParameter:
-      return 0x21;  // speed over range
     case Reason::JointSpeed:
       return 0x21;  // speed over range
     case Reason::NotFinite:
-      return 0x14058;  // IK failed
     case Reason::PoseBits:
       return 0x14058;  // IK failed
     case Reason::JointLimit:

@@ -152,7 +152,7 @@ RobotState SimulatedController::Impl::state() const {
 
 // --- The public face ---------------------------------------------------------------------------------------
 
-SimulatedController::SimulatedController(arm::ArmModel arm, Settings settings, Instant now)
+SimulatedController::SimulatedController(const arm::ArmModel& arm, Settings settings, Instant now)
     : impl_(std::make_unique<Impl>(arm, std::move(settings), now)) {}
 SimulatedController::~SimulatedController() = default;
 SimulatedController::SimulatedController(SimulatedController&&) noexcept = default;

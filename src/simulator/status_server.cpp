@@ -20,8 +20,8 @@ using protocol::ItemFormat;
 using protocol::StatusFrame;
 using protocol::StatusMode;
 
-constexpr int kReadModes = 10;                       // above the modes of the stream and of writing
-constexpr std::size_t kLongestAnswer = 1024 * 1024;  // bytes; ours
+constexpr int kReadModes = 10;  // above the modes of the stream and of writing
+constexpr std::size_t kLongestAnswer = std::size_t{1024} * 1024;  // bytes; ours
 
 StatusFrame reply(const StatusFrame& request, Code code, std::string item = {}) {
   return {request.id, static_cast<int>(StatusMode::Reply), protocol::toContent({code, std::move(item)})};

@@ -30,17 +30,17 @@ void SimulatedController::Impl::receivedOnStatus(ClientId client, std::string_vi
 // A stick that does what the operator does; a button that cannot do it does nothing, and the log says why.
 void SimulatedController::Impl::on(const PressButton& press) {
   if (!press.pressed) return;
-  const auto changeSpeed = [&](int change) {
+  const auto change_speed = [&](int change) {
     const int speed = settings_.project_speed_percent + change;
     return act(SetProjectSpeed{std::clamp(speed - speed % kSpeedStep, kSpeedStep, 100)});
   };
-  const auto playOrPause = [&] {
+  const auto play_or_pause = [&] {
     if (!node_.projectRuns()) return act(RunProject{});
     return queue_.paused() ? act(ResumeProject{}) : act(PauseProject{});
   };
-  const OperatorReply reply = press.button == Button::PlayPause ? playOrPause()
-                              : press.button == Button::Plus    ? changeSpeed(kSpeedStep)
-                              : press.button == Button::Minus   ? changeSpeed(-kSpeedStep)
+  const OperatorReply reply = press.button == Button::PlayPause ? play_or_pause()
+                              : press.button == Button::Plus    ? change_speed(kSpeedStep)
+                              : press.button == Button::Minus   ? change_speed(-kSpeedStep)
                                                                 : act(StopProject{});
   outbox_.log("stick: " + reply.text);
 }

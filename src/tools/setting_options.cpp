@@ -35,7 +35,7 @@ void addFlag(CLI::App& app, const Setting& setting) {
 /// The rule of one option; a list is made of several.
 std::string allowedByOption(const SettingKind& kind) {
   constexpr std::string_view kList = "a list of ";
-  const std::string allowed = allowedBy(kind);
+  std::string allowed = allowedBy(kind);
   if (kind.form != Form::Texts || allowed.compare(0, kList.size(), kList) != 0) return allowed;
   return allowed.substr(kList.size()) + "; can be given several times";
 }

@@ -46,7 +46,7 @@ class FuzzInput {
   /// Up to 63 bytes, or what is left of the input.
   std::string text() {
     const std::size_t size = choice(64);
-    const std::string taken(bytes_.substr(0, size));
+    std::string taken(bytes_.substr(0, size));
     bytes_.remove_prefix(taken.size());
     return taken;
   }

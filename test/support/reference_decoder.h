@@ -30,7 +30,7 @@ inline std::optional<std::size_t> lengthOf(std::string_view field) {
     const std::size_t digit = kDigits.find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
     if (digit >= base) return std::nullopt;
     value = value * base + digit;
-    if (value > 16u * 1024u * 1024u) return std::nullopt;
+    if (value > std::size_t{16} * 1024 * 1024) return std::nullopt;
   }
   return value;
 }

@@ -54,8 +54,8 @@ class FakeRobot : public Environment {
     return found->second.shape;
   }
 
-  std::optional<std::string> objectionTo(const std::string& function,
-                                         const std::vector<std::optional<Scalar>>& arguments) const override {
+  [[nodiscard]] std::optional<std::string> objectionTo(
+      const std::string& function, const std::vector<std::optional<Scalar>>& arguments) const override {
     if (function != "QueueTag" || arguments[0] != Scalar(std::uint8_t{16})) return std::nullopt;
     return "there is no tag 16";
   }

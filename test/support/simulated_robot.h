@@ -75,7 +75,7 @@ class SimulatedRobot {
   /// Ports that opened (+) and closed (-), clients that were dropped (x), in order: "+script", "x1",
   /// "-script".
   std::vector<std::string> events() { return std::exchange(events_, {}); }
-  const std::vector<LogLine>& log() const { return log_; }
+  [[nodiscard]] const std::vector<LogLine>& log() const { return log_; }
 
   [[nodiscard]] Instant now() const { return now_; }
   [[nodiscard]] RobotState state() const { return controller_.state(); }

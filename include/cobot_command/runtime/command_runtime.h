@@ -32,7 +32,7 @@ class CommandRuntime {
 
   /// `frames`, `newest`: see CommandCore; called on the core's thread, `newest` by cancel() and finish() too.
   CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
-                 blocks::FrameFinder frames = {}, blocks::NewestGoal newest = {});
+                 blocks::FrameFinder frames = {}, const blocks::NewestGoal& newest = {});
   ~CommandRuntime();  ///< stop()
   CommandRuntime(const CommandRuntime&) = delete;
   CommandRuntime& operator=(const CommandRuntime&) = delete;

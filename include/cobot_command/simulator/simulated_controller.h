@@ -54,7 +54,7 @@ using Output = std::variant<Send, CloseClient, OpenPort, ClosePort, LogLine>;
 
 class SimulatedController {
  public:
-  SimulatedController(arm::ArmModel arm, Settings settings, Instant now);
+  SimulatedController(const arm::ArmModel& arm, Settings settings, Instant now);
   ~SimulatedController();
   SimulatedController(SimulatedController&&) noexcept;
   SimulatedController& operator=(SimulatedController&&) noexcept;

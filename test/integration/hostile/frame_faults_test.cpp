@@ -37,6 +37,7 @@ Fault fault(FaultKind kind, Direction direction = Direction::ToClient) {
 
 std::vector<std::string> bytesOf(const std::vector<Step>& steps) {
   std::vector<std::string> bytes;
+  bytes.reserve(steps.size());
   for (const Step& step : steps) bytes.push_back(step.bytes);
   return bytes;
 }
@@ -113,6 +114,7 @@ TEST(FrameFaults, delayWithinTheirJitterAndTheSameForTheSameSeed) {
     FrameFaults faults(seed);
     faults.add(delay);
     std::vector<Duration> all;
+    all.reserve(50);
     for (int i = 0; i < 50; ++i) all.push_back(faults.pass(Direction::ToClient, kTag).at(0).wait);
     return all;
   };

@@ -51,8 +51,8 @@ inline link::LinkSettings quickSettings() {
 /// A command runtime, watched.
 class Layer {
  public:
-  explicit Layer(int status_port, link::LinkSettings settings = quickSettings())
-      : runtime_(runtime::testArm(), withStatusPort(std::move(settings), status_port),
+  explicit Layer(int status_port, const link::LinkSettings& settings = quickSettings())
+      : runtime_(runtime::testArm(), withStatusPort(settings, status_port),
                  [this](const blocks::Action& action, Instant /*now*/) { take(action); }) {}
 
   blocks::GoalId submit(const blocks::Goal& goal) {

@@ -39,6 +39,7 @@ std::vector<MisbehavingPeer> chosen(const std::set<std::string>& names) {
 template <class Meet>
 void meetAll(const std::vector<MisbehavingPeer>& peers, Meet meet) {
   std::vector<std::thread> threads;
+  threads.reserve(peers.size());
   for (const MisbehavingPeer& peer : peers) {
     threads.emplace_back([&] {
       SCOPED_TRACE("the peer is \"" + peer.name + "\"");

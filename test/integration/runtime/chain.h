@@ -58,8 +58,8 @@ class Robot {
 /// A command runtime that keeps everything it is told.
 class Commander {
  public:
-  explicit Commander(int status_port, link::LinkSettings settings = {})
-      : runtime_(testArm(), withStatusPort(std::move(settings), status_port),
+  explicit Commander(int status_port, const link::LinkSettings& settings = {})
+      : runtime_(testArm(), withStatusPort(settings, status_port),
                  [this](const blocks::Action& action, Instant /*now*/) { log_.add(action); }) {}
 
   blocks::GoalId submit(const blocks::Goal& goal) {

@@ -112,7 +112,7 @@ TEST(KeptLink, tellsOfTheRobotThatItHasLostInMotion) {
   rig.pass(10s);
   rig.open();
   EXPECT_EQ(rig.latest().link, State::Ready);
-  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the link to another:5890 was lost while its robot moved"));
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the link to another:5890 was lost with a motion under way"));
   rig.submit(other);
   rig.open();
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("was lost"))) << "whether it moves is seen again";

@@ -87,7 +87,7 @@ TEST(FailedStop, isToldUntilAStopIsConfirmed) {
 TEST(FailedStop, isToldAsAMotionThatTheLinkHasLeft) {
   LooseMotion rig;
   rig.close("gone");
-  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("was lost while its robot moved"));
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("was lost with a motion under way"));
   rig.connect();
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr(kWords)));
 }
