@@ -93,7 +93,7 @@ void CommandRun::awaitReason(Instant now) {
     return;
   }
   // It does not execute any more: a stop may go on beside it, on a link that is there again.
-  report(Phase::Stopping, fmt::format("failed, {}; the status stream may tell why", failure_.found), now);
+  report(Phase::Stopping, ReasonWait::text("failed, " + failure_.found), now);
 }
 
 /// An error that was acknowledged, and is still there when the next motion fails, is the reason for that.

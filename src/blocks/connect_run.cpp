@@ -272,7 +272,7 @@ void ConnectRun::report() {
 void ConnectRun::reportLoss() {
   Progress progress;
   progress.phase = Phase::Connecting;
-  progress.text = fmt::format("the link was lost, {}; the status stream may tell why", loss_.found);
+  progress.text = ReasonWait::text("the link was lost, " + loss_.found);
   progress.link_times = times_;
   tell(std::move(progress));
 }

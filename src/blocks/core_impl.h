@@ -182,7 +182,7 @@ class CommandCore::Impl : private link::Wire {
   void robotChanged(Instant now);
 
   // --- What everyone may know (core_status.cpp).
-  /// Of a robot that may move, and that no link can stop; empty: of none.
+  /// Of a robot that may move, and that no link can stop. Precondition: there is one.
   [[nodiscard]] std::string textOfTheRobotLeft() const;
   /// By a connect goal that was cancelled, and no other has come since.
   [[nodiscard]] bool automaticLinkEnded() const { return kept_no_more_ && !connect_.busy(); }
@@ -221,7 +221,7 @@ class CommandCore::Impl : private link::Wire {
   LooseMotion loose_;
   std::optional<ConnectGoal> kept_;  ///< the link to keep while no connect goal is Busy
   bool kept_no_more_ = false;  ///< a connect goal was cancelled, and no other came: who disconnects means it
-  std::optional<ConnectGoal> left_moving_;  ///< the link to this controller was lost while its robot moved
+  std::optional<ConnectGoal> left_moving_;  ///< the link to it was lost with a motion under way
   Life life_ = Life::Working;
   std::uint64_t late_events_ = 0;
   CommandStatus published_;

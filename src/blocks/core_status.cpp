@@ -46,7 +46,6 @@ std::string CommandCore::Impl::linkDiagnosis() const {
 }
 
 std::string CommandCore::Impl::textOfTheRobotLeft() const {
-  if (!left_moving_) return "";
   return fmt::format("the link to {}:{} was lost with a motion under way: {}", left_moving_->host,
                      left_moving_->port, LooseMotion::kMayStillMove);
 }

@@ -206,7 +206,7 @@ void PickAndPlaceRun::startDwell(Instant now) {
 void PickAndPlaceRun::tellFailure() {
   Progress progress;
   progress.phase = Phase::Stopping;
-  progress.text = fmt::format("failed, {}; the status stream may tell why", failure_.found);
+  progress.text = ReasonWait::text("failed, " + failure_.found);
   report(std::move(progress));
 }
 

@@ -3,12 +3,19 @@
 // later.
 #pragma once
 
+#include <string>
+
 #include "cobot_command/common/time.h"
 
 namespace cobot_command::blocks {
 
 class ReasonWait {
  public:
+  /// For people, while it lasts; `what`: has ended, as far as it is known.
+  [[nodiscard]] static std::string text(const std::string& what) {
+    return what + "; the status stream may tell why";
+  }
+
   void begin(Instant now) {
     last_ = now;
     frames_ = 0;
