@@ -1,8 +1,8 @@
 # Shared by the scripts beside it: builds with sanitizers, in folders of their own. To be sourced behind setup.sh.
 
 # The rooms that read what a peer sent, and those that decide what becomes of it: the quick form, run with every change.
-readonly core_tests=(test_protocol test_tm_script test_script test_link test_blocks test_peers test_simulator fuzz_corpora)
-readonly core_tests_pattern='^(protocol|tm_script|script|link|blocks|peers|simulator|fuzz)\.'
+readonly core_tests=(test_protocol test_tm_script test_script test_link test_robot test_blocks test_command test_peers test_simulator fuzz_corpora)
+readonly core_tests_pattern='^(protocol|tm_script|script|link|robot|blocks|command|peers|simulator|fuzz)\.'
 # Both nodes as processes: goals and cancels of four clients at once, connections made and lost, ends and kills.
 readonly node_tests_pattern='^rostest\.(load|ends)$'
 readonly threaded_targets=(test_transport test_runtime test_runtime_parts test_ros command_node simulated_controller_node

@@ -1,11 +1,19 @@
-// CBT_ChangeBase (thesis 5.3.5).
+#include "cobot_command/blocks/change_base.h"
 
-#include "framed_pose.h"
-#include "parameter_checks.h"
+#include "shared/framed_pose.h"
+#include "shared/moved_frames.h"
+#include "shared/parameter_checks.h"
+
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
 
-CommandTraits traitsOf(const ChangeBaseGoal& goal) {
+ErrorTable ChangeBaseGoal::errors() {
+  return ErrorTable().thesisCommand().echoedCommandId().anyCommand().turn().framedPose().shared(
+      {own_error::kNotFinite, own_error::kCoordinateRange, own_error::kNameInvalid});
+}
+
+GoalTraits traitsOf(const ChangeBaseGoal& goal) {
   return traitsOfCommand(goal);
 }
 
@@ -23,10 +31,15 @@ std::vector<Failure> check(const ChangeBaseGoal& goal) {
   return std::move(checks).violations();
 }
 
+std::optional<Failure> findMovedFrame(const ChangeBaseGoal& goal, const FrameFinder& finder) {
+  return findMovedFrame("base_pose", goal.base_pose, finder);
+}
+
 /// A base is measured in the robot base, whichever base is active.
-script::ScriptCommand commandOf(const ChangeBaseGoal& goal, const arm::Pose& /*base*/) {
-  if (!goal.base_name.empty()) return script::ChangeBase{goal.base_name};
-  return script::ChangeBase{targetOf(goal.transformation, goal.base_pose, arm::Pose::Identity())};
+Order orderOf(const ChangeBaseGoal& goal, const arm::Pose& /*base*/) {
+  if (!goal.base_name.empty()) return settingOrder(script::ChangeBase{goal.base_name});
+  return settingOrder(
+      script::ChangeBase{targetOf(goal.transformation, goal.base_pose, arm::Pose::Identity())});
 }
 
 }  // namespace cobot_command::blocks

@@ -1,9 +1,9 @@
-// CBT_ChangeTCP (thesis 5.3.6).
+#include "cobot_command/blocks/change_tcp.h"
 
-#include "parameter_checks.h"
+#include "shared/parameter_checks.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -14,7 +14,20 @@ constexpr double kMaxInertia = 1e9;
 
 }  // namespace
 
-CommandTraits traitsOf(const ChangeTcpGoal& goal) {
+ErrorTable ChangeTcpGoal::errors() {
+  return ErrorTable()
+      .thesisCommand()
+      .echoedCommandId()
+      .anyCommand()
+      .turn()
+      .row(tcp_error::kWeightRange, "Weight range: 0~14 kg", kSetInRange,
+           "weight is negative, above 14, or not a number")
+      .row(own_error::kInertiaRange, "Moment of inertia range: 0~1000000000 kg mm^2", kSetInRange,
+           "ixx, iyy or izz is negative, above 1000000000, or not a number")
+      .shared({own_error::kNotFinite, own_error::kCoordinateRange, own_error::kNameInvalid});
+}
+
+GoalTraits traitsOf(const ChangeTcpGoal& goal) {
   return traitsOfCommand(goal);
 }
 
@@ -38,10 +51,12 @@ std::vector<Failure> check(const ChangeTcpGoal& goal) {
   return std::move(checks).violations();
 }
 
-script::ScriptCommand commandOf(const ChangeTcpGoal& goal, const arm::Pose& /*base*/) {
-  if (!goal.tcp_name.empty()) return script::ChangeTcp{goal.tcp_name, std::nullopt, std::nullopt};
-  return script::ChangeTcp{goal.tcp_offset, goal.weight,
-                           script::ToolInertia{goal.moment_of_inertia, goal.mass_center}};
+Order orderOf(const ChangeTcpGoal& goal, const arm::Pose& /*base*/) {
+  if (!goal.tcp_name.empty()) {
+    return settingOrder(script::ChangeTcp{goal.tcp_name, std::nullopt, std::nullopt});
+  }
+  return settingOrder(script::ChangeTcp{goal.tcp_offset, goal.weight,
+                                        script::ToolInertia{goal.moment_of_inertia, goal.mass_center}});
 }
 
 }  // namespace cobot_command::blocks

@@ -1,18 +1,17 @@
-#include "check_sequence.h"
+#include "cobot_command/blocks/check_sequence.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "block_rules.h"
-#include "joint_path.h"
-#include "refusal_failure.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
-#include "cobot_command/blocks/error_ids.h"
-#include "cobot_command/blocks/goal_limits.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/joint_path.h"
+#include "cobot_command/blocks/shared/refusal_failure.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/planning/script_planner.h"
 
@@ -21,9 +20,8 @@ namespace {
 
 using Start = planning::ScriptPlanner::Start;
 
-/// The block of a step: the steps are some of the goals, in the same order.
 Block blockOf(const SequenceStep& step) {
-  return std::visit([](const auto& goal) { return blocks::blockOf(Goal(goal)); }, step);
+  return std::visit([](const auto& goal) { return kBlock<std::decay_t<decltype(goal)>>; }, step);
 }
 
 bool isJoints(const std::vector<double>& joints_deg) {
@@ -32,9 +30,8 @@ bool isJoints(const std::vector<double>& joints_deg) {
 }
 
 /// Its joints are absent when they are not known, or not those of an arm.
-Start startOf(const CheckSequenceGoal& goal, const std::optional<Origin>& origin) {
-  Start start{std::nullopt, std::nullopt, std::nullopt, 1.0};
-  if (origin) start = origin->start;
+Start startOf(const CheckSequenceGoal& goal, const PlanningScene& scene) {
+  Start start = scene.start.value_or(Start{std::nullopt, std::nullopt, std::nullopt, 1.0});
   if (goal.start_joints.empty()) return start;
   start.joints.reset();
   if (isJoints(goal.start_joints)) {
@@ -60,8 +57,9 @@ std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, bo
   if (!has_model) failures.push_back({own_error::kNoModel, "", ""});
   if (!goal.steps_fault.empty()) {
     failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, "", {goal.faulty_step, 0, ""}});
-  } else if (goal.steps.empty() || goal.steps.size() > kMostSequenceSteps) {
-    failures.push_back({own_error::kStepCount, foundSteps(goal.steps.size(), kMostSequenceSteps), ""});
+  } else if (goal.steps.empty() || goal.steps.size() > CheckSequenceGoal::kMostSteps) {
+    failures.push_back(
+        {own_error::kStepCount, foundSteps(goal.steps.size(), CheckSequenceGoal::kMostSteps), ""});
   }
   return failures;
 }
@@ -114,7 +112,7 @@ class Sequence {
     if (auto failures = check(step); !failures.empty()) return refuse(Fault{std::move(failures), {}});
     const auto base = planner_.end().base;
     if (traitsOf(step).needs_base && !base) return refuse(frameUnknown());
-    auto planned = planner_.append(commandOf(step, base.value_or(arm::Pose::Identity())));
+    auto planned = planner_.append(orderOf(step, base.value_or(arm::Pose::Identity())).commands->front());
     if (!planned) {
       const motion::Refusal& refusal = planned.error();
       Fault fault{{toFailure(refusal)}, {}};
@@ -176,7 +174,7 @@ class Sequence {
     outcome_.steps.resize(place + 1);
     planned_.resize(std::min(planned_.size(), outcome_.steps.size()));
     const Outcome rejection =
-        toRejection(Block::CheckSequence, {stepRefused(step, goal_.steps.size(), refusal)});
+        toRejection(kBlock<CheckSequenceGoal>, {stepRefused(step, goal_.steps.size(), refusal)});
     StepReport& report = outcome_.steps[step];
     report.error_id = refusal.error_id;
     report.error_description = rejection.steps.back().error_description;
@@ -210,13 +208,36 @@ class Sequence {
 
 }  // namespace
 
-Outcome checkSequence(const CheckSequenceGoal& goal, const std::optional<arm::ArmModel>& arm,
-                      const std::optional<Origin>& origin) {
-  const Start start = startOf(goal, origin);
-  if (const auto failures = check(goal, start, arm.has_value()); !failures.empty()) {
-    return toRejection(Block::CheckSequence, failures);
+ErrorTable CheckSequenceGoal::errors() {
+  return ErrorTable()
+      .row(own_error::kStartUnknown, "Start unknown",
+           "Give six start_joints, or wait until the status stream shows the robot standing",
+           "start_joints are neither six finite numbers nor empty; or they are empty and nobody knows "
+           "where the robot is, or where what was sent will leave it")
+      .shared(own_error::kNoModel, "the command layer knows no model of the arm")
+      .shared({own_error::kShutDown})
+      .shared(own_error::kStepCount, "there are no steps, or more than 200")
+      .shared({own_error::kStepRefused})
+      .row(own_error::kStepsUnreadable, "Steps cannot be read",
+           "Set the kind of each step to one that SequenceStep lists", "a step has a kind that is none");
+}
+
+GoalTraits traitsOf(const CheckSequenceGoal& /*goal*/) {
+  GoalTraits traits;
+  traits.way = Way::Plan;
+  return traits;
+}
+
+std::vector<Failure> check(const CheckSequenceGoal& /*goal*/) {
+  return {};
+}
+
+Outcome plan(const CheckSequenceGoal& goal, const PlanningScene& scene) {
+  const Start start = startOf(goal, scene);
+  if (const auto failures = check(goal, start, scene.arm != nullptr); !failures.empty()) {
+    return toRejection(kBlock<CheckSequenceGoal>, failures);
   }
-  return Sequence(goal, *arm, start).run();
+  return Sequence(goal, *scene.arm, start).run();
 }
 
 }  // namespace cobot_command::blocks

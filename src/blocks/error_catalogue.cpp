@@ -1,53 +1,41 @@
-#include "cobot_command/blocks/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
-#include "error_tables.h"
+#include "cobot_command/blocks/goal.h"
 
 namespace cobot_command::blocks {
+namespace {
+
+template <class... Kinds>
+constexpr std::array<const char*, sizeof...(Kinds)> namesOf(const std::variant<Kinds...>* /*list*/) {
+  return {Kinds::kName...};
+}
+
+void append(std::vector<ErrorEntry>& all, Block block, const ErrorTable& table) {
+  for (const ErrorRow& row : table.rows()) all.push_back({row, block});
+}
+
+template <class... Kinds>
+std::vector<ErrorEntry> errorsOf(const std::variant<Kinds...>* /*list*/) {
+  std::vector<ErrorEntry> all;
+  (append(all, kBlock<Kinds>, Kinds::errors()), ...);
+  return all;
+}
+
+constexpr const Goal* kList = nullptr;
+
+}  // namespace
 
 const char* toString(Block block) {
-  switch (block) {
-    case Block::Connect:
-      return "connect";
-    case Block::MoveAbsolute:
-      return "move_absolute";
-    case Block::MoveRelative:
-      return "move_relative";
-    case Block::MoveCircle:
-      return "move_circle";
-    case Block::ChangeBase:
-      return "change_base";
-    case Block::ChangeTcp:
-      return "change_tcp";
-    case Block::ProgramControl:
-      return "program_control";
-    case Block::Stop:
-      return "stop";
-    case Block::ExitListenNode:
-      return "exit_listen_node";
-    case Block::RunScript:
-      return "run_script";
-    case Block::CheckSequence:
-      return "check_sequence";
-    case Block::PickAndPlace:
-      return "pick_and_place";
-  }
-  return "unknown";
+  static constexpr auto kNames = namesOf(kList);
+  return kNames.at(static_cast<std::size_t>(block));
 }
 
 const std::vector<ErrorEntry>& errorCatalogue() {
-  static const std::vector<ErrorEntry> kCatalogue = [] {
-    std::vector<ErrorEntry> all;
-    for (const auto& table :
-         {connectErrors(), moveAbsoluteErrors(), moveRelativeErrors(), moveCircleErrors(), changeBaseErrors(),
-          changeTcpErrors(), programControlErrors(), stopErrors(), exitListenNodeErrors(), runScriptErrors(),
-          checkSequenceErrors(), pickAndPlaceErrors()}) {
-      all.insert(all.end(), table.begin(), table.end());
-    }
-    return all;
-  }();
+  static const std::vector<ErrorEntry> kCatalogue = errorsOf(kList);
   return kCatalogue;
 }
 

@@ -1,10 +1,11 @@
-// CBT_MoveAbsolute (thesis 5.3.2).
+#include "cobot_command/blocks/move_absolute.h"
 
-#include "framed_pose.h"
-#include "motion_parameters.h"
+#include "shared/framed_pose.h"
+#include "shared/motion_parameters.h"
+#include "shared/moved_frames.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -36,8 +37,36 @@ void checkRobotPose(ParameterChecks& checks, const MoveAbsoluteGoal& goal) {
 
 }  // namespace
 
-CommandTraits traitsOf(const MoveAbsoluteGoal& goal) {
-  CommandTraits traits = traitsOfMove(goal);
+ErrorTable MoveAbsoluteGoal::errors() {
+  return ErrorTable()
+      .thesisCommand()
+      .anyCommand()
+      .turn()
+      .move()
+      .framedPose()
+      .row(motion_error::kPoseWithLine, "Robot Pose must be disabled for Line command", kSetInRange,
+           "robot_pose_enable with Line, which keeps the configuration of its start")
+      .row(motion_error::kPose1Range, "Pose1 range is 0~1", kSetInRange,
+           "robot_pose_enable and config1 is neither 0 (RIGHTY) nor 1 (LEFTY)")
+      .row(motion_error::kPose2Range, "Pose2 range is 2~3", kSetInRange,
+           "robot_pose_enable and config2 is neither 2 (ABOVE) nor 3 (BELOW)")
+      .row(motion_error::kPose3Range, "Pose3 range is 4~5", kSetInRange,
+           "robot_pose_enable and config3 is neither 4 (NOFLIP) nor 5 (FLIP)")
+      .row(motion_error::kFormatForPtp, "DataFormat invalid for PTP command", kSetInRange,
+           "PTP with a data_format other than JPP (0) or CPP (1), known or unknown")
+      .row(motion_error::kFormatForLine, "DataFormat invalid for Line command", kSetInRange,
+           "Line with a data_format other than CPP (1), CPR (2), CAP (3) or CAR (4), known or unknown")
+      .row(own_error::kPoseWithJoints, "Robot Pose must be disabled for a target in joints",
+           "Disable robot_pose_enable, or use CPP",
+           "robot_pose_enable with PTP JPP: the joints say the configuration")
+      .row(own_error::kPoseNeedsCartesian, "A pose needs a Cartesian DataFormat",
+           "Use a format that begins with C, or give the joints in target_position",
+           "target_pose with JPP: a pose is no target in joints")
+      .shared({own_error::kBlendingTooLarge, own_error::kMovementUnknown});
+}
+
+GoalTraits traitsOf(const MoveAbsoluteGoal& goal) {
+  GoalTraits traits = traitsOfMove(goal);
   traits.needs_base = goal.target_pose.has_value();
   return traits;
 }
@@ -57,14 +86,18 @@ std::vector<Failure> check(const MoveAbsoluteGoal& goal) {
   return std::move(checks).violations();
 }
 
-script::ScriptCommand commandOf(const MoveAbsoluteGoal& goal, const arm::Pose& base) {
+std::optional<Failure> findMovedFrame(const MoveAbsoluteGoal& goal, const FrameFinder& finder) {
+  return findMovedFrame("target_pose", goal.target_pose, finder);
+}
+
+Order orderOf(const MoveAbsoluteGoal& goal, const arm::Pose& base) {
   const script::DataFormat format = kFormats.at(goal.data_format).value_or(script::DataFormat{});
   const SixValues target = targetOf(goal.target, goal.target_pose, base);
   const script::MotionOptions options = optionsOf(parametersOf(goal));
-  if (isLine(goal)) return script::Line{format, target, options};
+  if (isLine(goal)) return motionOrder(script::Line{format, target, options});
   script::Ptp ptp{format, target, options, std::nullopt};
   if (goal.robot_pose_enable) ptp.pose_bits = goal.robot_pose;
-  return ptp;
+  return motionOrder(ptp);
 }
 
 }  // namespace cobot_command::blocks

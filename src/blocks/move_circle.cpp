@@ -1,13 +1,14 @@
-// CBT_MoveCircle (thesis 5.3.4).
+#include "cobot_command/blocks/move_circle.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "framed_pose.h"
-#include "motion_parameters.h"
+#include "shared/framed_pose.h"
+#include "shared/motion_parameters.h"
+#include "shared/moved_frames.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -33,8 +34,21 @@ int arcAngleOf(const MoveCircleGoal& goal) {
 
 }  // namespace
 
-CommandTraits traitsOf(const MoveCircleGoal& goal) {
-  CommandTraits traits = traitsOfMove(goal);
+ErrorTable MoveCircleGoal::errors() {
+  return ErrorTable()
+      .thesisCommand()
+      .anyCommand()
+      .turn()
+      .move()
+      .framedPose()
+      .row(own_error::kArcAngleRange, "ArcAngle range: 0~360 degrees", kSetInRange,
+           "arc_angle is negative, above 360, or not a number")
+      .row(own_error::kFormatForCircle, "DataFormat invalid for Circle command", "Use 0 (CPP) or 1 (CAP)",
+           "data_format is neither 0 nor 1");
+}
+
+GoalTraits traitsOf(const MoveCircleGoal& goal) {
+  GoalTraits traits = traitsOfMove(goal);
   traits.needs_base = goal.arc_pose || goal.end_pose;
   return traits;
 }
@@ -51,11 +65,16 @@ std::vector<Failure> check(const MoveCircleGoal& goal) {
   return std::move(checks).violations();
 }
 
-script::ScriptCommand commandOf(const MoveCircleGoal& goal, const arm::Pose& base) {
-  return script::Circle{kFormats.at(goal.data_format).value_or(script::DataFormat{}),
-                        targetOf(goal.arc_point, goal.arc_pose, base),
-                        targetOf(goal.end_point, goal.end_pose, base), optionsOf(parametersOf(goal)),
-                        arcAngleOf(goal)};
+std::optional<Failure> findMovedFrame(const MoveCircleGoal& goal, const FrameFinder& finder) {
+  if (auto moved = findMovedFrame("arc_pose", goal.arc_pose, finder)) return moved;
+  return findMovedFrame("end_pose", goal.end_pose, finder);
+}
+
+Order orderOf(const MoveCircleGoal& goal, const arm::Pose& base) {
+  return motionOrder(script::Circle{kFormats.at(goal.data_format).value_or(script::DataFormat{}),
+                                    targetOf(goal.arc_point, goal.arc_pose, base),
+                                    targetOf(goal.end_point, goal.end_pose, base),
+                                    optionsOf(parametersOf(goal)), arcAngleOf(goal)});
 }
 
 }  // namespace cobot_command::blocks

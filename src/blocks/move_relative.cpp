@@ -1,8 +1,8 @@
-// CBT_MoveRelative (thesis 5.3.3).
+#include "cobot_command/blocks/move_relative.h"
 
-#include "motion_parameters.h"
+#include "shared/motion_parameters.h"
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -13,7 +13,20 @@ constexpr FormatList kFormats(kFormatNames);
 
 }  // namespace
 
-CommandTraits traitsOf(const MoveRelativeGoal& goal) {
+ErrorTable MoveRelativeGoal::errors() {
+  return ErrorTable()
+      .thesisCommand()
+      .anyCommand()
+      .turn()
+      .move()
+      .row(relative_error::kFormatForPtp, "DataFormat invalid for PTP command", kSetInRange,
+           "PTP with a data_format other than JPP (0), CPP (1) or TPP (5), known or unknown")
+      .row(relative_error::kFormatForLine, "DataFormat invalid for Line command", kSetInRange,
+           "Line with JPP (0) or an unknown data_format")
+      .shared({own_error::kBlendingTooLarge, own_error::kMovementUnknown});
+}
+
+GoalTraits traitsOf(const MoveRelativeGoal& goal) {
   return traitsOfMove(goal);
 }
 
@@ -26,13 +39,13 @@ std::vector<Failure> check(const MoveRelativeGoal& goal) {
   return std::move(checks).violations();
 }
 
-script::ScriptCommand commandOf(const MoveRelativeGoal& goal, const arm::Pose& /*base*/) {
+Order orderOf(const MoveRelativeGoal& goal, const arm::Pose& /*base*/) {
   const script::DataFormat format = kFormats.at(goal.data_format).value_or(script::DataFormat{});
   const script::MotionOptions options = optionsOf(parametersOf(goal));
   if (goal.movement_command == static_cast<int>(Movement::Line)) {
-    return script::MoveLine{format, goal.target, options};
+    return motionOrder(script::MoveLine{format, goal.target, options});
   }
-  return script::MovePtp{format, goal.target, options};
+  return motionOrder(script::MovePtp{format, goal.target, options});
 }
 
 }  // namespace cobot_command::blocks

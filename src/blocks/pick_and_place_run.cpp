@@ -2,26 +2,52 @@
 
 #include <utility>
 
+#include "block_kinds.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/robot_failure.h"
 
 namespace cobot_command::blocks {
 
 using State = PickAndPlaceState;
 
-PickAndPlaceRun::PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<StepReport> steps, Instant now)
-    : id_(id), goal_(std::move(goal)), started_at_(now) {
-  outcome_.planned = plannedCycle(goal_, steps);
-  steps.resize(goal_.steps.size());
-  outcome_.steps = std::move(steps);
+namespace {
+
+/// A line of script, and it fails as one: the cycle tells that error as the one of its step.
+Command commandOf(const OutputAction& output) {
+  Command command;
+  command.block = kBlock<RunScriptGoal>;
+  command.order = [output](const arm::Pose& /*base*/) {
+    script::WriteOutput write;
+    write.module = *script::ioModule(output.module);
+    write.index = output.output;
+    write.on = output.value;
+    return settingOrder(write);
+  };
+  return command;
 }
 
-std::optional<PickAndPlaceRun::Command> PickAndPlaceRun::next() const {
+Command exitOfNode() {
+  Command command = commandOf(ExitListenNodeGoal{});
+  command.leaves_only = true;
+  return command;
+}
+
+}  // namespace
+
+PickAndPlaceRun::PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<StepReport> steps, Instant now)
+    : Run(kBlock<PickAndPlaceGoal>, id), goal_(std::move(goal)), started_at_(now) {
+  found_.planned = plannedCycle(goal_, steps);
+  steps.resize(goal_.steps.size());
+  found_.steps = std::move(steps);
+}
+
+std::optional<Command> PickAndPlaceRun::next() const {
   if (under_way_ || beginsNoMore()) return std::nullopt;
-  if (state_ == State::Moving) return step().move;
-  if (state_ == State::Setting) return *step().output;
-  if (owes_exit_) return ExitListenNodeGoal{};
+  if (state_ == State::Moving) return commandOf(step().move);
+  if (state_ == State::Setting) return commandOf(*step().output);
+  if (owes_exit_) return exitOfNode();
   return std::nullopt;
 }
 
@@ -36,7 +62,7 @@ bool PickAndPlaceRun::isLast() const {
 void PickAndPlaceRun::commandProgressed(const Progress& progress) {
   Progress mine = progress;
   mine.fraction = (static_cast<double>(step_) + progress.fraction) / static_cast<double>(goal_.steps.size());
-  report(std::move(mine));
+  tell(std::move(mine));
 }
 
 void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
@@ -44,7 +70,7 @@ void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
   if (outcome.ending == Ending::Aborted || outcome.ending == Ending::Rejected) {
     if (outcome.error_id == motion_error::kLinkDropped) {
       fail({motion_error::kLinkDropped, outcome.error_description, outcome.remedy}, now);
-      outcome_.failed_step = static_cast<int>(step_);
+      found_.failed_step = static_cast<int>(step_);
       return;
     }
     const int id = state_ == State::Setting ? own_error::kOutputFailed : own_error::kStepFailed;
@@ -75,14 +101,15 @@ void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
 
 void PickAndPlaceRun::commandRefused(const Failure& failure, Instant now) {
   const bool sets = state_ == State::Setting;
-  const Outcome refusal = toOutcome(sets ? Block::RunScript : Block::MoveAbsolute, Ending::Rejected, failure);
+  const Outcome refusal =
+      toOutcome(sets ? kBlock<RunScriptGoal> : kBlock<MoveAbsoluteGoal>, Ending::Rejected, failure);
   failStep(sets ? own_error::kOutputFailed : own_error::kStepRefused,
            {refusal.error_id, refusal.error_description, ""}, refusal.remedy, now);
 }
 
 void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now) {
-  outcome_.failed_step = static_cast<int>(step_);
-  StepReport& report = outcome_.steps[step_];
+  found_.failed_step = static_cast<int>(step_);
+  StepReport& report = found_.steps[step_];
   report.error_id = step_failure.error_id;
   report.error_description = step_failure.found;
   const char* part = state_ == State::Setting ? "the output of " : "";
@@ -120,8 +147,8 @@ void PickAndPlaceRun::linkLost(const std::string& reason, std::optional<Duration
   fire(patience ? Event::Unexplained : Event::Failed, now);
 }
 
-void PickAndPlaceRun::robotChanged(const RobotWatch& robot, Instant now) {
-  if (under_way_ || ended()) return;
+void PickAndPlaceRun::robotChanged(const robot::RobotWatch& robot, Instant now) {
+  if (under_way_ || outcome()) return;
   if (robot.emergencyStop()) {
     fail(emergencyStop(), now);
     return;
@@ -163,7 +190,7 @@ void PickAndPlaceRun::fail(Failure failure, Instant now) {
 }
 
 void PickAndPlaceRun::fire(Event event, Instant now) {
-  const auto row = link::findTransition<PickAndPlaceTable>(state_, event);
+  const auto row = findTransition<PickAndPlaceTable>(state_, event);
   if (!row) return;
   state_ = row->to;
   switch (row->action) {
@@ -173,7 +200,7 @@ void PickAndPlaceRun::fire(Event event, Instant now) {
       startDwell(now);
       return;
     case PickAndPlaceAction::NextStep:
-      nextStep(now);
+      nextStep();
       return;
     case PickAndPlaceAction::AwaitReason:
       held_since_.reset();
@@ -181,14 +208,14 @@ void PickAndPlaceRun::fire(Event event, Instant now) {
       tellFailure();
       return;
     case PickAndPlaceAction::EndDone:
-      ++outcome_.cycles_done;
-      end(Ending::Done, now);
+      ++found_.cycles_done;
+      endAs(Ending::Done, now);
       return;
     case PickAndPlaceAction::EndError:
-      end(Ending::Aborted, now);
+      endAs(Ending::Aborted, now);
       return;
     case PickAndPlaceAction::EndAborted:
-      end(Ending::CommandAborted, now);
+      endAs(Ending::CommandAborted, now);
       return;
   }
 }
@@ -199,49 +226,45 @@ void PickAndPlaceRun::startDwell(Instant now) {
   progress.phase = Phase::Dwelling;
   progress.fraction = static_cast<double>(step_ + 1) / static_cast<double>(goal_.steps.size());
   progress.text = fmt::format("waits {} s", step().dwell);
-  report(std::move(progress));
+  tell(std::move(progress));
 }
 
 /// Its dwell is over: nothing of it is executed any more.
 void PickAndPlaceRun::tellFailure() {
   Progress progress;
   progress.phase = Phase::Stopping;
-  progress.text = ReasonWait::text("failed, " + failure_.found);
-  report(std::move(progress));
+  progress.text = robot::ReasonWait::text("failed, " + failure_.found);
+  tell(std::move(progress));
 }
 
-void PickAndPlaceRun::nextStep(Instant /*now*/) {
+void PickAndPlaceRun::nextStep() {
   if (++step_ < goal_.steps.size()) return;
   step_ = 0;
   ++cycle_;
-  ++outcome_.cycles_done;
+  ++found_.cycles_done;
 }
 
-void PickAndPlaceRun::report(Progress progress) {
+void PickAndPlaceRun::tell(Progress progress) {
   progress.step = static_cast<int>(step_);
   progress.cycle = cycle_;
-  progress_.push_back(std::move(progress));
+  report(std::move(progress));
 }
 
-std::vector<Progress> PickAndPlaceRun::takeProgress() {
-  return std::exchange(progress_, {});
-}
-
-void PickAndPlaceRun::end(Ending ending, Instant now) {
+void PickAndPlaceRun::endAs(Ending ending, Instant now) {
   waits_until_.reset();
   Outcome outcome;
   if (ending == Ending::Aborted) {
-    outcome = toOutcome(Block::PickAndPlace, ending, failure_);
+    outcome = toOutcome(kBlock<PickAndPlaceGoal>, ending, failure_);
   } else {
     outcome.ending = ending;
     outcome.error_description = cancelled_why_.value_or(finished_why_);
   }
-  outcome.planned = outcome_.planned;
-  outcome.steps = std::move(outcome_.steps);
-  outcome.failed_step = outcome_.failed_step;
-  outcome.cycles_done = outcome_.cycles_done;
+  outcome.planned = found_.planned;
+  outcome.steps = std::move(found_.steps);
+  outcome.failed_step = found_.failed_step;
+  outcome.cycles_done = found_.cycles_done;
   outcome.actual = now - started_at_;
-  outcome_ = std::move(outcome);
+  end(std::move(outcome));
 }
 
 }  // namespace cobot_command::blocks

@@ -1,9 +1,9 @@
 // The life of a pick-and-place goal, as a table.
 //
-// An unlisted pair changes nothing (link/transition_table.h): it came too late for its state.
+// An unlisted pair changes nothing (common/transition_table.h): it came too late for its state.
 #pragma once
 
-#include "cobot_command/link/transition_table.h"
+#include "cobot_command/common/transition_table.h"
 
 namespace cobot_command::blocks {
 
@@ -34,7 +34,7 @@ struct PickAndPlaceTable {
   using S = PickAndPlaceState;
   using E = PickAndPlaceEvent;
   using A = PickAndPlaceAction;
-  using Row = link::Transition<S, E, A>;
+  using Row = Transition<S, E, A>;
 
   // clang-format off
   static constexpr Row kRows[] = {

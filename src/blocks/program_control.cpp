@@ -1,9 +1,9 @@
-// CBT_ProgramControl (thesis 5.3.7).
+#include "cobot_command/blocks/program_control.h"
 
-#include "parameter_checks.h"
+#include "shared/parameter_checks.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -14,6 +14,26 @@ bool is(const ProgramControlGoal& goal, ProgramCommand command) {
 
 }  // namespace
 
+ErrorTable ProgramControlGoal::errors() {
+  return ErrorTable()
+      .thesisCommand()
+      .echoedCommandId()
+      .anyCommand()
+      .shared(
+          own_error::kNotListening,
+          "the controller answered CPERR F1: the flow is not in a Listen node, which is left to it to say")
+      .row(own_error::kProgramCommandUnknown, "Command unknown", "Use 0 (Pause) or 1 (Resume)",
+           "command is neither 0 nor 1");
+}
+
+GoalTraits traitsOf(const ProgramControlGoal& goal) {
+  GoalTraits traits;
+  traits.way = Way::Beside;
+  traits.command_id = goal.command_id;
+  traits.halts = is(goal, ProgramCommand::Pause);
+  return traits;
+}
+
 std::vector<Failure> check(const ProgramControlGoal& goal) {
   ParameterChecks checks;
   checks.commandId(goal.command_id, kNoCommandId);
@@ -22,9 +42,11 @@ std::vector<Failure> check(const ProgramControlGoal& goal) {
   return std::move(checks).violations();
 }
 
-script::ScriptCommand commandOf(const ProgramControlGoal& goal) {
-  if (is(goal, ProgramCommand::Pause)) return script::Pause{};
-  return script::Resume{};
+Order orderOf(const ProgramControlGoal& goal, const arm::Pose& /*base*/) {
+  Order order = settingOrder(is(goal, ProgramCommand::Pause) ? script::ScriptCommand(script::Pause{})
+                                                             : script::Resume{});
+  order.stops_unanswered = true;
+  return order;
 }
 
 }  // namespace cobot_command::blocks

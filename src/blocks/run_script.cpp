@@ -1,13 +1,16 @@
-// Raw script: what it must not hold, so that the layer still knows its queue tags and its Listen node.
+// What a raw script must not hold, so that the layer still knows its queue tags and its Listen node.
+
+#include "cobot_command/blocks/run_script.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
 
-#include "parameter_checks.h"
+#include "shared/parameter_checks.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/script/script_reader.h"
 #include "cobot_command/tm_script/open_end.h"
 #include "cobot_command/tm_script/parser.h"
 
@@ -121,10 +124,60 @@ std::string faultOf(const std::string& script, bool await_motion) {
   return tm_script::openEndOf(withoutExit(lines)).value_or("");
 }
 
+/// Without line ends, without empty ones, and without what the layer sends behind them.
+std::vector<std::string> linesOf(const RunScriptGoal& goal) {
+  std::vector<Line> lines = split(goal.script);
+  if (endsWithScriptExit(lines)) lines.pop_back();
+  std::vector<std::string> texts;
+  texts.reserve(lines.size());
+  for (const Line& line : lines) texts.emplace_back(line.text);
+  return texts;
+}
+
+/// ContinueVJog(), SetContinueVLine() and the like move the arm for as long as nothing else comes, also
+/// behind a queue tag. Looked for in the text, as not every script can be read.
+bool setsVelocities(const std::vector<std::string>& lines) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [](const std::string& line) { return line.find("ContinueV") != std::string::npos; });
+}
+
+/// Pause(), and not PVTPause(), which holds a PVT alone and is not shown as a pause.
+bool pauses(const std::string& line) {
+  for (std::size_t at = line.find("Pause("); at != std::string::npos; at = line.find("Pause(", at + 1)) {
+    if (at == 0 || line.compare(at - 1, 1, "T") != 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-CommandTraits traitsOf(const RunScriptGoal& goal) {
-  CommandTraits traits;
+ErrorTable RunScriptGoal::errors() {
+  return ErrorTable()
+      .anyCommand()
+      .remedy(motion_error::kRejected,
+              "Correct the lines that the description names; sent again as they are they "
+              "fail again")
+      .turn()
+      .motion()
+      .row(
+          own_error::kScriptInvalid, "Script invalid",
+          "Give lines of printable text, together at most 4096 bytes, without queue tags; close each text, "
+          "comment "
+          "and bracket; send a StopAndClearBuffer or ScriptExit with a number by itself, without "
+          "await_motion",
+          "script is empty, too long, or not UTF-8; or a line has control characters or the word QueueTag or "
+          "WaitQueueTag; or lines follow a ScriptExit(); or a StopAndClearBuffer or ScriptExit with a "
+          "number, "
+          "which the controller executes alone, has lines or await_motion with it; or a text is not closed "
+          "in "
+          "its line, a comment or bracket "
+          "not in the script: the layer's own lines behind it would be read as part of it")
+      .row(own_error::kReplyTimeoutRange, "ReplyTimeout range: 0.05~3600 s, or 0", kSetInRange,
+           "reply_timeout is neither 0 (that of the link) nor 0.05..3600");
+}
+
+GoalTraits traitsOf(const RunScriptGoal& goal) {
+  GoalTraits traits;
   traits.buffer_mode = bufferModeOf(goal.buffer_mode);
   traits.awaits_motion = goal.await_motion;
   traits.exits_node = endsWithScriptExit(split(goal.script));
@@ -142,13 +195,19 @@ std::vector<Failure> check(const RunScriptGoal& goal) {
   return std::move(checks).violations();
 }
 
-std::vector<std::string> linesOf(const RunScriptGoal& goal) {
-  std::vector<Line> lines = split(goal.script);
-  if (endsWithScriptExit(lines)) lines.pop_back();
-  std::vector<std::string> texts;
-  texts.reserve(lines.size());
-  for (const Line& line : lines) texts.emplace_back(line.text);
-  return texts;
+Order orderOf(const RunScriptGoal& goal, const arm::Pose& /*base*/) {
+  Order order;
+  order.moves = true;
+  order.lines = linesOf(goal);
+  order.stands_at_end = !setsVelocities(order.lines);
+  order.pauses = std::any_of(order.lines.begin(), order.lines.end(), pauses);
+  if (const auto read = script::readScript(fmt::format("{}", fmt::join(order.lines, "\r\n")))) {
+    order.commands.emplace();
+    for (const auto& [line, command] : *read) order.commands->push_back(command);
+    order.has_exit =
+        !order.commands->empty() && std::holds_alternative<script::ScriptExit>(order.commands->back());
+  }
+  return order;
 }
 
 }  // namespace cobot_command::blocks

@@ -10,9 +10,18 @@
 
 namespace cobot_command::ros_adapter {
 
-/// They serve until they are destroyed. What becomes of a goal has to be told to all: each knows its own.
-[[nodiscard]] std::vector<std::unique_ptr<GoalListener>> serveActions(const ros::NodeHandle& node,
-                                                                      const JointNames& joint_names,
-                                                                      const GoalSink& sink);
+/// What each of them is made with.
+struct ActionSite {
+  const ros::NodeHandle& node;
+  const JointNames& joint_names;  ///< of planned motions
+  const GoalSink& sink;
+};
+
+/// Serves the action of the block of `Goal`: defined for each in the block's own file, actions/<block>.cpp.
+template <class Goal>
+[[nodiscard]] std::unique_ptr<GoalListener> serve(const ActionSite& site);
+
+/// In the order of the blocks. They serve until they are destroyed.
+[[nodiscard]] std::vector<std::unique_ptr<GoalListener>> serveActions(const ActionSite& site);
 
 }  // namespace cobot_command::ros_adapter

@@ -27,15 +27,15 @@ Instant steadyNow() {
   return Instant(std::chrono::steady_clock::now().time_since_epoch());
 }
 
-void log(const blocks::LogMessage& message) {
+void log(const command::LogMessage& message) {
   switch (message.severity) {
-    case blocks::Severity::Info:
+    case command::Severity::Info:
       ROS_INFO_STREAM_NAMED("link", message.text);
       break;
-    case blocks::Severity::Warning:
+    case command::Severity::Warning:
       ROS_WARN_STREAM_NAMED("link", message.text);
       break;
-    case blocks::Severity::Error:
+    case command::Severity::Error:
       ROS_ERROR_STREAM_NAMED("link", message.text);
       break;
   }
@@ -72,11 +72,13 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
         adjustRetrying();
       },
       false, false);
-  bridges_ = serveActions(node, jointNames(parameters.prefix), sink());
+  const JointNames joint_names = jointNames(parameters.prefix);
+  const GoalSink goal_sink = sink();
+  servers_ = serveActions({node, joint_names, goal_sink});
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
-      [this](const blocks::Action& action, Instant now) { onAction(action, now); },
+      [this](const command::Action& action, Instant now) { onAction(action, now); },
       [this](const std::string& frame) { return frames_.whereNow(frame); },
       [this] { return last_goal_.load(); });
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
@@ -117,7 +119,9 @@ GoalSink CommandNode::sink() {
 GoalIntake::Core CommandNode::intakeCore() {
   return {[this](blocks::GoalId id, blocks::Goal goal) { submit(id, std::move(goal)); },
           [this](blocks::GoalId id) { runtime_->cancel(id); },
-          [this](blocks::GoalId id, const blocks::Outcome& outcome) { end(id, outcome); }};
+          [this](blocks::Block block, blocks::GoalId id, const blocks::Outcome& outcome) {
+            end(block, id, outcome);
+          }};
 }
 
 FileSource CommandNode::fileSource() {
@@ -126,12 +130,12 @@ FileSource CommandNode::fileSource() {
 }
 
 /// It has not come to its block, whose outputs show nothing of it.
-void CommandNode::end(blocks::GoalId id, const blocks::Outcome& outcome) {
-  for (const auto& bridge : bridges_) bridge->ended(id, outcome, {ros::Time::now(), steadyNow()});
+void CommandNode::end(blocks::Block block, blocks::GoalId id, const blocks::Outcome& outcome) {
+  of(block).ended(id, outcome, {ros::Time::now(), steadyNow()});
 }
 
 void CommandNode::endFallen() {
-  std::vector<blocks::CommandsFell> fell;
+  std::vector<command::CommandsFell> fell;
   {
     const std::lock_guard<std::mutex> lock(fell_mutex_);
     fell.swap(fell_);
@@ -165,7 +169,7 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
   }
   const auto after = request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
   auto report = runtime_->finish(after);
-  const int fallen = report ? intake_.fall(last_goal_, blocks::kNothingBehindFinish) : 0;
+  const int fallen = report ? intake_.fall(last_goal_, command::kNothingBehindFinish) : 0;
   if (!report) {
     response.message = "the command layer is shutting down";
   } else if (report->wait_for(kFinishPatience) != std::future_status::ready) {
@@ -175,42 +179,37 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
     auto found = report->get();
     found.dropped += fallen;
     response.success = found.foundAny();
-    response.message = blocks::toText(found);
+    response.message = command::toText(found);
   }
   return true;
 }
 
-void CommandNode::onAction(const blocks::Action& action, Instant now) {
+void CommandNode::onAction(const command::Action& action, Instant now) {
   const ClockPair clocks{ros::Time::now(), now};
-  std::visit(Overloaded{
-                 [&](const blocks::GoalAccepted& a) {
-                   for (const auto& bridge : bridges_) bridge->accepted(a.goal);
-                 },
-                 [&](const blocks::GoalProgressed& a) {
-                   for (const auto& bridge : bridges_) bridge->progressed(a.goal, a.progress, clocks);
-                 },
-                 [&](const blocks::GoalEnded& a) {
-                   for (const auto& bridge : bridges_) bridge->ended(a.goal, a.outcome, clocks);
-                 },
-                 [&](const blocks::CommandsFell& a) {
-                   const std::lock_guard<std::mutex> lock(fell_mutex_);
-                   fell_.push_back(a);
-                 },
-                 [&](const blocks::RobotStatusReceived& a) {
-                   publisher_.publish(a.status);
-                   diagnostics_.take(a.status);
-                 },
-                 [&](const blocks::StatusChanged& a) {
-                   publisher_.publish(a.status, clocks);
-                   diagnostics_.take(a.status);
-                 },
-                 [&](const blocks::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
-                 [&](const blocks::PathPlanned& a) { publisher_.publish(a); },
-                 [&](const blocks::FrameTraced& a) { publisher_.publish(a, clocks); },
-                 [&](const blocks::LogMessage& a) { log(a); },
-                 [](const auto&) {},  // connections and bytes are the runtime's own business
-             },
-             action);
+  std::visit(
+      Overloaded{
+          [&](const command::GoalAccepted& a) { of(a.block).accepted(a.goal); },
+          [&](const command::GoalProgressed& a) { of(a.block).progressed(a.goal, a.progress, clocks); },
+          [&](const command::GoalEnded& a) { of(a.block).ended(a.goal, a.outcome, clocks); },
+          [&](const command::CommandsFell& a) {
+            const std::lock_guard<std::mutex> lock(fell_mutex_);
+            fell_.push_back(a);
+          },
+          [&](const command::RobotStatusReceived& a) {
+            publisher_.publish(a.status);
+            diagnostics_.take(a.status);
+          },
+          [&](const command::StatusChanged& a) {
+            publisher_.publish(a.status, clocks);
+            diagnostics_.take(a.status);
+          },
+          [&](const command::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
+          [&](const command::PathPlanned& a) { publisher_.publish(a); },
+          [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
+          [&](const command::LogMessage& a) { log(a); },
+          [](const auto&) {},  // connections and bytes are the runtime's own business
+      },
+      action);
 }
 
 }  // namespace cobot_command::ros_adapter

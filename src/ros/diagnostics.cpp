@@ -10,7 +10,7 @@ namespace {
 constexpr double kLookPeriod = 0.1;  // [s]
 
 /// What is worth a message before the period is over.
-auto significant(const blocks::CommandStatus& s) {
+auto significant(const command::CommandStatus& s) {
   return std::tie(s.link, s.diagnosis, s.host, s.port, s.listen_node, s.status_stream);
 }
 auto significant(const link::RobotStatus& s) {
@@ -44,7 +44,7 @@ void Diagnostics::add(const char* task, Describe describe) {
   });
 }
 
-void Diagnostics::take(const blocks::CommandStatus& status) {
+void Diagnostics::take(const command::CommandStatus& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
   changed_ = changed_ || significant(status) != significant(command_);
   command_ = status;

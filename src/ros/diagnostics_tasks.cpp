@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/blocks/goal.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/ros/diagnostics.h"
 
@@ -12,16 +13,16 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
-using LinkState = blocks::CommandStatus::LinkState;
+using LinkState = command::CommandStatus::LinkState;
 
 bool isConnected(const DiagnosticsView& view) {
   return view.command.link == LinkState::NotListening || view.command.link == LinkState::Ready;
 }
 
 /// The last connect goal ended with an error: nobody wanted the link to end.
-const blocks::BlockOutputs* failedConnect(const blocks::CommandStatus& status) {
-  for (const blocks::BlockOutputs& outputs : status.blocks) {
-    if (outputs.block == blocks::Block::Connect && outputs.error) return &outputs;
+const command::BlockOutputs* failedConnect(const command::CommandStatus& status) {
+  for (const command::BlockOutputs& outputs : status.blocks) {
+    if (outputs.block == blocks::kBlock<blocks::ConnectGoal> && outputs.error) return &outputs;
   }
   return nullptr;
 }
@@ -49,8 +50,8 @@ const char* toMode(const std::optional<int>& mode) {
 }  // namespace
 
 void describeLink(DiagnosticStatusWrapper& status, const DiagnosticsView& view) {
-  const blocks::CommandStatus& command = view.command;
-  const blocks::BlockOutputs* failed = failedConnect(command);
+  const command::CommandStatus& command = view.command;
+  const command::BlockOutputs* failed = failedConnect(command);
   if (isConnected(view)) {
     status.summary(DiagnosticStatus::OK, fmt::format("connected with {}:{}", command.host, command.port));
   } else if (command.link == LinkState::Disconnected && failed != nullptr) {
@@ -61,7 +62,7 @@ void describeLink(DiagnosticStatusWrapper& status, const DiagnosticsView& view) 
   } else {
     status.summary(DiagnosticStatus::WARN, orElse(command.diagnosis, "connecting"));
   }
-  status.add("state", blocks::toString(command.link));
+  status.add("state", command::toString(command.link));
   status.add("controller", command.host.empty() ? "none" : fmt::format("{}:{}", command.host, command.port));
   status.add("late replies", command.late_replies);
   status.add("faulty frames", command.decode_faults);

@@ -4,16 +4,16 @@
 #include <iterator>
 #include <utility>
 
-#include "cobot_command/blocks/waiting_goals.h"
+#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/command/waiting_goals.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
 
 /// It halts the robot, or lets it go on, or makes its connection: nothing of that must wait for a frame.
 bool neverWaits(const blocks::Goal& goal) {
-  return std::holds_alternative<blocks::StopGoal>(goal) ||
-         std::holds_alternative<blocks::ProgramControlGoal>(goal) ||
-         std::holds_alternative<blocks::ConnectGoal>(goal);
+  const blocks::Way way = blocks::GoalRules(goal).traits().way;
+  return way == blocks::Way::Stop || way == blocks::Way::Beside || way == blocks::Way::Link;
 }
 
 }  // namespace
@@ -27,14 +27,16 @@ GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, FileSource fi
 void GoalIntake::submit(blocks::GoalId id, GoalReader read, Instant now) {
   Reading reading = readNow(id, read);
   const bool complete = reading.has_frames && reading.has_file;
-  const bool falls = blocks::fallsWithOthers(reading.goal);
-  const bool is_full = waiting_.size() >= blocks::kMostWaiting;
+  const bool falls = command::fallsWithOthers(reading.goal);
+  const bool is_full = waiting_.size() >= command::kMostWaiting;
   if (neverWaits(reading.goal) || (complete && waiting_.empty()) || (is_full && !falls)) {
     handOn(id, std::move(reading.goal));
   } else if (is_full) {
-    end(id, blocks::refusedAsTooMany(blocks::blockOf(reading.goal), waiting_.size()));
+    const blocks::Block block = blockOf(reading.goal);
+    end(block, id, command::refusedAsTooMany(block, waiting_.size()));
   } else {
-    waiting_.push_back({id, std::move(read), now + patience_(), now + kFilePatience, falls});
+    waiting_.push_back(
+        {blockOf(reading.goal), id, std::move(read), now + patience_(), now + kFilePatience, falls});
   }
 }
 
@@ -45,15 +47,16 @@ void GoalIntake::cancel(blocks::GoalId id) {
     core_.cancel(id);
     return;
   }
+  const Waiting cancelled = std::move(*waiting);
   waiting_.erase(waiting);
-  endCancelled(id, "cancelled");
+  endCancelled(cancelled, "cancelled");
 }
 
 int GoalIntake::fall(blocks::GoalId newest, const std::string& why) {
   const auto fallen = std::stable_partition(waiting_.begin(), waiting_.end(),
                                             [newest](const Waiting& w) { return !w.falls || w.id > newest; });
   const auto count = static_cast<int>(std::distance(fallen, waiting_.end()));
-  for (auto waiting = fallen; waiting != waiting_.end(); ++waiting) endCancelled(waiting->id, why);
+  for (auto waiting = fallen; waiting != waiting_.end(); ++waiting) endCancelled(*waiting, why);
   waiting_.erase(fallen, waiting_.end());
   return count;
 }
@@ -91,17 +94,17 @@ void GoalIntake::handOn(blocks::GoalId id, blocks::Goal goal) {
   core_.submit(id, std::move(goal));
 }
 
-void GoalIntake::end(blocks::GoalId id, blocks::Outcome outcome) {
+void GoalIntake::end(blocks::Block block, blocks::GoalId id, blocks::Outcome outcome) {
   files_.forget(id);
-  core_.end(id, std::move(outcome));
+  core_.end(block, id, std::move(outcome));
 }
 
-void GoalIntake::endCancelled(blocks::GoalId id, const std::string& why) {
+void GoalIntake::endCancelled(const Waiting& waiting, const std::string& why) {
   blocks::Outcome outcome;
   outcome.ending = blocks::Ending::CommandAborted;
   outcome.error_description =
       why + " while a frame or a file was looked up for it, or for one in front of it";
-  end(id, std::move(outcome));
+  end(waiting.block, waiting.id, std::move(outcome));
 }
 
 }  // namespace cobot_command::ros_adapter

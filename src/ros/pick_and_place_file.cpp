@@ -15,7 +15,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include "cobot_command/RobotPose.h"
-#include "cobot_command/blocks/goal_limits.h"
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
@@ -226,9 +225,9 @@ PickAndPlaceSteps toSteps(const YAML::Node& document) {
     throw Fault(list.Mark(), fmt::format("steps is {}; it must be a list", found(list)));
   }
   // Before any is read: aliases make long lists of short files.
-  if (list.size() > blocks::kMostCycleSteps) {
+  if (list.size() > blocks::PickAndPlaceGoal::kMostSteps) {
     throw Fault(list.Mark(), fmt::format("steps is a list of {}; it must have 1..{} steps", list.size(),
-                                         blocks::kMostCycleSteps));
+                                         blocks::PickAndPlaceGoal::kMostSteps));
   }
   PickAndPlaceSteps steps;
   for (const YAML::Node& node : list) steps.push_back(toStep(node, usual_dwell));

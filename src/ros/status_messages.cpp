@@ -13,7 +13,7 @@ std::int8_t triState(const std::optional<bool>& value) {
   return *value ? Message::TRUE : Message::FALSE;
 }
 
-cobot_command::BlockStatus toMessage(const blocks::BlockOutputs& outputs) {
+cobot_command::BlockStatus toMessage(const command::BlockOutputs& outputs) {
   cobot_command::BlockStatus message;
   message.block = blocks::toString(outputs.block);
   message.busy = outputs.busy;
@@ -27,8 +27,8 @@ cobot_command::BlockStatus toMessage(const blocks::BlockOutputs& outputs) {
   return message;
 }
 
-std::uint8_t toMessage(blocks::CommandStatus::LinkState state) {
-  using State = blocks::CommandStatus::LinkState;
+std::uint8_t toMessage(command::CommandStatus::LinkState state) {
+  using State = command::CommandStatus::LinkState;
   using Message = cobot_command::CommandStatus;
   switch (state) {
     case State::Disconnected:
@@ -57,7 +57,7 @@ std::optional<bool> inMotion(const link::RobotStatus& status) {
 
 }  // namespace
 
-cobot_command::CommandStatus toMessage(const blocks::CommandStatus& status, const ClockPair& clocks) {
+cobot_command::CommandStatus toMessage(const command::CommandStatus& status, const ClockPair& clocks) {
   cobot_command::CommandStatus message;
   message.header.stamp = clocks.ros_now;
   message.link_state = toMessage(status.link);
@@ -76,11 +76,11 @@ cobot_command::CommandStatus toMessage(const blocks::CommandStatus& status, cons
   message.open_tags.assign(status.open_tags.begin(), status.open_tags.end());
   message.late_replies = status.late_replies;
   message.decode_faults = status.decode_faults;
-  for (const blocks::BlockOutputs& outputs : status.blocks) message.blocks.push_back(toMessage(outputs));
+  for (const command::BlockOutputs& outputs : status.blocks) message.blocks.push_back(toMessage(outputs));
   return message;
 }
 
-cobot_command::FrameTrace toMessage(const blocks::FrameTraced& trace, const ClockPair& clocks) {
+cobot_command::FrameTrace toMessage(const command::FrameTraced& trace, const ClockPair& clocks) {
   using Message = cobot_command::FrameTrace;
   Message message;
   message.header.stamp = clocks.toRos(trace.time);
@@ -114,7 +114,7 @@ cobot_command::RobotStatus toMessage(const link::RobotStatus& status, const ros:
   return message;
 }
 
-cobot_command::ActiveFrames toMessage(const blocks::ActiveFrames& frames, const std::string& base_frame,
+cobot_command::ActiveFrames toMessage(const robot::ActiveFrames& frames, const std::string& base_frame,
                                       const ros::Time& stamp) {
   cobot_command::ActiveFrames message;
   message.header.stamp = stamp;

@@ -60,14 +60,14 @@ void StatusPublisher::publish(const link::RobotStatus& status) {
   sendActiveFrames(stamp);
 }
 
-void StatusPublisher::publish(const blocks::ActiveFrames& frames) {
+void StatusPublisher::publish(const robot::ActiveFrames& frames) {
   const ros::Time stamp = ros::Time::now();
   active_frames_ = frames;
   active_frames_topic_.publish(toMessage(frames, base_frame_, stamp));
   sendActiveFrames(stamp);
 }
 
-void StatusPublisher::publish(const blocks::PathPlanned& path) {
+void StatusPublisher::publish(const command::PathPlanned& path) {
   planned_path_.publish(toMarker(path.tool_path, base_frame_, ros::Time::now()));
 }
 
@@ -86,7 +86,7 @@ void StatusPublisher::sendActiveFrames(const ros::Time& stamp) {
   if (!frames.empty()) tf_.sendTransform(frames);
 }
 
-void StatusPublisher::publish(const blocks::CommandStatus& status, const ClockPair& clocks) {
+void StatusPublisher::publish(const command::CommandStatus& status, const ClockPair& clocks) {
   command_status_.publish(toMessage(status, clocks));
   if (streaming_ && !status.status_stream) {
     robot_status_.publish(toMessage(link::RobotStatus{}, clocks.ros_now));
@@ -94,7 +94,7 @@ void StatusPublisher::publish(const blocks::CommandStatus& status, const ClockPa
   streaming_ = status.status_stream;
 }
 
-void StatusPublisher::publish(const blocks::FrameTraced& trace, const ClockPair& clocks) {
+void StatusPublisher::publish(const command::FrameTraced& trace, const ClockPair& clocks) {
   const ros::Publisher& topic = trace.channel == link::Channel::Script ? frames_ : status_frames_;
   if (topic.getNumSubscribers() > 0) topic.publish(toMessage(trace, clocks));
 }

@@ -46,7 +46,7 @@ link::OpenFailure toOpenFailure(const transport::NetworkError& error) {
 class CommandRuntime::Impl {
  public:
   Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
-       blocks::FrameFinder frames, const blocks::NewestGoal& newest)
+       blocks::FrameFinder frames, const command::NewestGoal& newest)
       : observer_(std::move(observer)),
         newest_(newest),
         core_(std::move(arm), settings, std::move(frames), newest),
@@ -72,7 +72,7 @@ class CommandRuntime::Impl {
   /// False: it has ended already.
   bool retire(const std::function<void()>& begun = {}) {
     return thread_.post([this, begun] {
-      handle([](blocks::CommandCore& core, Instant now) { core.retire(now); });
+      handle([](command::CommandCore& core, Instant now) { core.retire(now); });
       noteBegin();
       if (begun) begun();
     });
@@ -131,7 +131,7 @@ class CommandRuntime::Impl {
   }
 
   void advance() {
-    handle([](blocks::CommandCore& core, Instant now) { core.advance(now); });
+    handle([](command::CommandCore& core, Instant now) { core.advance(now); });
   }
 
   void carryOut() {
@@ -141,18 +141,18 @@ class CommandRuntime::Impl {
   }
 
   template <class Told>
-  void carryOut(const Told& /*told*/, const blocks::Action& action) {
+  void carryOut(const Told& /*told*/, const command::Action& action) {
     observer_(action, now());
   }
-  void carryOut(const blocks::SendBytes& send, const blocks::Action& /*action*/) {
+  void carryOut(const command::SendBytes& send, const command::Action& /*action*/) {
     if (const auto connection = connections_.find(send.id); connection != connections_.end()) {
       connection->second.send(send.bytes);
     }
   }
-  void carryOut(const blocks::CloseConnection& close, const blocks::Action& /*action*/) {
+  void carryOut(const command::CloseConnection& close, const command::Action& /*action*/) {
     connections_.erase(close.id);
   }
-  void carryOut(const blocks::OpenConnection& open, const blocks::Action& /*action*/) {
+  void carryOut(const command::OpenConnection& open, const command::Action& /*action*/) {
     const auto id = open.id;
     transport::TcpConnection::Callbacks callbacks;
     callbacks.opened = [this, id] { handle([&](auto& core, Instant now) { core.opened(id, now); }); };
@@ -175,8 +175,8 @@ class CommandRuntime::Impl {
 
   CoreThread thread_;  ///< first: the sockets and the timer live on its context
   const Observer observer_;
-  const blocks::NewestGoal newest_;
-  blocks::CommandCore core_;
+  const command::NewestGoal newest_;
+  command::CommandCore core_;
   const Clock::time_point start_;
   boost::asio::steady_timer timer_;
   std::map<link::ConnectionId, transport::TcpConnection> connections_;
@@ -188,7 +188,7 @@ class CommandRuntime::Impl {
 
 CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
                                Observer observer, blocks::FrameFinder frames,
-                               const blocks::NewestGoal& newest)
+                               const command::NewestGoal& newest)
     : impl_(
           std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(frames), newest)) {}
 
@@ -206,8 +206,8 @@ void CommandRuntime::cancel(blocks::GoalId id) {
   impl_->post([id, newest = impl_->newestGoal()](auto& core, Instant now) { core.cancel(id, now, newest); });
 }
 
-std::optional<std::future<blocks::FinishReport>> CommandRuntime::finish(blocks::FinishAfter after) {
-  const auto report = std::make_shared<std::promise<blocks::FinishReport>>();
+std::optional<std::future<command::FinishReport>> CommandRuntime::finish(blocks::FinishAfter after) {
+  const auto report = std::make_shared<std::promise<command::FinishReport>>();
   auto reported = report->get_future();
   const bool posted = impl_->post([=, newest = impl_->newestGoal()](auto& core, Instant now) {
     report->set_value(core.finish(after, now, newest));

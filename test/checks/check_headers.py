@@ -5,7 +5,7 @@ import pathlib
 import re
 import sys
 
-OWN = re.compile(r'#\s*include\s*"cobot_command/([a-z_]+)/([a-z_0-9]+\.h)"')
+OWN = re.compile(r'#\s*include\s*"cobot_command/([a-z_]+)/((?:[a-z_]+/)*[a-z_0-9]+\.h)"')
 PUBLIC = "include/cobot_command"
 
 

@@ -14,9 +14,18 @@ ALLOWED = {
     "planning": {"common", "script", "arm", "motion"},
     "transport": {"common"},
     "link": {"common", "protocol", "arm"},
-    "blocks": {"common", "tm_script", "script", "protocol", "arm", "motion", "planning", "link"},
+    "robot": {"common", "script", "protocol", "arm", "link"},
+    "blocks": {"common", "tm_script", "script", "arm", "motion", "planning", "robot"},
+    "command": {"common", "tm_script", "script", "protocol", "arm", "motion", "planning", "link", "robot", "blocks"},
     "simulator": {"common", "tm_script", "script", "protocol", "arm", "motion", "planning"},
-    "runtime": {"common", "script", "protocol", "arm", "motion", "planning", "transport", "link", "blocks", "simulator"},
+    "runtime": {"common", "script", "protocol", "arm", "motion", "planning", "transport", "link", "robot", "blocks", "command", "simulator"},
+}
+# The wings of a room, and what each may use of it besides itself, wings and headers; what stands in the room's own folder may use them all.
+WINGS = {
+    "blocks/shared": set(),
+    "command/board": {"actions.h"},
+    "command/forecast": set(),
+    "command/runs": {"board", "forecast"},
 }
 # Folders of headers that the core may include. What is not here is refused: nobody can list all packages of ROS.
 LIBRARIES = {"Eigen", "arpa", "boost", "console_bridge", "fmt", "gmock", "gtest", "kdl", "netinet", "nlohmann", "rapidcheck", "sys",
@@ -24,6 +33,7 @@ LIBRARIES = {"Eigen", "arpa", "boost", "console_bridge", "fmt", "gmock", "gtest"
 FOLDER = re.compile(r'\s*#\s*include\s*[<"](?!cobot_command/)([^/>"]+)/')
 MESSAGE = re.compile(r'\s*#\s*include\s*[<"]cobot_command/[A-Z]')
 OWN = re.compile(r'\s*#\s*include\s*[<"]cobot_command/([a-z_]+)/')
+INSIDE = re.compile(r'\s*#\s*include\s*"(?:cobot_command/([a-z_]+)/)?((?:[a-z_]+/)*)([a-z_0-9]+\.h)"')
 
 
 def faults(root):
@@ -37,12 +47,26 @@ def faults(root):
 def faults_in(file, room, allowed):
     for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), start=1):
         folder = FOLDER.match(line)
-        if MESSAGE.match(line) or (folder and folder.group(1) not in LIBRARIES):
+        yield from faults_of_wing(file, number, room, line)
+        if MESSAGE.match(line) or (folder and folder.group(1) not in LIBRARIES | wings_of(room)):
             yield (f"{file}:{number}: {room}/ is core and must not include ROS, only the libraries "
                    f"{', '.join(sorted(LIBRARIES))}: {line}")
         own = OWN.match(line)
         if own and own.group(1) not in allowed:
             yield f"{file}:{number}: {room}/ may not use {own.group(1)}/ (allowed: {', '.join(sorted(allowed))})"
+
+
+def wings_of(room):
+    return {wing.split("/")[1] for wing in WINGS if wing.split("/")[0] == room}
+
+
+def faults_of_wing(file, number, room, line):
+    wing, included = file.parent.name, INSIDE.match(line)
+    if f"{room}/{wing}" not in WINGS or not included or included.group(1) not in (None, room):
+        return
+    used = included.group(2).rstrip("/") or ("" if included.group(1) or not (file.parent / included.group(3)).exists() else wing)
+    if not {used or included.group(3)} & (WINGS[f"{room}/{wing}"] | {wing}):
+        yield f"{file}:{number}: the wing {room}/{wing} may not use {room}/{used or 'its own folder'}: {line}"
 
 
 def main():

@@ -12,9 +12,9 @@ ROS = ("ros/ros.h", "rospack/rospack.h", "xmlrpcpp/XmlRpc.h", "diagnostic_update
 CORE = ("string", "sys/stat.h", "boost/asio/post.hpp", "kdl/frames.hpp", "tinyxml2.h", "other.h", "cobot_command/common/time.h")
 
 
-def faults_of(line, room="link"):
+def faults_of(line, room="link", wing=""):
     with tempfile.TemporaryDirectory() as root:
-        folder = pathlib.Path(root, "src", room)
+        folder = pathlib.Path(root, "src", room, wing)
         folder.mkdir(parents=True)
         (folder / "some.cpp").write_text(f"// words\n{line}\n", encoding="utf-8")
         return list(check_layers.faults(pathlib.Path(root)))
@@ -31,6 +31,17 @@ class CheckLayers(unittest.TestCase):
     def test_finds_rooms_above(self):
         for line in ('#include "cobot_command/blocks/goal.h"', "#include <cobot_command/blocks/goal.h>"):
             self.assertIn("link/ may not use blocks/", "".join(faults_of(line)))
+
+    def test_finds_what_a_wing_may_not_use(self):
+        for line in ('#include "core_impl.h"', '#include "runs/stop_run.h"', '#include "cobot_command/command/command_core.h"'):
+            self.assertIn("the wing command/board may not use", "".join(faults_of(line, "command", "board")))
+        self.assertIn("the wing blocks/shared", "".join(faults_of('#include "cobot_command/blocks/goal.h"', "blocks", "shared")))
+
+    def test_leaves_what_a_wing_may_use(self):
+        for line in ('#include "board/output_board.h"', '#include "forecast/preflight.h"', '#include "runs/stop_run.h"'):
+            self.assertEqual(faults_of(line, "command", "runs"), [])
+        self.assertEqual(faults_of('#include "runs/stop_run.h"', "command"), [])
+        self.assertEqual(faults_of('#include "cobot_command/command/actions.h"', "command", "board"), [])
 
     def test_finds_nothing_else(self):
         for header in CORE:

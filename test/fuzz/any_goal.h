@@ -28,29 +28,29 @@ class AnyGoal {
 
   [[nodiscard]] blocks::Goal next() {
     switch (static_cast<blocks::Block>(input_.choice(blocks::kBlockCount))) {
-      case blocks::Block::Connect:
+      case blocks::kBlock<blocks::ConnectGoal>:
         return connect();
-      case blocks::Block::MoveAbsolute:
+      case blocks::kBlock<blocks::MoveAbsoluteGoal>:
         return moveAbsolute();
-      case blocks::Block::MoveRelative:
+      case blocks::kBlock<blocks::MoveRelativeGoal>:
         return moveRelative();
-      case blocks::Block::MoveCircle:
+      case blocks::kBlock<blocks::MoveCircleGoal>:
         return moveCircle();
-      case blocks::Block::ChangeBase:
+      case blocks::kBlock<blocks::ChangeBaseGoal>:
         return changeBase();
-      case blocks::Block::ChangeTcp:
+      case blocks::kBlock<blocks::ChangeTcpGoal>:
         return changeTcp();
-      case blocks::Block::ProgramControl:
+      case blocks::kBlock<blocks::ProgramControlGoal>:
         return programControl();
-      case blocks::Block::Stop:
+      case blocks::kBlock<blocks::StopGoal>:
         return blocks::StopGoal{};
-      case blocks::Block::ExitListenNode:
+      case blocks::kBlock<blocks::ExitListenNodeGoal>:
         return exitListenNode();
-      case blocks::Block::RunScript:
+      case blocks::kBlock<blocks::RunScriptGoal>:
         return runScript();
-      case blocks::Block::CheckSequence:
+      case blocks::kBlock<blocks::CheckSequenceGoal>:
         return checkSequence();
-      case blocks::Block::PickAndPlace:
+      case blocks::kBlock<blocks::PickAndPlaceGoal>:
         return pickAndPlace();
     }
     return blocks::StopGoal{};

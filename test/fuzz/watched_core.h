@@ -11,8 +11,8 @@
 
 #include "require.h"
 
-#include "cobot_command/blocks/command_core.h"
-#include "cobot_command/blocks/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/command/command_core.h"
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::fuzz {
@@ -83,26 +83,26 @@ class WatchedCore {
     collect();
   }
   void collect() {
-    for (const blocks::Action& action : core_.takeActions()) {
+    for (const command::Action& action : core_.takeActions()) {
       std::visit([this](const auto& what) { take(what); }, action);
     }
   }
 
-  void take(const blocks::OpenConnection& open) {
+  void take(const command::OpenConnection& open) {
     REQUIRE(seen_.insert(open.id).second);
     connections_[open.channel] = open.id;
   }
-  void take(const blocks::CloseConnection& /*close*/) {}
-  void take(const blocks::SendBytes& send) { sent_ += send.bytes; }
-  void take(const blocks::GoalAccepted& accepted) {
+  void take(const command::CloseConnection& /*close*/) {}
+  void take(const command::SendBytes& send) { sent_ += send.bytes; }
+  void take(const command::GoalAccepted& accepted) {
     REQUIRE(accepted_.insert(accepted.goal).second);
     REQUIRE(ended_.count(accepted.goal) == 0);
   }
-  void take(const blocks::GoalProgressed& progressed) {
+  void take(const command::GoalProgressed& progressed) {
     REQUIRE(ended_.count(progressed.goal) == 0);
     requireText(progressed.progress.text);
   }
-  void take(const blocks::GoalEnded& ended) {
+  void take(const command::GoalEnded& ended) {
     REQUIRE(ended_.insert(ended.goal).second);
     const blocks::Outcome& outcome = ended.outcome;
     const bool error =
@@ -117,17 +117,17 @@ class WatchedCore {
     REQUIRE(blocks::findError(blocks_.at(ended.goal), outcome.error_id) != nullptr);
     REQUIRE(!outcome.error_description.empty() && !outcome.remedy.empty());
   }
-  void take(const blocks::StatusChanged& changed) {
+  void take(const command::StatusChanged& changed) {
     requireText(changed.status.diagnosis);
     requireText(changed.status.status_diagnosis);
     requireText(changed.status.listen_node);
-    for (const blocks::BlockOutputs& o : changed.status.blocks) {
+    for (const command::BlockOutputs& o : changed.status.blocks) {
       REQUIRE(o.busy + o.done + o.error + o.command_aborted <= 1);
       REQUIRE(o.active + o.done + o.error + o.command_aborted <= 1);
       requireText(o.error_description);
     }
   }
-  void take(const blocks::LogMessage& message) { requireText(message.text); }
+  void take(const command::LogMessage& message) { requireText(message.text); }
   template <class Told>
   void take(const Told& /*told*/) {}
 
@@ -138,7 +138,7 @@ class WatchedCore {
   }
   static constexpr std::size_t kLongestText = 4096;
 
-  blocks::CommandCore core_;
+  command::CommandCore core_;
   Instant now_{std::chrono::seconds(1000)};
   long advances_ = 0;
   blocks::GoalId last_goal_ = 0;

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "block_rules.h"
-
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/units.h"
 
 namespace cobot_command::testing {
@@ -104,6 +103,13 @@ template <class Goal>
 template <class Goal, class Change>
 [[nodiscard]] int errorWith(const Change& change) {
   return errorOf(with<Goal>(change));
+}
+
+/// What a goal means that is one command, and may be sent.
+template <class Goal>
+[[nodiscard]] script::ScriptCommand commandOf(const Goal& goal,
+                                              const arm::Pose& base = arm::Pose::Identity()) {
+  return orderOf(goal, base).commands->front();
 }
 
 /// The script text of a goal that may be sent.

@@ -5,6 +5,7 @@
 namespace cobot_command::testing {
 
 using namespace blocks;
+using namespace command;
 
 CoreRig::CoreRig(std::optional<arm::ArmModel> arm, link::LinkSettings settings)
     : core(

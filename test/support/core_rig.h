@@ -15,8 +15,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cobot_command/blocks/command_core.h"
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/command/command_core.h"
 #include "cobot_command/protocol/frame_decoder.h"
 #include "cobot_command/protocol/message.h"
 #include "cobot_command/protocol/status_items.h"
@@ -47,7 +47,7 @@ class CoreRig {
   blocks::GoalId connect();
 
   // --- The wire.
-  [[nodiscard]] std::optional<blocks::OpenConnection> pendingOpen(link::Channel channel) const;
+  [[nodiscard]] std::optional<command::OpenConnection> pendingOpen(link::Channel channel) const;
   void open(link::Channel channel = link::Channel::Script);
   void failOpen(link::OpenFailure::Kind kind, link::Channel channel = link::Channel::Script);
   void close(const std::string& reason, link::Channel channel = link::Channel::Script);
@@ -75,23 +75,23 @@ class CoreRig {
   [[nodiscard]] bool accepted(blocks::GoalId id) const { return accepted_.count(id) != 0; }
   [[nodiscard]] const blocks::Outcome* outcome(blocks::GoalId id) const;
   [[nodiscard]] const std::vector<blocks::Progress>& progress(blocks::GoalId id) { return progress_[id]; }
-  [[nodiscard]] const blocks::CommandStatus& latest() const { return latest_; }
-  [[nodiscard]] const blocks::BlockOutputs& outputs(blocks::Block block) const;
+  [[nodiscard]] const command::CommandStatus& latest() const { return latest_; }
+  [[nodiscard]] const command::BlockOutputs& outputs(blocks::Block block) const;
   [[nodiscard]] bool connectionOpen(link::Channel channel) const { return connections_.count(channel) != 0; }
 
-  blocks::CommandCore core;
+  command::CommandCore core;
   Instant now{1000s};
   bool answers_lifesigns = true;
   bool listening = true;
   std::string listen_node = "Listen1";
   int scripts_sent = 0;
   int opens = 0;
-  std::vector<blocks::FrameTraced> traces;
+  std::vector<command::FrameTraced> traces;
   std::vector<link::RobotStatus> robot_statuses;
-  std::vector<blocks::ActiveFrames> active_frames;  ///< every change
-  std::vector<std::string> warnings;                ///< of the log
-  std::map<std::string, arm::Pose> frames;          ///< where tf would say that they are now
-  std::vector<blocks::CommandsFell> fell;
+  std::vector<robot::ActiveFrames> active_frames;  ///< every change
+  std::vector<std::string> warnings;               ///< of the log
+  std::map<std::string, arm::Pose> frames;         ///< where tf would say that they are now
+  std::vector<command::CommandsFell> fell;
 
   void pump();
 
@@ -100,30 +100,30 @@ class CoreRig {
     link::ConnectionId id;
     bool open = false;
   };
-  void take(const blocks::OpenConnection& action);
-  void take(const blocks::CloseConnection& action);
-  void take(const blocks::SendBytes& action);
-  void take(const blocks::GoalAccepted& action);
-  void take(const blocks::GoalProgressed& action);
-  void take(const blocks::GoalEnded& action);
-  void take(const blocks::CommandsFell& action);
-  void take(const blocks::StatusChanged& action);
-  void take(const blocks::RobotStatusReceived& action);
-  void take(const blocks::ActiveFramesChanged& action);
-  void take(const blocks::PathPlanned& action);
-  void take(const blocks::FrameTraced& action);
-  void take(const blocks::LogMessage& action);
+  void take(const command::OpenConnection& action);
+  void take(const command::CloseConnection& action);
+  void take(const command::SendBytes& action);
+  void take(const command::GoalAccepted& action);
+  void take(const command::GoalProgressed& action);
+  void take(const command::GoalEnded& action);
+  void take(const command::CommandsFell& action);
+  void take(const command::StatusChanged& action);
+  void take(const command::RobotStatusReceived& action);
+  void take(const command::ActiveFramesChanged& action);
+  void take(const command::PathPlanned& action);
+  void take(const command::FrameTraced& action);
+  void take(const command::LogMessage& action);
   void answerLifesigns();
 
   blocks::GoalId last_goal_ = 0;
   std::map<link::Channel, Connection> connections_;
-  std::map<link::Channel, blocks::OpenConnection> opening_;
+  std::map<link::Channel, command::OpenConnection> opening_;
   protocol::FrameDecoder decoder_;
   std::deque<protocol::ClientMessage> sent_;
   std::map<blocks::GoalId, bool> accepted_;
   std::map<blocks::GoalId, std::vector<blocks::Progress>> progress_;
   std::map<blocks::GoalId, blocks::Outcome> ended_;
-  blocks::CommandStatus latest_;
+  command::CommandStatus latest_;
 };
 
 }  // namespace cobot_command::testing

@@ -6,7 +6,7 @@
 #include "misbehaving_peers.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/protocol/status_items.h"
 
 namespace cobot_command::test {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cobot_command/link/transition_table.h"
+#include "cobot_command/common/transition_table.h"
 
 namespace cobot_command::testing {
 
@@ -32,7 +32,7 @@ void expectSoundTable(State last_state, Event last_event, State initial,
     EXPECT_EQ(reached.count(state), 1u) << "state " << static_cast<int>(state) << " is never reached";
     bool left = false;
     for (const Event event : allUpTo(last_event)) {
-      const auto row = link::findTransition<Table>(state, event);
+      const auto row = findTransition<Table>(state, event);
       EXPECT_EQ(row.has_value(), listed.count({state, event}) == 1);
       left = left || (row && row->to != state);
     }

@@ -10,7 +10,8 @@
 #include "source_tree.h"
 #include <gtest/gtest.h>
 
-#include "cobot_command/blocks/error_catalogue.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
 
 namespace cobot_command::testing {
 
@@ -24,7 +25,7 @@ inline blocks::Block blockNamed(const std::string& name) {
     if (name == toString(static_cast<blocks::Block>(i))) return static_cast<blocks::Block>(i);
   }
   ADD_FAILURE() << name;
-  return blocks::Block::Connect;
+  return blocks::kBlock<blocks::ConnectGoal>;
 }
 
 /// Block, id in hexadecimal, description, action.

@@ -3,7 +3,7 @@
 // An unlisted pair changes nothing (transition_table.h): it is an event that came too late for its state.
 #pragma once
 
-#include "cobot_command/link/transition_table.h"
+#include "cobot_command/common/transition_table.h"
 
 namespace cobot_command::link {
 

@@ -17,11 +17,9 @@
 #include <ros/node_handle.h>
 
 #include "cobot_command/blocks/goal.h"
-#include "cobot_command/blocks/outcome.h"
+#include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/ros/conversions.h"
 #include "cobot_command/ros/goal_intake.h"
-#include "cobot_command/ros/goal_messages.h"
-#include "cobot_command/ros/outcome_messages.h"
 #include "cobot_command/ros/tidy_action_server.h"
 
 namespace cobot_command::ros_adapter {
@@ -33,7 +31,13 @@ struct GoalSink {
   std::function<void(blocks::GoalId)> cancel;
 };
 
-/// What the core tells of goals; each bridge answers only for its own.
+/// What results and feedback need besides what they tell of.
+struct FillSite {
+  const JointNames& joint_names;  ///< of planned motions
+  const ClockPair& clocks;
+};
+
+/// What the core tells of the goals of one block. A goal that is not known (any more) is left alone.
 class GoalListener {
  public:
   virtual ~GoalListener() = default;
@@ -64,8 +68,7 @@ class ActionBridge : public GoalListener {
     Handle handle;
     if (!find(id, handle)) return;
     Feedback feedback;
-    fill(feedback, progress);
-    fillTimes(feedback, progress.link_times, clocks);
+    fill(feedback, progress, FillSite{joint_names_, clocks});
     handle.publishFeedback(feedback);
   }
 
@@ -73,8 +76,7 @@ class ActionBridge : public GoalListener {
     Handle handle;
     if (!take(id, handle)) return;
     Result result;
-    fill(result, outcome, joint_names_);
-    fillTimes(result, outcome.link_times, clocks);
+    fill(result, outcome, FillSite{joint_names_, clocks});
     const bool ran = outcome.ending == blocks::Ending::Done || outcome.ending == blocks::Ending::Aborted;
     if (ran && isPending(handle)) handle.setAccepted();  // actionlib knows no way past ACTIVE
     switch (outcome.ending) {

@@ -44,11 +44,14 @@ class CommandNode {
   void stop();
 
  private:
-  void onAction(const blocks::Action& action, Instant now);  // on the core's thread
+  void onAction(const command::Action& action, Instant now);  // on the core's thread
   [[nodiscard]] GoalSink sink();
   [[nodiscard]] GoalIntake::Core intakeCore();
   [[nodiscard]] FileSource fileSource();
-  void end(blocks::GoalId id, const blocks::Outcome& outcome);
+  [[nodiscard]] GoalListener& of(blocks::Block block) const {
+    return *servers_[static_cast<std::size_t>(block)];
+  }
+  void end(blocks::Block block, blocks::GoalId id, const blocks::Outcome& outcome);
   /// Of the intake's goals, those that have fallen with a command of the core.
   void endFallen();
   void submit(blocks::GoalId id, blocks::Goal goal);
@@ -59,13 +62,13 @@ class CommandNode {
   int default_port_;
   std::atomic<blocks::GoalId> last_goal_{0};  ///< counted by the spinner, asked for by the core's thread
   std::mutex fell_mutex_;
-  std::vector<blocks::CommandsFell> fell_;  ///< told by the core, not to the intake yet
+  std::vector<command::CommandsFell> fell_;  ///< told by the core, not to the intake yet
   StatusPublisher publisher_;
   Diagnostics diagnostics_;
   TfFrames frames_;
   StepsFiles steps_files_;
   GoalIntake intake_;
-  std::vector<std::unique_ptr<GoalListener>> bridges_;
+  std::vector<std::unique_ptr<GoalListener>> servers_;  ///< by their blocks
   std::unique_ptr<runtime::CommandRuntime> runtime_;
   ros::SteadyTimer retry_;
   ros::ServiceServer finish_;

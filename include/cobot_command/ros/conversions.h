@@ -1,5 +1,5 @@
 // Values of the core <-> parts of messages: times, poses, joints. Units change only where a message's comment
-// says so. Whole messages: goal_messages.h, outcome_messages.h, status_messages.h.
+// says so. Whole messages: src/ros/actions, status_messages.h.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 #include "cobot_command/StepReport.h"
 #include "cobot_command/Transformation.h"
 #include "cobot_command/arm/types.h"
-#include "cobot_command/blocks/outcome.h"
+#include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/common/time.h"
 
 namespace cobot_command::ros_adapter {

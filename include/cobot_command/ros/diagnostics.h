@@ -9,7 +9,7 @@
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 
-#include "cobot_command/blocks/command_status.h"
+#include "cobot_command/command/command_status.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/robot_status.h"
 
@@ -17,7 +17,7 @@ namespace cobot_command::ros_adapter {
 
 /// All that the tasks look at.
 struct DiagnosticsView {
-  blocks::CommandStatus command;
+  command::CommandStatus command;
   link::RobotStatus robot;           ///< of the last status frame
   bool status_wanted = true;         ///< a status stream is asked for
   double status_rate = 0;            ///< frames a second, over the last period
@@ -41,7 +41,7 @@ class Diagnostics {
   Diagnostics(const Diagnostics&) = delete;
   Diagnostics& operator=(const Diagnostics&) = delete;
 
-  void take(const blocks::CommandStatus& status);
+  void take(const command::CommandStatus& status);
   void take(const link::RobotStatus& status);
 
  private:
@@ -51,7 +51,7 @@ class Diagnostics {
   void tick();
 
   std::mutex mutex_;  // guards the next five
-  blocks::CommandStatus command_;
+  command::CommandStatus command_;
   link::RobotStatus robot_;
   std::uint64_t frames_ = 0;
   std::optional<ros::SteadyTime> last_frame_;

@@ -14,9 +14,9 @@
 #include <string>
 
 #include "cobot_command/blocks/goal.h"
-#include "cobot_command/blocks/outcome.h"
+#include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/common/time.h"
-#include "cobot_command/ros/goal_messages.h"
+#include "cobot_command/ros/goal_lookups.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -41,7 +41,7 @@ class GoalIntake {
     std::function<void(blocks::GoalId, blocks::Goal)> submit;
     std::function<void(blocks::GoalId)> cancel;
     /// Of a goal that ends before the core heard of it.
-    std::function<void(blocks::GoalId, blocks::Outcome)> end;
+    std::function<void(blocks::Block, blocks::GoalId, blocks::Outcome)> end;
   };
 
   GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core);
@@ -61,6 +61,7 @@ class GoalIntake {
     bool has_file = true;    ///< the file was read, or could not be
   };
   struct Waiting {
+    blocks::Block block;
     blocks::GoalId id;
     GoalReader read;
     Instant frames_by;
@@ -70,8 +71,8 @@ class GoalIntake {
 
   [[nodiscard]] Reading readNow(blocks::GoalId id, const GoalReader& read) const;
   void handOn(blocks::GoalId id, blocks::Goal goal);
-  void end(blocks::GoalId id, blocks::Outcome outcome);
-  void endCancelled(blocks::GoalId id, const std::string& why);
+  void end(blocks::Block block, blocks::GoalId id, blocks::Outcome outcome);
+  void endCancelled(const Waiting& waiting, const std::string& why);
 
   FrameLookup frames_;
   FramePatience patience_;

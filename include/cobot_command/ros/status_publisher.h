@@ -10,7 +10,7 @@
 #include <ros/publisher.h>
 #include <tf2_ros/transform_broadcaster.h>
 
-#include "cobot_command/blocks/command_core.h"
+#include "cobot_command/command/command_core.h"
 #include "cobot_command/ros/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -25,14 +25,14 @@ class StatusPublisher {
   /// again.
   void publish(const link::RobotStatus& status);
   /// Latched; when the status stream has ended, robot_status becomes "unknown" as well.
-  void publish(const blocks::CommandStatus& status, const ClockPair& clocks);
+  void publish(const command::CommandStatus& status, const ClockPair& clocks);
   /// Latched, and at once in tf, as far as they are known.
-  void publish(const blocks::ActiveFrames& frames);
+  void publish(const robot::ActiveFrames& frames);
   /// Latched, for RViz.
-  void publish(const blocks::PathPlanned& path);
+  void publish(const command::PathPlanned& path);
   /// The frames of each port on a topic of its own: the stream would drown the commands. Costs nothing while
   /// nobody listens.
-  void publish(const blocks::FrameTraced& trace, const ClockPair& clocks);
+  void publish(const command::FrameTraced& trace, const ClockPair& clocks);
 
  private:
   void sendActiveFrames(const ros::Time& stamp);
@@ -49,7 +49,7 @@ class StatusPublisher {
   ros::Publisher frames_;
   ros::Publisher status_frames_;
   tf2_ros::TransformBroadcaster tf_;
-  blocks::ActiveFrames active_frames_;
+  robot::ActiveFrames active_frames_;
   ros::Time frames_sent_;  ///< the stamp of the last ones in tf
   bool streaming_ = false;
 };

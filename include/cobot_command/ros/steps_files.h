@@ -13,7 +13,7 @@
 #include <string>
 
 #include "cobot_command/blocks/goal.h"
-#include "cobot_command/ros/goal_messages.h"
+#include "cobot_command/ros/goal_lookups.h"
 
 namespace cobot_command::ros_adapter {
 

@@ -12,7 +12,7 @@
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
-#include "cobot_command/ros/goal_messages.h"
+#include "cobot_command/ros/goal_lookups.h"
 
 namespace cobot_command::ros_adapter {
 

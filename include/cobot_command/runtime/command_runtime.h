@@ -11,8 +11,8 @@
 #include <optional>
 
 #include "cobot_command/arm/arm_model.h"
-#include "cobot_command/blocks/command_core.h"
 #include "cobot_command/blocks/goal.h"
+#include "cobot_command/command/command_core.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
 
@@ -28,11 +28,11 @@ class CommandRuntime {
   /// core's thread, with the present on the clock of all Instants in the actions: monotonic, zero when the
   /// runtime was made. It must not throw, and not wait for long: the link waits for it. It may call submit()
   /// and cancel(), which take effect after it has returned.
-  using Observer = std::function<void(const blocks::Action&, Instant now)>;
+  using Observer = std::function<void(const command::Action&, Instant now)>;
 
   /// `frames`, `newest`: see CommandCore; called on the core's thread, `newest` by cancel() and finish() too.
   CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
-                 blocks::FrameFinder frames = {}, const blocks::NewestGoal& newest = {});
+                 blocks::FrameFinder frames = {}, const command::NewestGoal& newest = {});
   ~CommandRuntime();  ///< stop()
   CommandRuntime(const CommandRuntime&) = delete;
   CommandRuntime& operator=(const CommandRuntime&) = delete;
@@ -45,7 +45,7 @@ class CommandRuntime {
   void cancel(blocks::GoalId id);
   /// See CommandCore. The report comes when the core's thread has come to it, so it is not to be waited for
   /// in the observer, and behind a long planning for long. Nothing once stop() has closed the core.
-  std::optional<std::future<blocks::FinishReport>> finish(blocks::FinishAfter after);
+  std::optional<std::future<command::FinishReport>> finish(blocks::FinishAfter after);
   /// See CommandCore.
   void keepConnected(blocks::ConnectGoal target);
 

@@ -48,7 +48,8 @@ Lie standsAtPose(const arm::ControllerPose& pose) {
 
 BlockCase moveAbsolute(Pace pace) {
   const std::array<double, 6> target{20, -10, 100, 5, 80, -15};
-  return {Block::MoveAbsolute, test::moveJoints(target, percent(pace)), true, standsAtJoints(target)};
+  return {blocks::kBlock<blocks::MoveAbsoluteGoal>, test::moveJoints(target, percent(pace)), true,
+          standsAtJoints(target)};
 }
 
 BlockCase moveRelative(Pace pace) {
@@ -58,7 +59,7 @@ BlockCase moveRelative(Pace pace) {
   goal.target = {15, -5, 10, 0, -5, 20};
   goal.speed = percent(pace);
   goal.accel_time = 200;
-  return {Block::MoveRelative, goal, true, standsAtJoints({15, -5, 100, 0, 85, 20})};
+  return {blocks::kBlock<blocks::MoveRelativeGoal>, goal, true, standsAtJoints({15, -5, 100, 0, 85, 20})};
 }
 
 /// Half a circle of 100 mm in the plane, from where the flange of a TM5-900 is at the start.
@@ -69,29 +70,29 @@ BlockCase moveCircle(Pace pace) {
   goal.end_point = {417.5, -122.3, 461.05, 180, 0, 90};
   goal.speed = millimetresPerSecond(pace);
   goal.accel_time = 200;
-  return {Block::MoveCircle, goal, true, standsAtPose(goal.end_point)};
+  return {blocks::kBlock<blocks::MoveCircleGoal>, goal, true, standsAtPose(goal.end_point)};
 }
 
 BlockCase changeBase() {
   blocks::ChangeBaseGoal goal;
   goal.transformation = {20, 30, 10, 0, 0, 90};
-  return {Block::ChangeBase, goal, false, [goal](const RobotState& robot) -> std::string {
-            return robot.base.isApprox(arm::toPose(goal.transformation), kTolerance) ? ""
-                                                                                     : "the base is another";
-          }};
+  return {
+      blocks::kBlock<blocks::ChangeBaseGoal>, goal, false, [goal](const RobotState& robot) -> std::string {
+        return robot.base.isApprox(arm::toPose(goal.transformation), kTolerance) ? "" : "the base is another";
+      }};
 }
 
 BlockCase changeTcp() {
   blocks::ChangeTcpGoal goal;
   goal.tcp_offset = {0, 0, 150, 0, 0, 90};
   goal.weight = 1;
-  return {Block::ChangeTcp, goal, false, [goal](const RobotState& robot) -> std::string {
+  return {blocks::kBlock<blocks::ChangeTcpGoal>, goal, false, [goal](const RobotState& robot) -> std::string {
             return robot.tcp.isApprox(arm::toPose(goal.tcp_offset), kTolerance) ? "" : "the TCP is another";
           }};
 }
 
 BlockCase programControl() {
-  return {Block::ProgramControl, blocks::ProgramControlGoal{}, false,
+  return {blocks::kBlock<blocks::ProgramControlGoal>, blocks::ProgramControlGoal{}, false,
           [](const RobotState& robot) -> std::string {
             return robot.project_paused ? "" : "the project is not paused";
           }};
@@ -100,7 +101,8 @@ BlockCase programControl() {
 /// Standing is what the layer takes for it: below the noise of a real arm's speeds.
 BlockCase stop() {
   constexpr double kStanding = degToRad(0.1);
-  return {Block::Stop, blocks::StopGoal{}, false, [](const RobotState& robot) -> std::string {
+  return {blocks::kBlock<blocks::StopGoal>, blocks::StopGoal{}, false,
+          [](const RobotState& robot) -> std::string {
             const double speed = robot.velocities.cwiseAbs().maxCoeff();
             if (speed < kStanding && robot.queued_motions <= 1) return "";
             return fmt::format("the robot still moves at {} rad/s, {} motions are queued", speed,
@@ -109,7 +111,7 @@ BlockCase stop() {
 }
 
 BlockCase exitListenNode() {
-  return {Block::ExitListenNode, blocks::ExitListenNodeGoal{}, false,
+  return {blocks::kBlock<blocks::ExitListenNodeGoal>, blocks::ExitListenNodeGoal{}, false,
           [](const RobotState& robot) -> std::string {
             return robot.listening ? "the flow is still in the Listen node" : "";
           }};
@@ -119,14 +121,15 @@ BlockCase runScript(Pace pace) {
   blocks::RunScriptGoal goal;
   goal.script = fmt::format("ChangeLoad(0.5)\r\nPTP(\"JPP\",10,0,90,0,90,20,{},200,0,false)", percent(pace));
   goal.await_motion = true;
-  return {Block::RunScript, goal, true, standsAtJoints({10, 0, 90, 0, 90, 20})};
+  return {blocks::kBlock<blocks::RunScriptGoal>, goal, true, standsAtJoints({10, 0, 90, 0, 90, 20})};
 }
 
 BlockCase checkSequence() {
   blocks::CheckSequenceGoal goal;
   goal.start_joints.assign(kStart.begin(), kStart.end());
   goal.steps.assign(3, test::moveJoints({10, 0, 90, 0, 90, 0}, 50));
-  return {Block::CheckSequence, goal, false, [](const RobotState&) { return std::string(); }};
+  return {blocks::kBlock<blocks::CheckSequenceGoal>, goal, false,
+          [](const RobotState&) { return std::string(); }};
 }
 
 BlockCase pickAndPlace(Pace pace) {
@@ -135,7 +138,8 @@ BlockCase pickAndPlace(Pace pace) {
                         blocks::OutputAction{"EndModule", 0, true}, 0.05});
   goal.steps.push_back({test::moveJoints({-5, 5, 85, 0, 90, 0}, percent(pace)), std::nullopt, 0});
   const Lie moved = standsAtJoints({-5, 5, 85, 0, 90, 0});
-  return {Block::PickAndPlace, goal, true, [moved](const RobotState& robot) -> std::string {
+  return {blocks::kBlock<blocks::PickAndPlaceGoal>, goal, true,
+          [moved](const RobotState& robot) -> std::string {
             if (!robot.outputs.end_module.at(0)) return "the output was not set";
             return moved(robot);
           }};
@@ -159,7 +163,8 @@ std::vector<BlockCase> blockCases(Pace pace) {
 
 BlockCase proofOfWork() {
   const std::array<double, 6> target{-20, 10, 80, 10, 95, 30};
-  return {Block::MoveAbsolute, test::moveJoints(target, 100), true, standsAtJoints(target)};
+  return {blocks::kBlock<blocks::MoveAbsoluteGoal>, test::moveJoints(target, 100), true,
+          standsAtJoints(target)};
 }
 
 }  // namespace cobot_command::hostile

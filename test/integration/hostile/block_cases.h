@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cobot_command/blocks/error_catalogue.h"
 #include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/simulator/robot_state.h"
 
 namespace cobot_command::hostile {

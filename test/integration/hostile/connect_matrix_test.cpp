@@ -8,7 +8,7 @@
 #include "hostile_rig.h"
 #include <gmock/gmock.h>
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::hostile {
 namespace {

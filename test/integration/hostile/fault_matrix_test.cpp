@@ -41,7 +41,7 @@ class Trial {
 
   void run() {
     link_ = rig_.connect();
-    if (block_.block == Block::Stop) {
+    if (block_.block == blocks::kBlock<blocks::StopGoal>) {
       const GoalId move = rig_.layer.submit(longMove());
       ASSERT_TRUE(rig_.layer.reaches(move, Phase::Active));
     }
@@ -70,7 +70,7 @@ class Trial {
   void expectNoLie(const BlockCase& done) {
     const auto deadline = std::chrono::steady_clock::now() + test::kDeadline;
     std::string lie = done.lie(rig_.robot().state());
-    while (!lie.empty() && !done.awaits_tag && done.block != Block::Stop &&
+    while (!lie.empty() && !done.awaits_tag && done.block != blocks::kBlock<blocks::StopGoal> &&
            std::chrono::steady_clock::now() < deadline) {
       lie = done.lie(rig_.robot().state());
     }
@@ -96,7 +96,7 @@ class Trial {
     EXPECT_NE(blocks::findError(block_.block, outcome.error_id), nullptr);
     EXPECT_FALSE(outcome.remedy.empty());
     std::smatch inner;  // what of a cycle failed, and why
-    if (block_.block == Block::PickAndPlace &&
+    if (block_.block == blocks::kBlock<blocks::PickAndPlaceGoal> &&
         std::regex_search(outcome.error_description, inner, std::regex("cycle 1: 16#([0-9A-F]+)"))) {
       EXPECT_THAT(variant_.ends.ids, Contains(std::stoi(inner[1], nullptr, 16))) << outcome.error_description;
     }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::hostile {
 namespace {
@@ -270,8 +270,8 @@ void addStream(std::vector<FaultRow>& rows) {
 
 /// It is not the goals of this block that the fault is one of; check_sequence needs no robot.
 bool isSpared(const BlockCase& block, const Ends& ends) {
-  return block.block == Block::CheckSequence || (ends.of == Ends::Of::Motions && !block.awaits_tag) ||
-         (ends.of == Ends::Of::Stops && block.block != Block::Stop);
+  return block.block == kBlock<CheckSequenceGoal> || (ends.of == Ends::Of::Motions && !block.awaits_tag) ||
+         (ends.of == Ends::Of::Stops && block.block != kBlock<StopGoal>);
 }
 
 }  // namespace
@@ -294,12 +294,12 @@ std::vector<FaultRow> faultRows() {
 }
 
 std::set<int> allowedFor(const BlockCase& block, const Ends& ends) {
-  const bool stops = block.block == Block::Stop;
+  const bool stops = block.block == kBlock<StopGoal>;
   if (isSpared(block, ends)) return {};
   std::set<int> ids;
   for (const int id : ends.ids) {
     const bool of_link = id == motion_error::kLinkDropped || id == motion_error::kNotConnected;
-    if (of_link || (!stops && block.block != Block::PickAndPlace)) {
+    if (of_link || (!stops && block.block != kBlock<PickAndPlaceGoal>)) {
       ids.insert(id);
     } else if (stops) {
       ids.insert(own_error::kStopNotConfirmed);

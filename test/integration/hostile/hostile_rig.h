@@ -13,7 +13,7 @@
 #include "chain.h"
 #include "fault_proxy.h"
 
-#include "cobot_command/blocks/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
 
 namespace cobot_command::hostile {
 
@@ -24,7 +24,7 @@ using runtime::Robot;
 struct Told {
   std::map<blocks::GoalId, std::vector<blocks::Outcome>> ends;
   std::map<blocks::GoalId, std::set<blocks::Phase>> phases;
-  blocks::CommandStatus status;
+  command::CommandStatus status;
   int robot_statuses = 0;
 
   [[nodiscard]] bool ended(blocks::GoalId goal) const { return ends.count(goal) != 0; }
@@ -53,7 +53,7 @@ class Layer {
  public:
   explicit Layer(int status_port, const link::LinkSettings& settings = quickSettings())
       : runtime_(runtime::testArm(), withStatusPort(settings, status_port),
-                 [this](const blocks::Action& action, Instant /*now*/) { take(action); }) {}
+                 [this](const command::Action& action, Instant /*now*/) { take(action); }) {}
 
   blocks::GoalId submit(const blocks::Goal& goal) {
     const blocks::GoalId id = ++last_goal_;
@@ -86,15 +86,15 @@ class Layer {
     settings.status_port = port;
     return settings;
   }
-  void take(const blocks::Action& action) {
+  void take(const command::Action& action) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (const auto* const ended = std::get_if<blocks::GoalEnded>(&action)) {
+    if (const auto* const ended = std::get_if<command::GoalEnded>(&action)) {
       told_.ends[ended->goal].push_back(ended->outcome);
-    } else if (const auto* const progressed = std::get_if<blocks::GoalProgressed>(&action)) {
+    } else if (const auto* const progressed = std::get_if<command::GoalProgressed>(&action)) {
       told_.phases[progressed->goal].insert(progressed->progress.phase);
-    } else if (const auto* const changed = std::get_if<blocks::StatusChanged>(&action)) {
+    } else if (const auto* const changed = std::get_if<command::StatusChanged>(&action)) {
       told_.status = changed->status;
-    } else if (std::holds_alternative<blocks::RobotStatusReceived>(action)) {
+    } else if (std::holds_alternative<command::RobotStatusReceived>(action)) {
       ++told_.robot_statuses;
     } else {
       return;

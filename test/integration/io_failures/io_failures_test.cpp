@@ -43,8 +43,8 @@ struct Session {
   /// A connect, a move, a script, a cancelled move, a disconnect.
   void tell() {
     const auto link = beginConnecting();
-    EXPECT_TRUE(commander.waitFor<blocks::StatusChanged>(
-        [](const auto& changed) { return changed.status.link == blocks::CommandStatus::LinkState::Ready; }));
+    EXPECT_TRUE(commander.waitFor<command::StatusChanged>(
+        [](const auto& changed) { return changed.status.link == command::CommandStatus::LinkState::Ready; }));
     end(moveJoints({1, 0, 90, 0, 90, 0}));
     end(blocks::RunScriptGoal{"ChangeBase(\"RobotBase\")", false, 0, 0});
     const auto cancelled = commander.submit(endlessMove());
@@ -91,7 +91,7 @@ bool survives(const Failure& failure, int n) {
   }
   session.works();
   EXPECT_LT(test::timeOf([&] { session.commander.stop(); }), kQuickEnough);
-  EXPECT_EQ(session.commander.told<blocks::GoalEnded>().size(), session.commander.submitted());
+  EXPECT_EQ(session.commander.told<command::GoalEnded>().size(), session.commander.submitted());
   return happened;
 }
 

@@ -60,7 +60,7 @@ class Commander {
  public:
   explicit Commander(int status_port, const link::LinkSettings& settings = {})
       : runtime_(testArm(), withStatusPort(settings, status_port),
-                 [this](const blocks::Action& action, Instant /*now*/) { log_.add(action); }) {}
+                 [this](const command::Action& action, Instant /*now*/) { log_.add(action); }) {}
 
   blocks::GoalId submit(const blocks::Goal& goal) {
     EXPECT_TRUE(runtime_.submit(++last_goal_, goal));
@@ -73,7 +73,7 @@ class Commander {
   /// Waits for the end of the goal.
   [[nodiscard]] std::optional<blocks::Outcome> outcomeOf(blocks::GoalId goal) {
     std::optional<blocks::Outcome> outcome;
-    EXPECT_TRUE(waitFor<blocks::GoalEnded>([&](const blocks::GoalEnded& ended) {
+    EXPECT_TRUE(waitFor<command::GoalEnded>([&](const command::GoalEnded& ended) {
       outcome = ended.outcome;
       return ended.goal == goal;
     })) << "goal "
@@ -81,7 +81,7 @@ class Commander {
     return outcome;
   }
   [[nodiscard]] bool reaches(blocks::GoalId goal, blocks::Phase phase) {
-    return waitFor<blocks::GoalProgressed>([&](const blocks::GoalProgressed& progressed) {
+    return waitFor<command::GoalProgressed>([&](const command::GoalProgressed& progressed) {
       return progressed.goal == goal && progressed.progress.phase == phase;
     });
   }
@@ -89,7 +89,7 @@ class Commander {
   [[nodiscard]] blocks::GoalId connect(SimulatorPorts ports) {
     const auto goal = submit(blocks::ConnectGoal{"127.0.0.1", ports.script, 60, {}});
     EXPECT_TRUE(reaches(goal, blocks::Phase::Connected));
-    EXPECT_TRUE(waitFor<blocks::RobotStatusReceived>([](const auto&) { return true; }));
+    EXPECT_TRUE(waitFor<command::RobotStatusReceived>([](const auto&) { return true; }));
     return goal;
   }
   [[nodiscard]] std::optional<blocks::Outcome> run(const blocks::Goal& goal) {
@@ -98,8 +98,8 @@ class Commander {
 
   template <class Kind, class Condition>
   [[nodiscard]] bool waitFor(Condition condition) {
-    return log_.waitUntil([&](const std::vector<blocks::Action>& actions) {
-      return std::any_of(actions.begin(), actions.end(), [&](const blocks::Action& action) {
+    return log_.waitUntil([&](const std::vector<command::Action>& actions) {
+      return std::any_of(actions.begin(), actions.end(), [&](const command::Action& action) {
         const auto* const wanted = std::get_if<Kind>(&action);
         return wanted != nullptr && condition(*wanted);
       });
@@ -124,7 +124,7 @@ class Commander {
     return settings;
   }
 
-  test::EventLog<blocks::Action> log_;
+  test::EventLog<command::Action> log_;
   blocks::GoalId last_goal_ = 0;
   CommandRuntime runtime_;
 };

@@ -36,8 +36,8 @@ void expectError(const std::optional<blocks::Outcome>& outcome, Ending ending, i
 /// Of the frames received until now, how many say that this tag is complete.
 long completions(const Commander& commander, int tag) {
   const std::string report = "01,0" + std::to_string(tag) + ",true";
-  const auto frames = commander.told<blocks::FrameTraced>();
-  return std::count_if(frames.begin(), frames.end(), [&](const blocks::FrameTraced& frame) {
+  const auto frames = commander.told<command::FrameTraced>();
+  return std::count_if(frames.begin(), frames.end(), [&](const command::FrameTraced& frame) {
     return !frame.sent && frame.bytes.find(report) != std::string::npos;
   });
 }
@@ -83,11 +83,11 @@ TEST_F(Chain, waitsForTheTagEvenWhereTheArmStandsAtTheTargetAlready) {
 TEST_F(Chain, tellsTheStatusOfTheRobotOnTheWay) {
   power(kQuick);
   expectDone(commander->run(moveJoints({30, 0, 90, 0, 90, 0})));
-  EXPECT_TRUE(commander->waitFor<blocks::RobotStatusReceived>([](const auto& received) {
+  EXPECT_TRUE(commander->waitFor<command::RobotStatusReceived>([](const auto& received) {
     const auto& joints = received.status.joints;
     return joints && (*joints)[0] > degToRad(1) && (*joints)[0] < degToRad(29);
   }));
-  EXPECT_TRUE(commander->waitFor<blocks::RobotStatusReceived>([](const auto& received) {
+  EXPECT_TRUE(commander->waitFor<command::RobotStatusReceived>([](const auto& received) {
     const auto& joints = received.status.joints;
     return joints && std::abs((*joints)[0] - degToRad(30)) < 1e-6;
   }));
@@ -147,7 +147,7 @@ TEST_F(Chain, worksAgainAfterTheControllerWasRestarted) {
   robot->powerOff();
   expectError(commander->outcomeOf(link), Ending::Aborted, 0x90);
   link = commander->submit(blocks::ConnectGoal{"127.0.0.1", ports.script, 60, {}});
-  ASSERT_TRUE(commander->waitFor<blocks::GoalProgressed>([&](const blocks::GoalProgressed& progressed) {
+  ASSERT_TRUE(commander->waitFor<command::GoalProgressed>([&](const command::GoalProgressed& progressed) {
     return progressed.goal == link && progressed.progress.text.find("refused") != std::string::npos;
   }));
   Robot restarted(kQuick, ports);
@@ -181,8 +181,8 @@ TEST_F(Chain, endsEveryGoalWhenItIsStoppedAndIsSilentAfterwards) {
   ASSERT_TRUE(commander->reaches(move, Phase::Active));
   commander->stop();
   const auto told = commander->toldCount();
-  EXPECT_EQ(commander->told<blocks::GoalEnded>().size(), 2u);
-  for (const auto& ended : commander->told<blocks::GoalEnded>()) {
+  EXPECT_EQ(commander->told<command::GoalEnded>().size(), 2u);
+  for (const auto& ended : commander->told<command::GoalEnded>()) {
     EXPECT_EQ(ended.outcome.ending, Ending::CommandAborted);
   }
   EXPECT_FALSE(commander->runtime().submit(99, moveJoints(kStartJoints)));
@@ -200,9 +200,9 @@ TEST_F(Chain, hasStoppedTheArmWhenItIsStopped) {
   ASSERT_TRUE(outcome.has_value());
   EXPECT_EQ(outcome->ending, Ending::CommandAborted);
   EXPECT_LT(robot->state().velocities.cwiseAbs().maxCoeff(), degToRad(0.1));
-  EXPECT_EQ(commander->told<blocks::GoalEnded>().size(), 1u);  // the link is kept until stop()
+  EXPECT_EQ(commander->told<command::GoalEnded>().size(), 1u);  // the link is kept until stop()
   commander->stop();
-  EXPECT_EQ(commander->told<blocks::GoalEnded>().size(), 2u);
+  EXPECT_EQ(commander->told<command::GoalEnded>().size(), 2u);
 }
 
 TEST_F(Chain, doesNotWaitLongForARobotThatDoesNotAnswerTheStop) {
@@ -231,12 +231,12 @@ TEST_F(Chain, mayBeCommandedFromWithinTheObserver) {
   settings.status_port = robot->ports().status;
   test::EventLog<blocks::GoalId> ended;
   std::unique_ptr<CommandRuntime> runtime;
-  const auto observe = [&](const blocks::Action& action, Instant /*now*/) {
-    if (const auto* const progressed = std::get_if<blocks::GoalProgressed>(&action)) {
+  const auto observe = [&](const command::Action& action, Instant /*now*/) {
+    if (const auto* const progressed = std::get_if<command::GoalProgressed>(&action)) {
       if (progressed->goal == 1 && progressed->progress.phase == Phase::Connected) {
         EXPECT_TRUE(runtime->submit(2, moveJoints({3, 0, 90, 0, 90, 0})));
       }
-    } else if (const auto* const end = std::get_if<blocks::GoalEnded>(&action)) {
+    } else if (const auto* const end = std::get_if<command::GoalEnded>(&action)) {
       ended.add(end->goal);
       if (end->goal == 2) {
         runtime->cancel(1);

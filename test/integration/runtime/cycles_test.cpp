@@ -15,18 +15,18 @@
 namespace cobot_command::runtime {
 namespace {
 
-using LinkState = blocks::CommandStatus::LinkState;
+using LinkState = command::CommandStatus::LinkState;
 
 /// What a commander has told, as far as a cycle needs it: nothing is kept for ever.
 class Watch {
  public:
-  void see(const blocks::Action& action) {
+  void see(const command::Action& action) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (const auto* const changed = std::get_if<blocks::StatusChanged>(&action)) {
+    if (const auto* const changed = std::get_if<command::StatusChanged>(&action)) {
       link_ = changed->status.link;
-    } else if (const auto* const accepted = std::get_if<blocks::GoalAccepted>(&action)) {
+    } else if (const auto* const accepted = std::get_if<command::GoalAccepted>(&action)) {
       under_way_.insert(accepted->goal);
-    } else if (const auto* const ended = std::get_if<blocks::GoalEnded>(&action)) {
+    } else if (const auto* const ended = std::get_if<command::GoalEnded>(&action)) {
       under_way_.erase(ended->goal);
       ++ends_;
     }
@@ -64,7 +64,7 @@ SimulatorPorts freePorts() {
 struct Keeper {
   Keeper(SimulatorPorts ports, link::LinkSettings settings)
       : runtime(testArm(), with(std::move(settings), ports.status),
-                [this](const blocks::Action& action, Instant /*now*/) { watch.see(action); }) {
+                [this](const command::Action& action, Instant /*now*/) { watch.see(action); }) {
     runtime.keepConnected(blocks::ConnectGoal{"127.0.0.1", ports.script, 60, {}});
   }
   void submit(const blocks::Goal& goal) { EXPECT_TRUE(runtime.submit(++goals, goal)); }

@@ -12,8 +12,8 @@ TEST(Submit, fromManyThreadsGivesEachGoalItsOneEnd) {
   test::EventLog<blocks::GoalId> ends;
   link::LinkSettings settings;
   settings.status_port = 0;
-  CommandRuntime runtime(testArm(), settings, [&](const blocks::Action& action, Instant /*now*/) {
-    if (const auto* const ended = std::get_if<blocks::GoalEnded>(&action)) {
+  CommandRuntime runtime(testArm(), settings, [&](const command::Action& action, Instant /*now*/) {
+    if (const auto* const ended = std::get_if<command::GoalEnded>(&action)) {
       ends.add(ended->goal);
     }
   });

@@ -21,10 +21,10 @@ constexpr const char* kStop = "StopAndClearBuffer";
 class Asker {
  public:
   explicit Asker(SimulatorPorts ports)
-      : runtime_(testArm(), settingsFor(ports), [this](const blocks::Action& action, Instant /*now*/) {
-          if (std::holds_alternative<blocks::GoalEnded>(action) ||
-              std::holds_alternative<blocks::GoalProgressed>(action) ||
-              std::holds_alternative<blocks::RobotStatusReceived>(action)) {
+      : runtime_(testArm(), settingsFor(ports), [this](const command::Action& action, Instant /*now*/) {
+          if (std::holds_alternative<command::GoalEnded>(action) ||
+              std::holds_alternative<command::GoalProgressed>(action) ||
+              std::holds_alternative<command::RobotStatusReceived>(action)) {
             keep(action);
           }
         }) {
@@ -63,10 +63,10 @@ class Asker {
     settings.reply_timeout = std::chrono::minutes(1);  // behind a flood an answer is late, and no flood lasts
     return settings;
   }
-  void keep(const blocks::Action& action) {
-    if (const auto* const ended = std::get_if<blocks::GoalEnded>(&action)) {
+  void keep(const command::Action& action) {
+    if (const auto* const ended = std::get_if<command::GoalEnded>(&action)) {
       goals_.add({ended->goal, {}, true});
-    } else if (const auto* const progressed = std::get_if<blocks::GoalProgressed>(&action)) {
+    } else if (const auto* const progressed = std::get_if<command::GoalProgressed>(&action)) {
       goals_.add({progressed->goal, progressed->progress.phase, false});
     }
   }
@@ -177,7 +177,7 @@ TEST(DeadPeer, isFoundByItsLifesignAndEndsAllThatIsUnderWay) {
     const auto move = session.move();
     const auto start = Clock::now();
     session.fault("silence");
-    ASSERT_TRUE(session.commander->waitFor<blocks::StatusChanged>(
+    ASSERT_TRUE(session.commander->waitFor<command::StatusChanged>(
         [](const auto& changed) { return changed.status.last_lost.has_value(); }));
     const auto lost = Clock::now();
     const auto of_move = session.commander->outcomeOf(move);

@@ -70,8 +70,8 @@ inline void PrintTo(const SessionState& state, std::ostream* out) {
 }
 
 inline const std::vector<SessionState>& sessionStates() {
-  using blocks::CommandStatus;
   using blocks::Phase;
+  using command::CommandStatus;
   static const std::vector<SessionState> states = {
       {"idle", [](Session& session) { session.meet(); }},
       {"looking_up_a_name",
@@ -96,7 +96,7 @@ inline const std::vector<SessionState>& sessionStates() {
            port = gone.ports().script;
          }
          const auto goal = session.tryPort(port);
-         EXPECT_TRUE(session.commander->waitFor<blocks::GoalProgressed>([&](const auto& progressed) {
+         EXPECT_TRUE(session.commander->waitFor<command::GoalProgressed>([&](const auto& progressed) {
            return progressed.goal == goal && progressed.progress.text.find("refused") != std::string::npos;
          }));
        }},
@@ -133,7 +133,7 @@ inline const std::vector<SessionState>& sessionStates() {
          session.fault("drop_entry");
          const auto left = session.commander->run(blocks::ExitListenNodeGoal{});
          EXPECT_TRUE(left && left->ending == blocks::Ending::Done);
-         EXPECT_TRUE(session.commander->waitFor<blocks::StatusChanged>([](const auto& changed) {
+         EXPECT_TRUE(session.commander->waitFor<command::StatusChanged>([](const auto& changed) {
            return changed.status.link == CommandStatus::LinkState::NotListening;
          }));
        }},

@@ -19,9 +19,9 @@ constexpr int kRestarts = 12;
 /// Counts what becomes of the goals, on the core's thread and on all others.
 class Ledger {
  public:
-  void take(const blocks::Action& action) {
+  void take(const command::Action& action) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (const auto* const ended = std::get_if<blocks::GoalEnded>(&action)) ++ends_[ended->goal];
+    if (const auto* const ended = std::get_if<command::GoalEnded>(&action)) ++ends_[ended->goal];
   }
   blocks::GoalId next() { return ++last_; }
   void taken() { ++taken_; }
@@ -92,7 +92,7 @@ TEST(Stress, ofManyThreadsGivesEachGoalItsOneEnd) {
   link::LinkSettings settings;
   settings.status_port = ports.status;
   CommandRuntime runtime(testArm(), settings,
-                         [&](const blocks::Action& action, Instant /*now*/) { ledger.take(action); });
+                         [&](const command::Action& action, Instant /*now*/) { ledger.take(action); });
   runtime.keepConnected(blocks::ConnectGoal{"127.0.0.1", ports.script, 60, {}});
   std::vector<std::thread> threads;
   threads.emplace_back(restartMany, ports);
@@ -118,7 +118,7 @@ TEST(Stress, ofStopsInTheMidstOfGoalsEndsWhatWasTaken) {
     link::LinkSettings settings;
     settings.status_port = robot.ports().status;
     CommandRuntime runtime(testArm(), settings,
-                           [&](const blocks::Action& action, Instant /*now*/) { ledger.take(action); });
+                           [&](const command::Action& action, Instant /*now*/) { ledger.take(action); });
     std::vector<std::thread> threads;
     for (unsigned seed = 0; seed < 3; ++seed) {
       threads.emplace_back(

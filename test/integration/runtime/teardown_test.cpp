@@ -49,7 +49,7 @@ TEST_P(Teardown, isQuickAndEndsEachGoal) {
     GetParam().reach(session);
     ASSERT_FALSE(HasFailure()) << "the state is not reached";
     const auto stopping = test::timeOf([&] { session.commander->stop(); });
-    EXPECT_EQ(session.commander->told<blocks::GoalEnded>().size(), session.commander->submitted());
+    EXPECT_EQ(session.commander->told<command::GoalEnded>().size(), session.commander->submitted());
     const auto destroying = test::timeOf([&] { session.commander.reset(); });
     ASSERT_LT(stopping + destroying, kQuickEnough);
     figure.add(stopping + destroying);
@@ -96,7 +96,7 @@ TEST(Stop, ofTheRobotIsOutWhenTheEndIsToldToHaveBegun) {
   std::promise<bool> begun;
   auto is_planned = begun.get_future();
   session.commander->runtime().retire([&] {
-    const auto ended = session.commander->told<blocks::GoalEnded>();
+    const auto ended = session.commander->told<command::GoalEnded>();
     begun.set_value(
         std::any_of(ended.begin(), ended.end(), [&](const auto& goal) { return goal.goal == check; }));
   });
@@ -118,7 +118,7 @@ TEST(Finish, isAnsweredBehindAPlanningOrNotAtAllOnceAllHasEnded) {
   auto report = session.commander->runtime().finish(blocks::FinishAfter::Move);
   ASSERT_TRUE(report.has_value());
   EXPECT_EQ(report->wait_for(std::chrono::milliseconds(0)), std::future_status::timeout);
-  EXPECT_EQ(report->get().under_way, blocks::Block::MoveAbsolute);
+  EXPECT_EQ(report->get().under_way, blocks::kBlock<blocks::MoveAbsoluteGoal>);
   session.commander->cancel(move);
   session.commander->stop();
   EXPECT_FALSE(session.commander->runtime().finish(blocks::FinishAfter::Move).has_value());

@@ -1,5 +1,5 @@
 // A command core that runs out of memory, at each single allocation of a run.
-#include "cobot_command/blocks/command_core.h"
+#include "cobot_command/command/command_core.h"
 
 #include <map>
 #include <optional>
@@ -24,7 +24,7 @@ class Story {
  public:
   Story(const FailingAllocation& failing, std::optional<arm::ArmModel> arm)
       : failing_(failing),
-        core_(failing.during([&] { return blocks::CommandCore(std::move(arm), link::LinkSettings{}); })) {}
+        core_(failing.during([&] { return command::CommandCore(std::move(arm), link::LinkSettings{}); })) {}
 
   void connect() {
     submit(blocks::ConnectGoal{"robot", 5890, 10, {}});
@@ -75,8 +75,8 @@ class Story {
     }
   }
 
-  void take(const blocks::OpenConnection& open) { connections_[open.channel] = open.id; }
-  void take(const blocks::SendBytes& send) {
+  void take(const command::OpenConnection& open) { connections_[open.channel] = open.id; }
+  void take(const command::SendBytes& send) {
     sent_.feed(send.bytes);
     while (const auto event = sent_.next()) {
       const auto message = protocol::parseClientMessage(std::get<protocol::Frame>(*event));
@@ -85,12 +85,12 @@ class Story {
       }
     }
   }
-  void take(const blocks::GoalEnded& ended) { endings_.push_back(ended.outcome.ending); }
+  void take(const command::GoalEnded& ended) { endings_.push_back(ended.outcome.ending); }
   template <class Told>
   void take(const Told& /*told*/) {}
 
   const FailingAllocation& failing_;
-  blocks::CommandCore core_;
+  command::CommandCore core_;
   Instant now_{std::chrono::seconds(1000)};
   blocks::GoalId last_goal_ = 0;
   std::map<Channel, link::ConnectionId> connections_;

@@ -8,8 +8,9 @@
 #include "thesis_rows.h"
 #include <gtest/gtest.h>
 
-#include "cobot_command/blocks/error_catalogue.h"
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -31,7 +32,7 @@ TEST(Catalogue, hasEveryRowOfTheThesis) {
 TEST(Catalogue, addsOnlyTwoIdsBelowItsOwnToTheBlocksOfTheThesis) {
   const auto rows = thesisRows();
   for (const ErrorEntry& entry : errorCatalogue()) {
-    if (entry.block > Block::ProgramControl || entry.id >= kFirstOwn) continue;
+    if (entry.block > kBlock<ProgramControlGoal> || entry.id >= kFirstOwn) continue;
     if (rows.count({entry.block, entry.id}) != 0) continue;
     EXPECT_TRUE(entry.id == motion_error::kLinkDropped || entry.id == motion_error::kCommandIdRange)
         << toString(entry.block) << " " << entry.id;
@@ -41,7 +42,7 @@ TEST(Catalogue, addsOnlyTwoIdsBelowItsOwnToTheBlocksOfTheThesis) {
 TEST(Catalogue, hasALostLinkInEveryBlockThatNeedsOne) {
   for (std::size_t i = 0; i < kBlockCount; ++i) {
     const auto block = static_cast<Block>(i);
-    const bool without = block == Block::Connect || block == Block::CheckSequence;
+    const bool without = block == kBlock<ConnectGoal> || block == kBlock<CheckSequenceGoal>;
     EXPECT_EQ(findError(block, motion_error::kLinkDropped) == nullptr, without) << toString(block);
   }
 }
@@ -51,8 +52,8 @@ TEST(Catalogue, isOrderedByBlockAndIdWithoutDoubles) {
   for (std::size_t i = 1; i < all.size(); ++i) {
     EXPECT_LT(std::make_pair(all[i - 1].block, all[i - 1].id), std::make_pair(all[i].block, all[i].id));
   }
-  EXPECT_EQ(all.front().block, Block::Connect);
-  EXPECT_EQ(all.back().block, Block::PickAndPlace);
+  EXPECT_EQ(all.front().block, kBlock<ConnectGoal>);
+  EXPECT_EQ(all.back().block, kBlock<PickAndPlaceGoal>);
 }
 
 TEST(Catalogue, findsEachRowAndNoOthers) {
@@ -62,7 +63,7 @@ TEST(Catalogue, findsEachRowAndNoOthers) {
       EXPECT_EQ(findError(static_cast<Block>(i), id), nullptr) << id;
     }
   }
-  EXPECT_EQ(findError(Block::Connect, motion_error::kNotConnected), nullptr);
+  EXPECT_EQ(findError(kBlock<ConnectGoal>, motion_error::kNotConnected), nullptr);
 }
 
 TEST(Catalogue, leavesNoTextEmpty) {

@@ -114,7 +114,7 @@ TEST(ChangeTcpRules, giveTheScript) {
 
 template <class Goal>
 void expectTraitsOfAChange() {
-  const CommandTraits traits = traitsOf(with<Goal>([](auto& g) {
+  const GoalTraits traits = traitsOf(with<Goal>([](auto& g) {
     g.command_id = 5;
     g.exit_node = true;
   }));
@@ -134,8 +134,8 @@ TEST(ProgramControlRules, takePauseAndResumeAndNothingElse) {
   const auto command = [](int value) {
     return with<ProgramControlGoal>([&](auto& g) { g.command = value; });
   };
-  EXPECT_EQ(script::toText(commandOf(command(static_cast<int>(ProgramCommand::Pause)))), "Pause()");
-  EXPECT_EQ(script::toText(commandOf(command(static_cast<int>(ProgramCommand::Resume)))), "Resume()");
+  EXPECT_EQ(scriptOf(command(static_cast<int>(ProgramCommand::Pause))), "Pause()");
+  EXPECT_EQ(scriptOf(command(static_cast<int>(ProgramCommand::Resume))), "Resume()");
   for (const int known : {0, 1}) EXPECT_EQ(errorOf(command(known)), 0);
   for (const int unknown : {-1, 2, 99}) {
     EXPECT_EQ(errorOf(command(unknown)), own_error::kProgramCommandUnknown);

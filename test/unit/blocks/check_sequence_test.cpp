@@ -1,6 +1,6 @@
 // A list of commands is planned end to end, and the first step that fails is named.
 
-#include "check_sequence.h"
+#include "cobot_command/blocks/check_sequence.h"
 
 #include <cmath>
 
@@ -25,10 +25,17 @@ arm::ArmModel model() {
   return *arm::ArmModel::named("tm5-900");
 }
 
-Origin at(const SixValues& joints_deg) {
-  Origin origin;
-  origin.start.joints = arm::toJointVector(joints_deg);
-  return origin;
+using Start = planning::ScriptPlanner::Start;
+
+Outcome checkSequence(const CheckSequenceGoal& goal, const std::optional<arm::ArmModel>& arm,
+                      const std::optional<Start>& start) {
+  return plan(goal, {arm ? &*arm : nullptr, start});
+}
+
+Start at(const SixValues& joints_deg) {
+  Start start;
+  start.joints = arm::toJointVector(joints_deg);
+  return start;
 }
 
 /// Where the flange is at these joints.
@@ -131,8 +138,8 @@ TEST(CheckSequence, beginsAtTheStartJointsWhereTheyAreGiven) {
 }
 
 TEST(CheckSequence, countsTheProjectSpeed) {
-  Origin slow = at(kHome);
-  slow.start.speed_override = 0.5;
+  Start slow = at(kHome);
+  slow.speed_override = 0.5;
   const Outcome outcome = checkSequence(sequence({toJoints(kAside)}), model(), slow);
   EXPECT_GT(outcome.steps[0].duration, checked(sequence({toJoints(kAside)})).steps[0].duration);
 }
@@ -306,7 +313,7 @@ TEST(CheckSequence, refusesABlendThatDoesNotFitTheWayBehindItInTheNameOfItsOwner
 TEST(CheckSequence, needsAStart) {
   CheckSequenceGoal goal = sequence({toJoints(kAside)});
   EXPECT_EQ(checkSequence(goal, model(), std::nullopt).error_id, own_error::kStartUnknown);
-  EXPECT_EQ(checkSequence(goal, model(), Origin{}).error_id, own_error::kStartUnknown);
+  EXPECT_EQ(checkSequence(goal, model(), Start{}).error_id, own_error::kStartUnknown);
   for (const std::vector<double>& bad : {std::vector<double>(5, 0.0),
                                          std::vector<double>(7, 0.0),
                                          {0, 0, kNan, 0, 90, 0},

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cobot_command/blocks/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
 
 namespace cobot_command::testing {
 namespace {

@@ -1,6 +1,6 @@
 // Planned motions as points.
 
-#include "joint_path.h"
+#include "cobot_command/blocks/shared/joint_path.h"
 
 #include <memory>
 

@@ -127,7 +127,7 @@ TYPED_TEST(MoveParameters, sayWhatTheArbiterHasToKnow) {
     g.exit_node = true;
     g.check_only = true;
   });
-  const CommandTraits traits = traitsOf(goal);
+  const GoalTraits traits = traitsOf(goal);
   EXPECT_EQ(traits.command_id, 7);
   EXPECT_EQ(traits.buffer_mode, BufferMode::Aborting);
   EXPECT_TRUE(traits.exits_node);

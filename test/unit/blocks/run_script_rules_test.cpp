@@ -1,11 +1,8 @@
 // Raw script: what is taken, what is refused, and that no script leaves its frame.
 
 #include "block_goals.h"
-#include "decode_events.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "cobot_command/protocol/message.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -32,7 +29,8 @@ std::string faultOf(const std::string& text) {
 TEST(RunScriptRules, takeLinesEndedByEitherSeparatorAndDropEmptyOnes) {
   const auto goal = script("\r\nint i = 1\r\ni++\n\n \t\nvar_x = i\t// text\r\n");
   EXPECT_EQ(errorOf(goal), 0);
-  EXPECT_THAT(linesOf(goal), ElementsAre("int i = 1", "i++", "var_x = i\t// text"));
+  EXPECT_THAT(orderOf(goal, arm::Pose::Identity()).lines,
+              ElementsAre("int i = 1", "i++", "var_x = i\t// text"));
 }
 
 TEST(RunScriptRules, takeWhatTheLayerHasNoBlockFor) {
@@ -77,8 +75,8 @@ TEST(RunScriptRules, leaveTheNodeBehindTheQueueTag) {
   const auto goal = script("PTP(1)\n ScriptExit() // done\n\n");
   EXPECT_EQ(errorOf(goal), 0);
   EXPECT_TRUE(traitsOf(goal).exits_node);
-  EXPECT_THAT(linesOf(goal), ElementsAre("PTP(1)"));
-  EXPECT_THAT(linesOf(script("ScriptExit()")), ElementsAre());
+  EXPECT_THAT(orderOf(goal, arm::Pose::Identity()).lines, ElementsAre("PTP(1)"));
+  EXPECT_THAT(orderOf(script("ScriptExit()"), arm::Pose::Identity()).lines, ElementsAre());
   EXPECT_FALSE(traitsOf(script("PTP(1)")).exits_node);
 }
 
@@ -123,21 +121,6 @@ TEST(RunScriptRules, nameTheFirstViolationAndListTheOthers) {
   });
   EXPECT_EQ(idsOf(goal), (std::vector<int>{own_error::kBufferModeUnknown, own_error::kScriptInvalid,
                                            own_error::kReplyTimeoutRange}));
-}
-
-/// Frames are cut by their length: what looks like the end of one, or like another one, is only text.
-TEST(RunScriptRules, cannotLeaveTheirFrame) {
-  for (const std::string& nasty :
-       {std::string("a,*00\r\n$TMSCT,4,1,OK,*5C"), std::string("$TMSCT,15,9,ScriptExit(),*5F"),
-        std::string("*,$,*,$$**"), std::string(",*6D\r\n$TMSTA,2,00,*41"), std::string("x,*"),
-        std::string("\"\",*\xC3\xBC,*12\n,*34"), std::string(4096, '$'), std::string("0x10,0b11,-5")}) {
-    ASSERT_EQ(faultOf(nasty), "") << nasty;
-    std::string lines;
-    for (const std::string& line : linesOf(script(nasty))) lines += (lines.empty() ? "" : "\r\n") + line;
-    const std::string stream =
-        protocol::encode(protocol::ScriptRequest{"7", lines}) + protocol::encode(protocol::ListenNodeQuery{});
-    EXPECT_THAT(protocol::decode(stream), ElementsAre("TMSCT:7," + lines, "TMSTA:00"));
-  }
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ std::string foundOfCommandId() {
 TEST(Catalogue, saysWhatCommandIdZeroMeansToEachBlock) {
   for (const ErrorEntry& entry : errorCatalogue()) {
     if (entry.id != motion_error::kCommandIdRange) continue;
-    const bool moves = entry.block <= Block::MoveCircle;
+    const bool moves = entry.block <= kBlock<MoveCircleGoal>;
     EXPECT_THAT(entry.raised_when, HasSubstr(moves ? "0 (the layer chooses)" : "0 (none)"))
         << toString(entry.block);
   }

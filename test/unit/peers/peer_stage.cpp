@@ -74,7 +74,7 @@ void PeerStage::pump() {
 }
 
 void PeerStage::carryOut() {
-  for (const blocks::Action& action : core_.takeActions()) {
+  for (const command::Action& action : core_.takeActions()) {
     std::visit([this](const auto& what) { take(what); }, action);
   }
 }
@@ -108,7 +108,7 @@ void PeerStage::hear(Connection& connection, std::string_view bytes) {
   }
 }
 
-void PeerStage::take(const blocks::OpenConnection& open) {
+void PeerStage::take(const command::OpenConnection& open) {
   const auto strange = peers_.find(open.channel);
   Connection connection;
   connection.id = open.id;
@@ -118,23 +118,23 @@ void PeerStage::take(const blocks::OpenConnection& open) {
   connections_[open.channel] = std::move(connection);
 }
 
-void PeerStage::take(const blocks::CloseConnection& close) {
+void PeerStage::take(const command::CloseConnection& close) {
   for (auto it = connections_.begin(); it != connections_.end();) {
     it = it->second.id == close.id ? connections_.erase(it) : std::next(it);
   }
 }
 
-void PeerStage::take(const blocks::SendBytes& send) {
+void PeerStage::take(const command::SendBytes& send) {
   if (Connection* const connection = find(send.id)) hear(*connection, send.bytes);
 }
 
-void PeerStage::take(const blocks::GoalProgressed& progressed) {
+void PeerStage::take(const command::GoalProgressed& progressed) {
   EXPECT_FALSE(ended(progressed.goal)) << "progress after the end";
   expectBounded(progressed.progress.text);
   if (progressed.progress.phase == blocks::Phase::Connected) connected_[progressed.goal] = true;
 }
 
-void PeerStage::take(const blocks::StatusChanged& changed) {
+void PeerStage::take(const command::StatusChanged& changed) {
   status_ = changed.status;
   for (const auto& text : {status_.diagnosis, status_.listen_node, status_.status_diagnosis}) {
     expectBounded(text);
@@ -147,7 +147,7 @@ void PeerStage::expectBounded(const std::string& text) {
   EXPECT_LE(text.size(), kMostText) << text.substr(0, 200);
 }
 
-void PeerStage::take(const blocks::GoalEnded& ended) {
+void PeerStage::take(const command::GoalEnded& ended) {
   expectBounded(ended.outcome.error_description);
   ends_[ended.goal].push_back(ended.outcome);
   EXPECT_EQ(ends_[ended.goal].size(), 1u) << "goal " << ended.goal << " has ended twice";

@@ -9,7 +9,7 @@
 
 #include "misbehaving_peers.h"
 
-#include "cobot_command/blocks/command_core.h"
+#include "cobot_command/command/command_core.h"
 #include "cobot_command/protocol/frame_decoder.h"
 
 namespace cobot_command::testing {
@@ -44,7 +44,7 @@ class PeerStage {
   /// Of all goals.
   [[nodiscard]] const std::map<blocks::GoalId, std::vector<blocks::Outcome>>& ends() const { return ends_; }
   [[nodiscard]] int goals() const { return static_cast<int>(last_goal_); }
-  [[nodiscard]] const blocks::CommandStatus& status() const { return status_; }
+  [[nodiscard]] const command::CommandStatus& status() const { return status_; }
   /// What the heap held at most, above what it held at the beginning [bytes]; 0 where it cannot be asked.
   [[nodiscard]] std::size_t mostMemory() const { return most_memory_; }
 
@@ -67,21 +67,21 @@ class PeerStage {
   [[nodiscard]] Connection* find(link::ConnectionId id);
   void hear(Connection& connection, std::string_view bytes);
   void say(const Saying& saying);
-  void take(const blocks::OpenConnection& open);
-  void take(const blocks::CloseConnection& close);
-  void take(const blocks::SendBytes& send);
-  void take(const blocks::GoalProgressed& progressed);
-  void take(const blocks::GoalEnded& ended);
-  void take(const blocks::StatusChanged& changed);
-  void take(const blocks::FrameTraced& traced) { expectBounded(traced.meaning); }
-  void take(const blocks::LogMessage& message) { expectBounded(message.text); }
+  void take(const command::OpenConnection& open);
+  void take(const command::CloseConnection& close);
+  void take(const command::SendBytes& send);
+  void take(const command::GoalProgressed& progressed);
+  void take(const command::GoalEnded& ended);
+  void take(const command::StatusChanged& changed);
+  void take(const command::FrameTraced& traced) { expectBounded(traced.meaning); }
+  void take(const command::LogMessage& message) { expectBounded(message.text); }
   template <class Told>
   void take(const Told& /*told*/) {}
   /// Whatever a peer says, people are told in a line.
   static void expectBounded(const std::string& text);
   void measure();
 
-  blocks::CommandCore core_;
+  command::CommandCore core_;
   Instant now_{std::chrono::seconds(1000)};
   std::map<link::Channel, test::MisbehavingPeer> peers_;
   std::map<link::Channel, Connection> connections_;
@@ -89,7 +89,7 @@ class PeerStage {
   blocks::GoalId last_goal_ = 0;
   std::map<blocks::GoalId, bool> connected_;
   std::map<blocks::GoalId, std::vector<blocks::Outcome>> ends_;
-  blocks::CommandStatus status_;
+  command::CommandStatus status_;
   std::size_t memory_at_start_ = 0;
   std::size_t most_memory_ = 0;
 };

@@ -5,8 +5,8 @@
 #include "peer_stage.h"
 #include <gmock/gmock.h>
 
-#include "cobot_command/blocks/error_catalogue.h"
-#include "cobot_command/blocks/error_ids.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -68,7 +68,7 @@ class Meeting {
     ASSERT_TRUE(stage_.runUntil(15s, [&] { return stage_.ended(link_) || stage_.connected(link_); }));
     EXPECT_EQ(stage_.connected(link_), peer_.connect_error == 0) << stage_.status().diagnosis;
     if (!stage_.ended(link_)) return;
-    expectError(Block::Connect, stage_.endOf(link_), {peer_.connect_error});
+    expectError(kBlock<ConnectGoal>, stage_.endOf(link_), {peer_.connect_error});
   }
 
   void command() {
@@ -83,7 +83,7 @@ class Meeting {
     if (peer_.goal_errors.empty()) {
       EXPECT_EQ(outcome.ending, Ending::Done) << outcome.error_description;
     } else {
-      expectError(Block::MoveAbsolute, outcome, peer_.goal_errors);
+      expectError(kBlock<MoveAbsoluteGoal>, outcome, peer_.goal_errors);
     }
   }
 

@@ -6,7 +6,7 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
-using LinkState = blocks::CommandStatus::LinkState;
+using LinkState = command::CommandStatus::LinkState;
 using testing::HasSubstr;
 
 DiagnosticsView ready() {
@@ -64,7 +64,7 @@ TEST(Diagnostics, aLinkThatNobodyAskedForIsAWarningThatSaysHowToAsk) {
 
 TEST(Diagnostics, aLostLinkIsAnErrorWithWhatWasFound) {
   DiagnosticsView view = in(LinkState::Disconnected);
-  blocks::BlockOutputs connect;
+  command::BlockOutputs connect;
   connect.error = true;
   connect.error_description = "Robot disconnected: no lifesign";
   view.command.blocks = {connect};

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "block_messages.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "cobot_command/blocks/waiting_goals.h"
+#include "cobot_command/command/waiting_goals.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -69,20 +70,21 @@ class Intake : public testing::Test {
   std::vector<std::string> told;
   Duration patience = kPatience;
   int looks = 0;  ///< for frames
-  GoalIntake intake{[this](const std_msgs::Header& header) -> FramePlace {
-                      ++looks;
-                      if (known.count(header.frame_id) == 0) return {std::nullopt, "not known"};
-                      return {arm::Pose::Identity(), ""};
-                    },
-                    [this] { return patience; },
-                    {[this](blocks::GoalId, const std::string& location) -> std::optional<StepsAnswer> {
-                       if (read.count(location) == 0) return std::nullopt;
-                       return StepsAnswer();
-                     },
-                     [this](blocks::GoalId id) { forgotten.insert(id); }},
-                    {[this](blocks::GoalId id, const blocks::Goal& goal) { note(id, goal); },
-                     [this](blocks::GoalId id) { told.push_back(fmt::format("cancel {}", id)); },
-                     [this](blocks::GoalId id, const blocks::Outcome& outcome) { noteEnd(id, outcome); }}};
+  GoalIntake intake{
+      [this](const std_msgs::Header& header) -> FramePlace {
+        ++looks;
+        if (known.count(header.frame_id) == 0) return {std::nullopt, "not known"};
+        return {arm::Pose::Identity(), ""};
+      },
+      [this] { return patience; },
+      {[this](blocks::GoalId, const std::string& location) -> std::optional<StepsAnswer> {
+         if (read.count(location) == 0) return std::nullopt;
+         return StepsAnswer();
+       },
+       [this](blocks::GoalId id) { forgotten.insert(id); }},
+      {[this](blocks::GoalId id, const blocks::Goal& goal) { note(id, goal); },
+       [this](blocks::GoalId id) { told.push_back(fmt::format("cancel {}", id)); },
+       [this](blocks::Block, blocks::GoalId id, const blocks::Outcome& outcome) { noteEnd(id, outcome); }}};
   std::set<blocks::GoalId> forgotten;  ///< their files
 };
 
@@ -188,7 +190,7 @@ TEST_F(Intake, looksNothingUpAgainForWhatFalls) {
 }
 
 TEST_F(Intake, isBoundedLikeTheQueueOfTheCoreAndLetsPastWhatHalts) {
-  const auto full = static_cast<blocks::GoalId>(blocks::kMostWaiting);
+  const auto full = static_cast<blocks::GoalId>(command::kMostWaiting);
   for (blocks::GoalId id = 1; id <= full; ++id) move(id, "table");
   EXPECT_THAT(told, IsEmpty());
   move(full + 1, "");

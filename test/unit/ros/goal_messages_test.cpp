@@ -1,13 +1,10 @@
-#include "cobot_command/ros/goal_messages.h"
-
 #include <cmath>
 #include <limits>
 
+#include "block_messages.h"
 #include "pick_and_place_file.h"
 #include "source_tree.h"
 #include <gmock/gmock.h>
-
-#include "cobot_command/blocks/goal_limits.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -296,10 +293,10 @@ TEST(GoalMessages, aStepOfAKindThatThereIsNotIsNamed) {
 
 TEST(GoalMessages, aSequenceOfMoreStepsThanThereMayBeIsToldByTheirNumberAndNothingIsLookedUpForThem) {
   cobot_command::CheckSequenceGoal message;
-  message.steps.resize(blocks::kMostSequenceSteps + 1);
+  message.steps.resize(blocks::CheckSequenceGoal::kMostSteps + 1);
   for (auto& step : message.steps) step.move_absolute.target_pose.header.frame_id = "table";
   const auto goal = toGoal(message, noTf);
-  EXPECT_EQ(goal.steps.size(), blocks::kMostSequenceSteps + 1);
+  EXPECT_EQ(goal.steps.size(), blocks::CheckSequenceGoal::kMostSteps + 1);
   message.steps.pop_back();
   EXPECT_EQ(std::get<blocks::MoveAbsoluteGoal>(toGoal(message, onlyTheTable).steps.back()).target_pose->frame,
             "table");
@@ -307,9 +304,9 @@ TEST(GoalMessages, aSequenceOfMoreStepsThanThereMayBeIsToldByTheirNumberAndNothi
 
 TEST(GoalMessages, aCycleOfMoreStepsThanThereMayBeIsToldByTheirNumberAndNothingIsLookedUpForThem) {
   cobot_command::PickAndPlaceGoal message;
-  message.steps.resize(blocks::kMostCycleSteps + 1);
+  message.steps.resize(blocks::PickAndPlaceGoal::kMostSteps + 1);
   for (auto& step : message.steps) step.move.target_pose.header.frame_id = "table";
-  EXPECT_EQ(toGoal(message, noTf).steps.size(), blocks::kMostCycleSteps + 1);
+  EXPECT_EQ(toGoal(message, noTf).steps.size(), blocks::PickAndPlaceGoal::kMostSteps + 1);
   message.steps.pop_back();
   EXPECT_EQ(toGoal(message, onlyTheTable).steps.back().move.target_pose->frame, "table");
 }

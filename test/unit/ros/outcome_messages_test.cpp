@@ -1,19 +1,7 @@
-#include "cobot_command/ros/outcome_messages.h"
-
 #include <chrono>
 
+#include "block_messages.h"
 #include <gmock/gmock.h>
-
-#include "cobot_command/ChangeBaseResult.h"
-#include "cobot_command/CheckSequenceResult.h"
-#include "cobot_command/ConnectResult.h"
-#include "cobot_command/MoveAbsoluteFeedback.h"
-#include "cobot_command/MoveAbsoluteResult.h"
-#include "cobot_command/MoveCircleResult.h"
-#include "cobot_command/PickAndPlaceFeedback.h"
-#include "cobot_command/PickAndPlaceResult.h"
-#include "cobot_command/StopFeedback.h"
-#include "cobot_command/StopResult.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -23,6 +11,8 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 const JointNames kNames = jointNames("left_");
+const ClockPair kClocks{ros::Time(1000), Instant(std::chrono::seconds(50))};
+const FillSite kSite{kNames, kClocks};
 
 blocks::Outcome anError() {
   blocks::Outcome outcome;
@@ -43,10 +33,10 @@ void expectTheError(const Result& message) {
 
 TEST(OutcomeMessages, everyResultTellsTheErrorAndItsRemedy) {
   cobot_command::StopResult stop;
-  fill(stop, anError(), kNames);
+  fill(stop, anError(), kSite);
   expectTheError(stop);
   cobot_command::ChangeBaseResult change;
-  fill(change, anError(), kNames);
+  fill(change, anError(), kSite);
   expectTheError(change);
   EXPECT_EQ(change.command_id_ack, 5);
 }
@@ -59,7 +49,7 @@ TEST(OutcomeMessages, aMoveTellsItsTimesAndWhereTheRobotStands) {
   outcome.final_joints_deg = {1, 2, 3, 4, 5, 6};
   outcome.final_pose_mm_deg = {400, 0, 300, 180, 0, 90};
   cobot_command::MoveAbsoluteResult message;
-  fill(message, outcome, kNames);
+  fill(message, outcome, kSite);
   EXPECT_EQ(message.error_id, 0);
   EXPECT_EQ(message.command_id_ack, 12);
   EXPECT_EQ(message.planned_duration, ros::Duration(1.5));
@@ -72,7 +62,7 @@ TEST(OutcomeMessages, aMoveTellsItsTimesAndWhereTheRobotStands) {
 
 TEST(OutcomeMessages, whatIsUnknownStaysEmpty) {
   cobot_command::MoveCircleResult message;
-  fill(message, blocks::Outcome{}, kNames);
+  fill(message, blocks::Outcome{}, kSite);
   EXPECT_TRUE(message.planned_duration.isZero());
   EXPECT_TRUE(message.actual_duration.isZero());
   EXPECT_THAT(message.final_joints, IsEmpty());
@@ -84,7 +74,7 @@ TEST(OutcomeMessages, aCheckedMotionComesAsATrajectoryOfTheRobotsOwnJoints) {
   outcome.joint_path = {{milliseconds(0), {0.1, 0, 0, 0, 0, 0}, {}},
                         {milliseconds(20), {0.2, 0, 0, 0, 0, 0.6}, {5, 0, 0, 0, 0, 0}}};
   cobot_command::MoveAbsoluteResult message;
-  fill(message, outcome, kNames);
+  fill(message, outcome, kSite);
   EXPECT_THAT(message.joint_path.joint_names,
               ElementsAre("left_shoulder_1_joint", "left_shoulder_2_joint", "left_elbow_joint",
                           "left_wrist_1_joint", "left_wrist_2_joint", "left_wrist_3_joint"));
@@ -105,7 +95,7 @@ TEST(OutcomeMessages, aSequenceTellsWhatWasFoundOfEachStep) {
   outcome.steps[1].error_description = "joint 3";
   outcome.steps[1].offending_point = {{1, 2, 3, 4, 5, 6}};
   cobot_command::CheckSequenceResult message;
-  fill(message, outcome, kNames);
+  fill(message, outcome, kSite);
   EXPECT_EQ(message.failed_step, 1);
   ASSERT_EQ(message.steps.size(), 2U);
   EXPECT_EQ(message.steps[0].duration, ros::Duration(0.9));
@@ -125,7 +115,7 @@ TEST(OutcomeMessages, aPickAndPlaceTellsTheErrorOfTheStepThatFailed) {
   outcome.steps[1].error_id = 0x201;
   outcome.steps[1].error_description = "too far";
   cobot_command::PickAndPlaceResult message;
-  fill(message, outcome, kNames);
+  fill(message, outcome, kSite);
   expectTheError(message);
   EXPECT_EQ(message.failed_step, 1);
   EXPECT_EQ(message.step_error_id, 0x201);
@@ -137,14 +127,14 @@ TEST(OutcomeMessages, aFailedStepWithoutAReportIsStillNumbered) {
   blocks::Outcome outcome = anError();
   outcome.failed_step = 3;
   cobot_command::PickAndPlaceResult message;
-  fill(message, outcome, kNames);
+  fill(message, outcome, kSite);
   EXPECT_EQ(message.failed_step, 3);
   EXPECT_EQ(message.step_error_id, 0);
 }
 
 TEST(OutcomeMessages, noStepFailedIsMinusOne) {
   cobot_command::PickAndPlaceResult message;
-  fill(message, blocks::Outcome{}, kNames);
+  fill(message, blocks::Outcome{}, kSite);
   EXPECT_EQ(message.failed_step, -1);
 }
 
@@ -158,7 +148,7 @@ TEST(FeedbackMessages, aMoveTellsItsPhasePlaceAndProgress) {
   progress.remaining = milliseconds(3000);
   progress.text = "a safeguard holds the robot";
   cobot_command::MoveAbsoluteFeedback message;
-  fill(message, progress);
+  fill(message, progress, kSite);
   EXPECT_EQ(message.phase, cobot_command::MoveAbsoluteFeedback::HELD);
   EXPECT_EQ(message.command_id_ack, 3);
   EXPECT_EQ(message.place_in_queue, 2);
@@ -174,7 +164,7 @@ TEST(FeedbackMessages, aPickAndPlaceTellsItsStepAndCycle) {
   progress.step = 2;
   progress.cycle = 7;
   cobot_command::PickAndPlaceFeedback message;
-  fill(message, progress);
+  fill(message, progress, kSite);
   EXPECT_EQ(message.phase, cobot_command::PickAndPlaceFeedback::DWELLING);
   EXPECT_EQ(message.step, 2);
   EXPECT_EQ(message.cycle, 7);
@@ -194,29 +184,27 @@ TEST(FeedbackMessages, connectHasPhasesOfItsOwn) {
   blocks::Progress progress;
   Message message;
   progress.phase = blocks::Phase::Probing;
-  fill(message, progress);
+  fill(message, progress, kSite);
   EXPECT_EQ(message.phase, Message::PROBING);
   EXPECT_FALSE(message.connected);
   progress.phase = blocks::Phase::Connected;
-  fill(message, progress);
+  fill(message, progress, kSite);
   EXPECT_EQ(message.phase, Message::CONNECTED);
   EXPECT_TRUE(message.connected);
 }
 
 TEST(OutcomeMessages, theTimesOfALinkAreRosTimesAndZeroWhereThereAreNone) {
-  const ClockPair clocks{ros::Time(1000), Instant(std::chrono::seconds(50))};
-  blocks::LinkTimes times;
-  times.last_connected = Instant(std::chrono::seconds(40));
+  blocks::Outcome outcome;
+  outcome.link_times.last_connected = Instant(std::chrono::seconds(40));
   cobot_command::ConnectResult result;
-  fillTimes(result, times, clocks);
+  fill(result, outcome, kSite);
   EXPECT_EQ(result.last_connected, ros::Time(990));
   EXPECT_TRUE(result.last_lost.isZero());
-  times.last_lost = Instant(std::chrono::seconds(45));
+  blocks::Progress progress;
+  progress.link_times.last_lost = Instant(std::chrono::seconds(45));
   cobot_command::ConnectFeedback feedback;
-  fillTimes(feedback, times, clocks);
+  fill(feedback, progress, kSite);
   EXPECT_EQ(feedback.last_lost, ros::Time(995));
-  cobot_command::StopResult other;  // has none, and is left alone
-  fillTimes(other, times, clocks);
 }
 
 }  // namespace

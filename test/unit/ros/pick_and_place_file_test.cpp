@@ -13,8 +13,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cobot_command/blocks/goal_limits.h"
-
 namespace cobot_command::ros_adapter {
 namespace {
 
@@ -222,7 +220,7 @@ TEST(PickAndPlaceFile, hasAsManyStepsAsAGoalMayHaveAndNoMore) {
   std::string file =
       "steps:\n  - &a {movement_command: LINE, data_format: CAP, target_position: [1, 2, 3, 4, 5, 6], "
       "speed: 1, accel_time: 1}\n";
-  for (std::size_t i = 1; i < blocks::kMostCycleSteps; ++i) file += "  - *a\n";
+  for (std::size_t i = 1; i < blocks::PickAndPlaceGoal::kMostSteps; ++i) file += "  - *a\n";
   EXPECT_EQ(errorOf(file), "no error");
   EXPECT_THAT(errorOf(file + "  - *a\n"), HasSubstr("steps is a list of 51; it must have 1..50 steps"));
 }

@@ -26,7 +26,7 @@ TEST(StatusMessages, theCoresTimeBecomesRosTime) {
 }
 
 TEST(StatusMessages, activeFramesThatAreKnownAreTold) {
-  blocks::ActiveFrames frames;
+  robot::ActiveFrames frames;
   frames.base = at(0.5, 0, 0);
   frames.base_name = "pallet";
   frames.tcp = at(0, 0, 0.12);
@@ -45,7 +45,7 @@ TEST(StatusMessages, activeFramesThatAreKnownAreTold) {
 }
 
 TEST(StatusMessages, activeFramesThatAreUnknownAreSaidToBeAndStillArePoses) {
-  const auto message = toMessage(blocks::ActiveFrames{}, "base", ros::Time(12));
+  const auto message = toMessage(robot::ActiveFrames{}, "base", ros::Time(12));
   EXPECT_FALSE(message.base_known);
   EXPECT_FALSE(message.tcp_known);
   EXPECT_EQ(message.base.orientation.w, 1);
@@ -71,7 +71,7 @@ TEST(StatusMessages, aPathWithoutALineTakesTheLastOneAway) {
 }
 
 TEST(StatusMessages, theStatusSaysWhyThereIsNoStatusStream) {
-  blocks::CommandStatus status;
+  command::CommandStatus status;
   status.status_diagnosis = "the status stream fell silent";
   const auto message = toMessage(status, ClockPair{ros::Time(1), Instant{}});
   EXPECT_FALSE(message.status_stream);
@@ -79,7 +79,7 @@ TEST(StatusMessages, theStatusSaysWhyThereIsNoStatusStream) {
 }
 
 TEST(StatusMessages, whatWasSentAndWhatWaitsAreCountedApart) {
-  blocks::CommandStatus status;
+  command::CommandStatus status;
   status.queue_depth = 4;
   status.commands_under_way = 1;
   status.commands_waiting = 3;

@@ -1,0 +1,11 @@
+// What the header of a block is made of.
+#pragma once
+
+#include "cobot_command/blocks/shared/error_table.h"
+#include "cobot_command/blocks/shared/failure.h"
+#include "cobot_command/blocks/shared/frame_finder.h"
+#include "cobot_command/blocks/shared/goal_traits.h"
+#include "cobot_command/blocks/shared/goal_values.h"
+#include "cobot_command/blocks/shared/order.h"
+#include "cobot_command/blocks/shared/outcome.h"
+#include "cobot_command/blocks/shared/planning_scene.h"

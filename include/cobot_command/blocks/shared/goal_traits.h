@@ -1,0 +1,45 @@
+// What is the same of all goals: how each is carried out, and among which others.
+#pragma once
+
+#include <optional>
+
+#include "cobot_command/blocks/shared/goal_values.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::blocks {
+
+/// How a goal is carried out.
+enum class Way {
+  Link,    ///< makes and keeps the connection
+  Stop,    ///< stops the robot, at once
+  Beside,  ///< goes out beside whatever is under way, whatever state the robot is in
+  Plan,    ///< is answered by planning; nothing is sent
+  Queue    ///< comes when it is its turn
+};
+
+struct GoalTraits {
+  Way way = Way::Queue;
+  int command_id = 0;
+  BufferMode buffer_mode = BufferMode::Refuse;
+  bool awaits_motion = false;  ///< Done when its queue tag came back; else when the controller accepted it
+  bool exits_node = false;     ///< ScriptExit behind it
+  bool check_only = false;     ///< to be planned and answered, as with Way::Plan
+  bool halts = false;          ///< it can only take motion away from the robot
+  bool needs_base = false;     ///< a target in a tf frame: the active base has to be known
+  std::optional<Duration> reply_timeout;  ///< other than that of the link
+};
+
+/// Total: what the checks refuse is BufferMode::Refuse here.
+[[nodiscard]] BufferMode bufferModeOf(int buffer_mode);
+
+/// Of the thesis's commands, which all have these three inputs.
+template <class Goal>
+[[nodiscard]] GoalTraits traitsOfCommand(const Goal& goal) {
+  GoalTraits traits;
+  traits.command_id = goal.command_id;
+  traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.exits_node = goal.exit_node;
+  return traits;
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,30 @@
+// What goes to the controller for a goal: lines of script, and what they mean.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cobot_command/script/script_command.h"
+
+namespace cobot_command::blocks {
+
+/// Without queue tag and exit.
+struct Order {
+  std::vector<std::string> lines;
+  /// What the lines mean; absent when they are a raw script that says more than this layer knows.
+  std::optional<std::vector<script::ScriptCommand>> commands;
+  bool moves = false;         ///< a cancel has to stop the robot
+  bool has_exit = false;      ///< its own lines end with an exit that has a number
+  bool pauses = false;        ///< a script with a Pause() of its own
+  bool stands_at_end = true;  ///< the robot stands when its tag comes; false: a script that sets velocities
+  /// Nobody knows what the robot does when it goes unanswered: it is stopped then.
+  bool stops_unanswered = false;
+};
+
+/// Of one command that moves the arm.
+[[nodiscard]] Order motionOrder(script::ScriptCommand command);
+/// Of one command that does not.
+[[nodiscard]] Order settingOrder(script::ScriptCommand command);
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,95 @@
+// What the core wants done and told, in this order.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cobot_command/arm/types.h"
+#include "cobot_command/blocks/shared/block.h"
+#include "cobot_command/blocks/shared/goal_values.h"
+#include "cobot_command/blocks/shared/outcome.h"
+#include "cobot_command/command/command_status.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/link/connection.h"
+#include "cobot_command/link/robot_status.h"
+#include "cobot_command/robot/active_frames.h"
+
+namespace cobot_command::command {
+
+/// Open a TCP connection; answer with opened() or openFailed(), carrying the same connection id.
+struct OpenConnection {
+  link::ConnectionId id;
+  link::Channel channel;
+  std::string host;
+  int port = 0;
+  Duration timeout{};
+};
+/// Close a connection, or give up opening it. No event with its id is expected any more; late ones are
+/// ignored.
+struct CloseConnection {
+  link::ConnectionId id;
+};
+struct SendBytes {
+  link::ConnectionId id;
+  std::string bytes;
+};
+/// It is its turn. A goal that waits (BufferMode::Buffered) is not accepted yet: only its progress is told.
+struct GoalAccepted {
+  blocks::Block block;
+  blocks::GoalId goal;
+};
+struct GoalProgressed {
+  blocks::Block block;
+  blocks::GoalId goal;
+  blocks::Progress progress;
+};
+/// The one and only end of a goal. Rejected comes without a GoalAccepted before it, CommandAborted also
+/// without one when the goal still waited, the others with one.
+struct GoalEnded {
+  blocks::Block block;
+  blocks::GoalId goal;
+  blocks::Outcome outcome;
+};
+/// The commands that wait have fallen with the one in front of them. So no command of a goal up to and with
+/// `newest` begins any more, wherever it waits: those in the core are ended, and one that is submitted later
+/// ends at once as CommandAborted (fallsWithOthers()).
+struct CommandsFell {
+  blocks::GoalId newest;
+  std::string why;
+};
+struct StatusChanged {
+  CommandStatus status;
+};
+struct RobotStatusReceived {
+  link::RobotStatus status;
+};
+/// Base and TCP that the next command will be taken in are others than before.
+struct ActiveFramesChanged {
+  robot::ActiveFrames frames;
+};
+/// The path of a motion that was checked or is about to start: the TCP in the robot base.
+struct PathPlanned {
+  blocks::GoalId goal;
+  std::vector<arm::Pose> tool_path;
+};
+/// The flight recorder: every frame and every fault, sent and received.
+/// A received frame is written anew from header and data, a fault holds the bytes that were dropped.
+struct FrameTraced {
+  Instant time;
+  link::Channel channel;
+  bool sent = false;
+  std::string bytes;
+  std::string meaning;
+};
+enum class Severity { Info, Warning, Error };
+struct LogMessage {
+  Severity severity;
+  std::string text;
+};
+
+using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed,
+                            GoalEnded, CommandsFell, StatusChanged, RobotStatusReceived, ActiveFramesChanged,
+                            PathPlanned, FrameTraced, LogMessage>;
+
+}  // namespace cobot_command::command

@@ -1,0 +1,85 @@
+// The command core of one robot: goals and bytes in, frames and outcomes out.
+//
+// It owns the link, the blocks and the arbiter. No socket, no thread, no clock: whoever drives it hands in
+// events with the time and carries out the actions. Not thread-safe: one thread owns it. Every goal gets
+// exactly one GoalEnded.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/frame_finder.h"
+#include "cobot_command/blocks/shared/outcome.h"
+#include "cobot_command/command/actions.h"
+#include "cobot_command/command/finish.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/link/connection.h"
+
+namespace cobot_command::command {
+
+/// The newest goal that has come anywhere, also where goals wait before they are submitted. Goals count up
+/// in the order in which they came.
+using NewestGoal = std::function<blocks::GoalId()>;
+
+class CommandCore {
+ public:
+  /// `arm`: the model for planning and checks; without one, moves are sent unplanned. See CoreSettings for
+  /// the rest. `frames`: asked when a goal with a target in a frame has waited; without one, targets stay
+  /// where they were. `newest`: asked when commands fall by what happens, not by a goal; without one it is
+  /// the newest that was submitted.
+  CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, blocks::FrameFinder frames = {},
+              NewestGoal newest = {});
+  ~CommandCore();
+  CommandCore(CommandCore&&) noexcept;
+  CommandCore& operator=(CommandCore&&) noexcept;
+
+  // --- Goals.
+  void submit(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  /// The falling edge of Execute while Busy. A goal that has ended already is left alone. With what is under
+  /// way all that came until then falls. `newest`: the newest goal when the cancel was asked for; nothing:
+  /// that of now.
+  void cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest = {});
+  /// Ends what is under way in its own time, without a stop: a move is finished and Done; a pick and place
+  /// ends behind its move as CommandAborted, behind its cycle as Done. What waits ends as CommandAborted.
+  /// What is being stopped already is stopped. Returns what was found; FinishReport::foundAny() tells whether
+  /// there was anything, without which nothing has changed. `newest`: as with cancel().
+  FinishReport finish(blocks::FinishAfter after, Instant now, std::optional<blocks::GoalId> newest = {});
+  /// Keeps a link by itself whenever no connect goal is Busy: tries for ever, and again after each loss. A
+  /// cancelled connect goal ends that too. Precondition: the target is what a connect goal may be.
+  void keepConnected(const blocks::ConnectGoal& target, Instant now);
+  /// Begins the end: no goal is taken any more, but for a stop and a pause, what waits ends, and a robot that
+  /// moves is told to stop. What is under way ends as CommandAborted when the robot stands. The connections
+  /// are kept for that.
+  void retire(Instant now);
+  /// Nothing is under way any more, and no stop waits for its answer.
+  [[nodiscard]] bool retired() const;
+  /// Ends everything: open goals as CommandAborted, connections closed. Nothing is sent to the robot
+  /// afterwards. Call retire() first, and wait a little, so that the stop is heard.
+  void shutDown(Instant now);
+
+  // --- Connections.
+  void opened(link::ConnectionId id, Instant now);
+  void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
+  void received(link::ConnectionId id, std::string_view bytes, Instant now);
+  void closed(link::ConnectionId id, const std::string& reason, Instant now);
+
+  // --- Time.
+  void advance(Instant now);
+  /// When advance() has to be called at the latest; nothing while there is nothing to wait for.
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  [[nodiscard]] std::vector<Action> takeActions();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cobot_command::command

@@ -1,0 +1,55 @@
+// What everyone may know of the command layer at any time: the latched status of one robot.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::command {
+
+/// The PLCopen outputs of one block. At most one of busy, done, error, command_aborted is true.
+struct BlockOutputs {
+  blocks::Block block{};
+  bool busy = false;
+  bool active = false;
+  bool done = false;
+  bool error = false;
+  bool command_aborted = false;
+  int error_id = 0;
+  std::string error_description;  ///< stays until the block is executed again
+  int command_id_ack = 0;
+
+  friend bool operator==(const BlockOutputs& a, const BlockOutputs& b);
+};
+
+struct CommandStatus {
+  enum class LinkState { Disconnected, Connecting, Probing, NotListening, Ready };
+  LinkState link = LinkState::Disconnected;
+  std::string diagnosis;  ///< plain words: "connection refused: no project is running on the controller"
+  std::string host;
+  int port = 0;
+  std::string listen_node;                ///< message of the Listen node, while in it
+  bool status_stream = false;             ///< the status link delivers
+  std::string status_diagnosis;           ///< why it does not, or not wholly, in plain words
+  std::optional<Instant> last_connected;  ///< LastConnTime
+  std::optional<Instant> last_lost;       ///< LastLostTime
+  int queue_depth = 0;                    ///< commands that are under way or wait: the sum of the next two
+  int commands_under_way = 0;             ///< of which the script was sent; a cycle counts as one
+  int commands_waiting = 0;               ///< kept in this layer, not sent
+  /// WaitingReturn (thesis 5.3.1.2): the robot is occupied, a command with BufferMode::Refuse is refused.
+  bool waiting_return = false;
+  std::vector<int> open_tags;
+  std::uint64_t late_replies = 0;  ///< replies that nobody waited for: counted, never applied
+  std::uint64_t decode_faults = 0;
+  std::vector<BlockOutputs> blocks;
+
+  friend bool operator==(const CommandStatus& a, const CommandStatus& b);
+};
+[[nodiscard]] const char* toString(CommandStatus::LinkState state);
+
+}  // namespace cobot_command::command

@@ -1,0 +1,23 @@
+// What holds for goals that wait, wherever they do: in the core for their turn, in front of it for a frame or
+// a file.
+#pragma once
+
+#include <cstddef>
+
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/outcome.h"
+
+namespace cobot_command::command {
+
+/// In each of the places where they wait.
+inline constexpr std::size_t kMostWaiting = 64;
+
+/// Whether it ends with a command in front of it that fails or is cancelled. What begins nothing at the robot
+/// does not, nor what halts it or makes its connection.
+[[nodiscard]] bool fallsWithOthers(const blocks::Goal& goal);
+
+/// Of a goal that comes when `waiting` goals wait already. Precondition: the goals of that block may wait
+/// (fallsWithOthers()).
+[[nodiscard]] blocks::Outcome refusedAsTooMany(blocks::Block block, std::size_t waiting);
+
+}  // namespace cobot_command::command

@@ -1,0 +1,178 @@
+#include "cobot_command/blocks/pick_and_place.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "pick_and_place_run.h"
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/check_sequence.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/foreign_text.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+constexpr int kMaxCycles = 1000000;
+constexpr double kMaxDwell = 3600;
+
+bool isOutput(const OutputAction& output) {
+  const auto module = script::ioModule(output.module);
+  return module && output.output >= 0 && output.output < script::ioCount(*module);
+}
+
+/// What is wrong with a step besides its move.
+Failure blame(int error_id, std::string found, std::size_t index) {
+  return {error_id, std::move(found), "", {static_cast<int>(index), 0, ""}};
+}
+
+void checkStep(const PickAndPlaceGoal& goal, std::size_t index, std::vector<Failure>& failures) {
+  const PickAndPlaceStep& step = goal.steps[index];
+  const std::size_t number = index + 1;
+  if (const auto own = check(step.move); !own.empty()) {
+    failures.push_back(stepRefused(index, goal.steps.size(), toRejection(kBlock<MoveAbsoluteGoal>, own)));
+  }
+  if (!(step.dwell >= 0 && step.dwell <= kMaxDwell)) {
+    failures.push_back(blame(own_error::kDwellRange,
+                             fmt::format("the dwell of step {} is {} s", number, step.dwell), index));
+  }
+  if (step.output && !isOutput(*step.output)) {
+    failures.push_back(blame(own_error::kOutputInvalid,
+                             fmt::format("step {}: output {} of module '{}'", number, step.output->output,
+                                         foreignText(step.output->module, kQuoteLimit)),
+                             index));
+  }
+  if (step.move.blending_enable && (step.dwell > 0 || step.output)) {
+    failures.push_back(blame(own_error::kBlendBeforeDwell, fmt::format("step {}", number), index));
+  }
+}
+
+/// Behind an exit the controller takes nothing more, so it is only for the end of all.
+void checkExits(const PickAndPlaceGoal& goal, std::vector<Failure>& failures) {
+  for (std::size_t i = 0; i < goal.steps.size(); ++i) {
+    if (!goal.steps[i].move.exit_node) continue;
+    if (i + 1 < goal.steps.size()) {
+      failures.push_back(
+          blame(own_error::kExitBeforeEnd, fmt::format("step {} of {}", i + 1, goal.steps.size()), i));
+    } else if (goal.cycles == 0) {
+      failures.push_back(blame(own_error::kExitBeforeEnd, "cycles is 0: there is no last cycle", i));
+    } else if (goal.steps[i].output) {
+      failures.push_back(
+          blame(own_error::kExitBeforeEnd, fmt::format("step {} has an output behind it", i + 1), i));
+    } else {
+      continue;
+    }
+    return;
+  }
+}
+
+/// Its steps, which come round when there is more than one cycle.
+CheckSequenceGoal asSequence(const PickAndPlaceGoal& goal) {
+  CheckSequenceGoal sequence;
+  for (const PickAndPlaceStep& step : goal.steps) sequence.steps.emplace_back(step.move);
+  sequence.comes_round = goal.cycles != 1;
+  return sequence;
+}
+
+}  // namespace
+
+ErrorTable PickAndPlaceGoal::errors() {
+  return ErrorTable()
+      .turn()
+      .shared({motion_error::kNotConnected, motion_error::kLinkDropped, own_error::kStartUnknown,
+               own_error::kNoModel, own_error::kShutDown})
+      .shared(own_error::kStepCount, "there are no steps, or more than 50")
+      .shared({own_error::kStepRefused})
+      .row(own_error::kStepFailed, "Step failed", kExecuteAgain,
+           "a move of the cycle failed in execution; the description tells its error and which step")
+      .row(own_error::kDwellRange, "Dwell range: 0~3600 s", kSetInRange,
+           "the dwell of a step is negative, above 3600, or not a number")
+      .row(own_error::kCycleRange, "Cycles range: 0~1000000", kSetInRange,
+           "cycles is negative or above 1000000; 0 means until cancelled")
+      .row(own_error::kOutputInvalid, "Output invalid", "Use 0 to 3 of EndModule, or 0 to 15 of ControlBox",
+           "the output of a step is of another module, or has no such number")
+      .row(own_error::kStepsUnreadable, "Steps cannot be read",
+           "Check the path of the file, and its form against config/pick_and_place.yaml",
+           "steps_file is not there, is no YAML, or has other fields than a step")
+      .row(own_error::kOutputFailed, "Output not set", "Check that the controller has this output",
+           "the controller refused or did not answer the line that sets an output, or it could not be sent; "
+           "the description tells why")
+      .row(own_error::kBlendBeforeDwell, "Blending must be disabled before an output or a dwell",
+           "Disable blending_enable of the step", "a step with blending_enable has an output or a dwell")
+      .row(own_error::kExitBeforeEnd, "Only the last step of the last cycle may leave the Listen node",
+           "Take exit_node away from the step, or its output; give a number of cycles",
+           "exit_node of a step that is not the last, of one with an output, or with cycles 0");
+}
+
+GoalTraits traitsOf(const PickAndPlaceGoal& goal) {
+  GoalTraits traits;
+  traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.check_only = goal.check_only;
+  return traits;
+}
+
+std::vector<Failure> check(const PickAndPlaceGoal& goal) {
+  std::vector<Failure> failures;
+  if (!goal.steps_fault.empty()) {
+    failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, ""});
+  } else if (goal.steps.empty() || goal.steps.size() > PickAndPlaceGoal::kMostSteps) {
+    failures.push_back(
+        {own_error::kStepCount, foundSteps(goal.steps.size(), PickAndPlaceGoal::kMostSteps), ""});
+  }
+  if (goal.cycles < 0 || goal.cycles > kMaxCycles) {
+    failures.push_back({own_error::kCycleRange, fmt::format("cycles is {}", goal.cycles), ""});
+  }
+  if (goal.buffer_mode < static_cast<int>(BufferMode::Refuse) ||
+      goal.buffer_mode > static_cast<int>(BufferMode::Aborting)) {
+    failures.push_back(
+        {own_error::kBufferModeUnknown, fmt::format("buffer_mode is {}", goal.buffer_mode), ""});
+  }
+  for (std::size_t i = 0; i < goal.steps.size() && failures.empty(); ++i) {
+    checkStep(goal, i, failures);
+  }
+  checkExits(goal, failures);
+  return failures;
+}
+
+std::optional<Failure> findMovedFrame(const PickAndPlaceGoal& goal, const FrameFinder& finder) {
+  for (std::size_t i = 0; i < goal.steps.size(); ++i) {
+    if (const auto moved = findMovedFrame(goal.steps[i].move, finder)) {
+      return stepRefused(i, goal.steps.size(), toRejection(kBlock<MoveAbsoluteGoal>, {*moved}));
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Duration> plannedCycle(const PickAndPlaceGoal& goal, const std::vector<StepReport>& steps) {
+  if (steps.size() < goal.steps.size()) return std::nullopt;
+  Duration motion{};
+  Duration dwells{};
+  for (std::size_t i = 0; i < goal.steps.size(); ++i) {
+    motion = std::max(motion, steps[i].start + steps[i].duration);
+    dwells += fromSeconds(goal.steps[i].dwell);
+  }
+  return motion + dwells;
+}
+
+Outcome plan(const PickAndPlaceGoal& goal, const PlanningScene& scene) {
+  Outcome outcome = plan(asSequence(goal), scene);
+  if (outcome.ending != Ending::Rejected) {
+    outcome.planned = plannedCycle(goal, outcome.steps);
+    return outcome;
+  }
+  // The same findings, in the words of this block.
+  const ErrorEntry* entry = findError(kBlock<PickAndPlaceGoal>, outcome.error_id);
+  assert(entry != nullptr);
+  const bool is_general = outcome.remedy == findError(kBlock<CheckSequenceGoal>, outcome.error_id)->remedy;
+  if (is_general) outcome.remedy = entry->remedy;
+  return outcome;
+}
+
+std::unique_ptr<Run> runOf(const PickAndPlaceGoal& goal, GoalId id, const Outcome& planned, Instant now) {
+  return std::make_unique<PickAndPlaceRun>(id, goal, planned.steps, now);
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,94 @@
+#include "cobot_command/blocks/shared/outcome.h"
+
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/failure.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+std::string describe(const ErrorEntry& entry, const std::string& found) {
+  return found.empty() ? std::string(entry.description) : fmt::format("{}: {}", entry.description, found);
+}
+
+/// A missing row is a fault of this layer; but who commands a robot has to get an answer all the same.
+const ErrorEntry& entryOf(Block block, int id) {
+  static constexpr ErrorEntry kUnlisted{
+      {0, "Error without a row in the catalogue", "Report this to the maintainers", ""}, Block{}};
+  const ErrorEntry* entry = findError(block, id);
+  assert(entry != nullptr);
+  return entry != nullptr ? *entry : kUnlisted;
+}
+
+}  // namespace
+
+const char* toString(Phase phase) {
+  switch (phase) {
+    case Phase::Connecting:
+      return "connecting";
+    case Phase::Probing:
+      return "probing";
+    case Phase::Connected:
+      return "connected";
+    case Phase::Sent:
+      return "sent";
+    case Phase::Queued:
+      return "queued";
+    case Phase::Active:
+      return "active";
+    case Phase::Held:
+      return "held";
+    case Phase::Dwelling:
+      return "dwelling";
+    case Phase::Stopping:
+      return "stopping";
+  }
+  return "unknown";
+}
+
+Failure tooManyWait(std::size_t waiting) {
+  return {own_error::kQueueFull, fmt::format("{} commands wait", waiting), ""};
+}
+
+std::string foundSteps(std::size_t count, std::size_t most) {
+  return fmt::format("{} steps; allowed: 1 to {}", count, most);
+}
+
+Failure stepRefused(std::size_t step, std::size_t count, const Outcome& own) {
+  return {own_error::kStepRefused,
+          fmt::format("step {} of {}: 16#{:X} {}", step + 1, count, own.error_id, own.error_description),
+          own.remedy,
+          {static_cast<int>(step), own.error_id, own.error_description + ". " + own.remedy}};
+}
+
+Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
+  const ErrorEntry& entry = entryOf(block, failure.error_id);
+  Outcome outcome;
+  outcome.ending = ending;
+  outcome.error_id = failure.error_id;
+  outcome.error_description = describe(entry, failure.found);
+  outcome.remedy = failure.remedy.empty() ? entry.remedy : failure.remedy;
+  if (const StepBlame& blame = failure.blame; blame.step >= 0) {
+    outcome.failed_step = blame.step;
+    outcome.steps.resize(static_cast<std::size_t>(blame.step) + 1);
+    outcome.steps.back().error_id = blame.error_id;
+    outcome.steps.back().error_description = blame.error_description;
+  }
+  return outcome;
+}
+
+Outcome toRejection(Block block, const std::vector<Failure>& failures) {
+  Outcome outcome = toOutcome(block, Ending::Rejected, failures.front());
+  for (std::size_t i = 1; i < failures.size(); ++i) {
+    const int id = failures[i].error_id;
+    outcome.error_description +=
+        fmt::format("; also 16#{:X} {}", id, describe(entryOf(block, id), failures[i].found));
+  }
+  return outcome;
+}
+
+}  // namespace cobot_command::blocks

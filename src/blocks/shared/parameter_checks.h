@@ -1,0 +1,44 @@
+// What is wrong with the parameters of a goal: the checks that several blocks share, and the list that all
+// of them fill.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cobot_command/blocks/shared/failure.h"
+#include "cobot_command/blocks/shared/goal_traits.h"
+#include "cobot_command/blocks/shared/goal_values.h"
+
+namespace cobot_command::blocks {
+
+/// False for NaN too.
+[[nodiscard]] inline bool isWithin(double value, double lowest, double highest) {
+  return value >= lowest && value <= highest;
+}
+
+/// What command_id 0 does where there is no queue tag.
+inline constexpr const char* kNoCommandId = "gives none";
+
+class ParameterChecks {
+ public:
+  void require(bool satisfied, int error_id, std::string found);
+
+  /// 0 or 2..9. `zero`: what 0 does.
+  void commandId(int command_id, const char* zero);
+  void bufferMode(int buffer_mode);
+  /// Finite, and no larger than any arm of the family could mean. `field` as the caller knows it.
+  void sixValues(const char* field, const SixValues& values);
+  /// The name of a base or TCP in the controller's project.
+  void name(const char* field, const std::string& name);
+
+  /// In the order of the tables, which is that of the ids.
+  [[nodiscard]] std::vector<Failure> violations() &&;
+
+ private:
+  std::vector<Failure> failures_;
+};
+
+/// Largest coordinate [mm, deg] that is taken for one.
+inline constexpr double kMaxCoordinate = 100000;
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,260 @@
+// The rows that mean the same in several blocks, and which blocks' needs they meet together.
+#include <algorithm>
+#include <cassert>
+
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/error_table.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+struct SharedError {
+  int id;
+  const char* description;
+  const char* remedy;
+  const char* raised_when;
+};
+
+/// Numbers and texts of the thesis; the conditions are this layer's.
+constexpr SharedError kThesisErrors[] = {
+    {motion_error::kNotConnected, "Robot not connected",
+     "Send a goal to connect, and wait until it is connected",
+     "no connect goal is Busy, or its link is not established (yet)"},
+    {motion_error::kOtherBlockBusy, "Other function block is under execution",
+     "Wait until it is done, or use buffer_mode BUFFERED or ABORTING",
+     "buffer_mode REFUSE and another command is Busy; a blended motion is not any more once the controller "
+     "has "
+     "accepted it"},
+    {motion_error::kClearBuffer, "Clear buffer error", kCheckWiring, kNoSuchStep},
+    {motion_error::kSpeedRangeAbsolute, "Speed range: above 0, at most 4500 mm/s", kSetInRange,
+     "a format with speed in mm/s (second letter A): speed is not above 0, above 4500, or not a number"},
+    {motion_error::kSpeedRangePercent, "Speed range: above 0, at most 100 %", kSetInRange,
+     "a format with speed in % (second letter P), whatever the movement: speed is not above 0, above 100, or "
+     "not a number"},
+    {motion_error::kAccelTimeRange, "Acceleration Time range is: 150~9999 ms", kSetInRange,
+     "accel_time is below 150, above 9999, or not a number"},
+    {motion_error::kCommandIdRange, "Command ID range: 0, or 2~9", kSetInRange,
+     "command_id is neither 0 (the layer chooses) nor 2..9"},
+    {motion_error::kChecksumLength, "Checksum length not valid", kExecuteAgain,
+     "cannot occur any more: the encoder cannot fail"},
+    {motion_error::kFrameBuilding, "Final frame building is error end", kExecuteAgain,
+     "cannot occur any more: the encoder cannot fail"},
+    {motion_error::kSend, "TCP send error", kCheckWiring,
+     "cannot occur any more: a failed send closes the connection, see 16#99"},
+    {motion_error::kReceiveReply, "TCP receive error", kCheckWiring,
+     "the controller did not answer the script in time; the robot is told to stop"},
+    {motion_error::kRejected, "Command rejected", kExecuteAgain,
+     "the controller answered ERROR with the numbers of the faulty lines"},
+    {motion_error::kClearBufferAgain, "Clear buffer error", kCheckWiring, kNoSuchStep},
+    {motion_error::kLinkDropped, "Robot not connected",
+     "Send a goal to connect again; nothing resumes by itself",
+     "the link dropped, or an emergency stop came, while the command was Busy"},
+    {motion_error::kReceiveTag, "TCP receive error", kCheckWiring,
+     "the motion is overdue, and the question for its tag got no answer; the robot is told to stop"},
+    {motion_error::kMotionFailed, "Motion failed", kExecuteAgain,
+     "the controller reported the tag as not completed, and the robot stands; the robot is told to stop"},
+};
+
+constexpr SharedError kTargetErrors[] = {
+    {own_error::kNotFinite, "Target not finite", "Give finite numbers",
+     "a coordinate, or a number of a pose, is NaN or infinite"},
+    {own_error::kUnreachable, "Target unreachable",
+     "Choose a target within the reach of the arm, or check base and TCP",
+     "planning: a point of the path is out of reach"},
+    {own_error::kPoseBits, "Robot pose not achievable",
+     "Choose another robot pose, or let the arm keep the present one",
+     "planning: a point can be reached, but not with the wanted configuration, or not with that of the "
+     "start"},
+    {own_error::kJointLimit, "Joint limit exceeded", "Choose another target, robot pose or path",
+     "planning: a joint would leave its range"},
+    {own_error::kJointSpeed, "Joint speed exceeded", "Lower the speed, or use PTP",
+     "planning: a joint would have to be faster than rated"},
+    {own_error::kSingular, "Path is singular", "Use PTP, or a path away from the singularity",
+     "planning: the path runs into or too close to a singularity"},
+    {own_error::kNotPlannable, "Motion cannot be planned", kSetInRange,
+     "planning: refused for another reason, which the description tells"},
+    {own_error::kBlendingTooLarge, "Blending does not fit",
+     "Lower blending_value, or choose targets that are further apart",
+     "in a sequence that is checked: the blending radius is larger than half of the way to its corner, "
+     "or of the way behind it"},
+    {own_error::kStartUnknown, "Start unknown",
+     "Wait until the status stream shows the robot standing; one that is held stands after a stop",
+     "check_only, and it is not known where the motion would start: no status stream, or the robot moves, or "
+     "is held, from an unknown place"},
+    {own_error::kNoModel, "No arm model", "Start the command layer with the model of the robot",
+     "check_only, and the command layer knows no model of the arm"},
+    {own_error::kAmbiguousTurn, "Turn ambiguous",
+     "Go by a point between, at which the tool has turned part of the way, or use PTP to joints",
+     "planning: the tool, or a joint of a PTP to a pose, would make half a turn (to 1 deg), and nobody knows "
+     "which way round the controller makes it"},
+    {own_error::kFrameMoved, "Frame moved",
+     "Send the goal again; or give its header a stamp, which asks for where the frame was then",
+     "a target in a tf frame, at its latest place (stamp zero), is more than 1 mm or 0.1 degrees from where "
+     "it was when the goal came: looked for when a goal that waited gets its turn, and before each move of a "
+     "pick_and_place"},
+    {own_error::kCoordinateRange, "Coordinate range: -100000~100000", kSetInRange,
+     "a coordinate [mm, deg] is beyond what any arm of the family could mean"},
+    {own_error::kFrameUnknown, "Frame unknown", "Give a frame that tf connects with the robot base",
+     "a pose is in a tf frame that cannot be transformed to the robot base"},
+    {own_error::kQuaternion, "Quaternion not of unit length",
+     "Normalise the quaternion; 0, 0, 0, 1 means no rotation",
+     "the length of a pose's quaternion differs from 1 by more than 0.001, as that of all zeros"},
+    {own_error::kBaseUnknown, "Active base or TCP unknown",
+     "Give them by value, or tick Base_Value and TCP_Value in the Ethernet Slave's data table; behind a "
+     "change by name, wait for the next status frame",
+     "a target in a tf frame, and it is not known in which base the controller would take it; or a motion to "
+     "be checked in a sequence, in a base or TCP that the project knows by name only"},
+};
+
+constexpr SharedError kParameterErrors[] = {
+    {own_error::kBlendingRange, "Blending range: 0~100 % or 0~2000 mm", kSetInRange,
+     "blending_enable and blending_value is outside 0..100 (formats ..P) or 0..2000 (formats ..R), or not a "
+     "number"},
+    {own_error::kMovementUnknown, "MovementCommand unknown", "Use 0 (Line) or 1 (PTP)",
+     "movement_command is neither 0 nor 1"},
+    {own_error::kNoFreeTag, "No free queue tag", "Wait until a command is done",
+     "cannot occur as long as one command at a time is accepted: all 15 tags are open"},
+    {own_error::kBufferModeUnknown, "BufferMode unknown", "Use 0 (REFUSE), 1 (BUFFERED) or 2 (ABORTING)",
+     "buffer_mode is none of them"},
+    {own_error::kQueueFull, "Too many commands wait", "Wait until a command is done",
+     "buffer_mode BUFFERED, and the queue of this layer is full; or as many wait for a frame or a file"},
+    {own_error::kNameInvalid, "Name invalid", "Give the name as it is in the TMflow project",
+     "a name has more than 255 bytes or control characters, or is not UTF-8"},
+    {own_error::kStepCount, "Number of steps out of range", kSetInRange, "there are no steps, or too many"},
+    {own_error::kStepRefused, "Step refused", "Correct the step",
+     "the check of a step found an error, which the description tells with the index of the step"},
+};
+
+constexpr SharedError kRobotErrors[] = {
+    {own_error::kNotListening, "Cobot is not in Listen Node",
+     "Let the flow of the TMflow project enter its Listen node",
+     "connected, but the flow is in another node; or the controller answered CPERR F1"},
+    {own_error::kEmergencyStop, "Emergency stop is pressed",
+     "Release the emergency stop and start the project again",
+     "the status stream shows an emergency stop when the command comes (during execution: 16#99)"},
+    {own_error::kRobotError, "Controller is in error",
+     "Execute stop, which acknowledges the error: the next motion then clears it. If it does not, clear it "
+     "on the "
+     "controller",
+     "the status stream shows an error that no stop has acknowledged, when the command comes, or while it is "
+     "Busy; "
+     "code and text are given, and what the arm carries where change_tcp and ChangeLoad gave it more than "
+     "its "
+     "payload: the remedy names the way out then"},
+    {own_error::kNotAtTarget, "Target not reached",
+     "Make sure that no other client commands this controller, then execute again",
+     "the tag came back as complete, but until ~evidence_timeout later the status stream showed the robot "
+     "away "
+     "from the target, or still in motion; the robot is told to stop"},
+    {own_error::kOrphanMoves, "Robot may move without a goal of this layer",
+     "Wait until it stands, execute stop, or use buffer_mode ABORTING",
+     "buffer_mode REFUSE, and the robot moves on from before the link was made, as ~stop_orphaned_motion is "
+     "false, or a stop was not confirmed (16#225); either counts until a status frame shows the robot "
+     "standing or a stop is confirmed"},
+    {own_error::kStoppedElsewhere, "Motion stopped by somebody else",
+     "Find out who stops the robot: another client of this controller (a second command node stops what it "
+     "finds in motion, unless its ~stop_orphaned_motion is false), the project or the pendant; then execute "
+     "again",
+     "the robot has stood away from the target for ~evidence_timeout, no pause and no safeguard holds it, "
+     "and the controller, asked, does not know the tag any more; the robot is told to stop"},
+    {own_error::kTagLost, "Motion not confirmed", kExecuteAgain,
+     "the motion is overdue and the controller does not know its tag, or cannot tell for too long; the robot "
+     "is told to stop"},
+    {own_error::kCommunication, "Communication error reported by the controller", kExecuteAgain,
+     "the controller answered the script with CPERR 01..04; a robot that was to move is told to "
+     "stop"},
+    {own_error::kStopNotConfirmed, "Stop not confirmed", "Make sure that the robot stands before you go on",
+     "after a cancel, or for a goal with buffer_mode ABORTING, the controller did not accept the stop, or "
+     "the status stream did not show the robot come to rest in time"},
+    {own_error::kShutDown, "Command layer is shutting down", "Start the command layer again",
+     "cannot occur through ROS, whose node takes no goals by then: the goal came after the command layer was "
+     "told to shut down"},
+};
+
+template <std::size_t N>
+const SharedError* find(const SharedError (&table)[N], int id) {
+  const auto* found = std::find_if(std::begin(table), std::end(table),
+                                   [id](const SharedError& error) { return error.id == id; });
+  return found == std::end(table) ? nullptr : found;
+}
+
+const SharedError& sharedError(int id) {
+  for (const SharedError* found : {find(kThesisErrors, id), find(kTargetErrors, id),
+                                   find(kParameterErrors, id), find(kRobotErrors, id)}) {
+    if (found != nullptr) return *found;
+  }
+  assert(false && "no shared error has this id");
+  return kRobotErrors[0];
+}
+
+}  // namespace
+
+ErrorTable& ErrorTable::row(int id, const char* description, const char* remedy, const char* raised_when) {
+  rows_.push_back({id, description, remedy, raised_when});
+  return *this;
+}
+
+ErrorTable& ErrorTable::shared(std::initializer_list<int> ids) {
+  for (const int id : ids) shared(id, sharedError(id).raised_when);
+  return *this;
+}
+
+ErrorTable& ErrorTable::shared(int id, const char* raised_when) {
+  const SharedError& error = sharedError(id);
+  return row(id, error.description, error.remedy, raised_when);
+}
+
+ErrorTable& ErrorTable::remedy(int id, const char* remedy) {
+  for (ErrorRow& row : rows_) {
+    if (row.id == id) row.remedy = remedy;
+  }
+  return *this;
+}
+
+ErrorTable& ErrorTable::thesisCommand() {
+  return shared({motion_error::kClearBuffer, motion_error::kChecksumLength, motion_error::kFrameBuilding,
+                 motion_error::kSend});
+}
+
+ErrorTable& ErrorTable::echoedCommandId() {
+  return shared(motion_error::kCommandIdRange,
+                "command_id is neither 0 (none) nor 2..9, which the thesis does not look at in this block");
+}
+
+ErrorTable& ErrorTable::anyCommand() {
+  return shared({motion_error::kNotConnected, motion_error::kReceiveReply, motion_error::kRejected,
+                 motion_error::kLinkDropped, own_error::kCommunication, own_error::kShutDown});
+}
+
+ErrorTable& ErrorTable::turn() {
+  return shared({motion_error::kOtherBlockBusy, own_error::kBufferModeUnknown, own_error::kQueueFull,
+                 own_error::kNotListening, own_error::kEmergencyStop, own_error::kRobotError,
+                 own_error::kStopNotConfirmed, own_error::kOrphanMoves});
+}
+
+ErrorTable& ErrorTable::motion() {
+  return shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kUnreachable,
+                 own_error::kPoseBits, own_error::kJointLimit, own_error::kJointSpeed, own_error::kSingular,
+                 own_error::kNotPlannable, own_error::kAmbiguousTurn, own_error::kNoFreeTag,
+                 own_error::kTagLost, own_error::kNotAtTarget, own_error::kStoppedElsewhere});
+}
+
+ErrorTable& ErrorTable::move() {
+  return motion().shared({motion_error::kSpeedRangeAbsolute, motion_error::kSpeedRangePercent,
+                          motion_error::kAccelTimeRange, motion_error::kCommandIdRange,
+                          motion_error::kClearBufferAgain, own_error::kNotFinite, own_error::kStartUnknown,
+                          own_error::kNoModel, own_error::kBlendingRange, own_error::kCoordinateRange,
+                          own_error::kBaseUnknown});
+}
+
+ErrorTable& ErrorTable::framedPose() {
+  return shared({own_error::kFrameUnknown, own_error::kFrameMoved, own_error::kQuaternion});
+}
+
+std::vector<ErrorRow> ErrorTable::rows() const {
+  std::vector<ErrorRow> sorted = rows_;
+  std::sort(sorted.begin(), sorted.end(), [](const ErrorRow& a, const ErrorRow& b) { return a.id < b.id; });
+  return sorted;
+}
+
+}  // namespace cobot_command::blocks

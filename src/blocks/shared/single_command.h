@@ -1,0 +1,33 @@
+// A goal that is one command, on its way.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "cobot_command/blocks/shared/run.h"
+
+namespace cobot_command::blocks {
+
+class SingleCommand final : public Run {
+ public:
+  SingleCommand(GoalId goal, Command command) : Run(command.block, goal), command_(std::move(command)) {}
+
+  [[nodiscard]] bool isOneCommand() const override { return true; }
+  [[nodiscard]] std::optional<Command> next() const override {
+    return sent_ ? std::nullopt : std::make_optional(command_);
+  }
+  void commandStarted() override { sent_ = true; }
+  void commandProgressed(const Progress& progress) override { report(progress); }
+  void commandEnded(const Outcome& outcome, Instant /*now*/) override { end(outcome); }
+  void commandRefused(const Failure& failure, Instant /*now*/) override {
+    end(toOutcome(block(), Ending::Rejected, failure));
+  }
+  /// It is its command that is cancelled.
+  void cancel(const std::string& /*why*/, Instant /*now*/) override {}
+
+ private:
+  Command command_;
+  bool sent_ = false;
+};
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,71 @@
+#include "cobot_command/command/command_core.h"
+
+#include "core_impl.h"
+
+namespace cobot_command::command {
+
+CommandCore::CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings,
+                         blocks::FrameFinder frames, NewestGoal newest)
+    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(frames), std::move(newest))) {}
+CommandCore::~CommandCore() = default;
+CommandCore::CommandCore(CommandCore&&) noexcept = default;
+CommandCore& CommandCore::operator=(CommandCore&&) noexcept = default;
+
+void CommandCore::submit(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
+  impl_->submit(id, goal, now);
+}
+
+void CommandCore::cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest) {
+  impl_->cancel(id, now, newest);
+}
+
+FinishReport CommandCore::finish(blocks::FinishAfter after, Instant now,
+                                 std::optional<blocks::GoalId> newest) {
+  return impl_->finish(after, now, newest);
+}
+
+void CommandCore::keepConnected(const blocks::ConnectGoal& target, Instant now) {
+  impl_->keepConnected(target, now);
+}
+
+void CommandCore::retire(Instant now) {
+  impl_->retire(now);
+}
+
+bool CommandCore::retired() const {
+  return impl_->retired();
+}
+
+void CommandCore::shutDown(Instant now) {
+  impl_->shutDown(now);
+}
+
+void CommandCore::opened(link::ConnectionId id, Instant now) {
+  impl_->opened(id, now);
+}
+
+void CommandCore::openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now) {
+  impl_->openFailed(id, failure, now);
+}
+
+void CommandCore::received(link::ConnectionId id, std::string_view bytes, Instant now) {
+  impl_->received(id, bytes, now);
+}
+
+void CommandCore::closed(link::ConnectionId id, const std::string& reason, Instant now) {
+  impl_->closed(id, reason, now);
+}
+
+void CommandCore::advance(Instant now) {
+  impl_->advance(now);
+}
+
+std::optional<Instant> CommandCore::nextDeadline() const {
+  return impl_->nextDeadline();
+}
+
+std::vector<Action> CommandCore::takeActions() {
+  return impl_->takeActions();
+}
+
+}  // namespace cobot_command::command

@@ -1,0 +1,234 @@
+// The inside of CommandCore: hands events to the links and the runs, goals to their blocks, and is the
+// arbiter that decides which command may execute when.
+//
+// One goal at a time is under way (run_), and one command of it on the wire (on_wire_). What waits for its
+// turn is kept here, not in the controller: there, nothing could be taken out of the queue again. Blended
+// motions end with their acceptance, so the next one is on the wire while they still run. What goes out
+// beside all others, and the stop, have paths of their own.
+#pragma once
+
+#include <deque>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "board/output_board.h"
+#include "forecast/preflight.h"
+#include "runs/command_order.h"
+#include "runs/command_run.h"
+#include "runs/connect_run.h"
+#include "runs/stop_run.h"
+
+#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/command/command_core.h"
+#include "cobot_command/command/waiting_goals.h"
+#include "cobot_command/link/script_link.h"
+#include "cobot_command/link/status_link.h"
+#include "cobot_command/link/tag_ledger.h"
+#include "cobot_command/robot/burden.h"
+#include "cobot_command/robot/frame_watch.h"
+#include "cobot_command/robot/loose_motion.h"
+#include "cobot_command/robot/orphan_watch.h"
+#include "cobot_command/robot/robot_watch.h"
+#include "cobot_command/robot/stranger_watch.h"
+
+namespace cobot_command::command {
+
+class CommandCore::Impl : private link::Wire {
+ public:
+  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, blocks::FrameFinder frame_finder,
+       NewestGoal newest);
+
+  void submit(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest);
+  FinishReport finish(blocks::FinishAfter after, Instant now, std::optional<blocks::GoalId> newest);
+  void keepConnected(const blocks::ConnectGoal& target, Instant now);
+  void retire(Instant now);
+  [[nodiscard]] bool retired() const;
+  void shutDown(Instant now);
+  void opened(link::ConnectionId id, Instant now);
+  void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
+  void received(link::ConnectionId id, std::string_view bytes, Instant now);
+  void closed(link::ConnectionId id, const std::string& reason, Instant now);
+  void advance(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+  [[nodiscard]] std::vector<Action> takeActions();
+
+ private:
+  /// A goal that was checked, and is not on the wire yet.
+  struct Waiting {
+    blocks::GoalId id = 0;
+    blocks::Goal goal;
+    bool takes_over = false;    ///< once the stop that is under way for it is confirmed
+    int told_place = 0;         ///< in the queue, as last reported; 0: not yet
+    std::optional<Origin> end;  ///< where it will leave the robot, as far as that can be foreseen
+  };
+  /// A goal of the stop block, and which stop answers it.
+  struct StopWish {
+    blocks::GoalId id = 0;
+    StopRun::Number stop = 0;
+  };
+  enum class Life { Working, Retiring, Over };
+  using Failures = std::vector<blocks::Failure>;
+  static constexpr blocks::Block kStop = blocks::kBlock<blocks::StopGoal>;
+
+  // --- Wire, for the links (core_status.cpp).
+  link::ConnectionId open(link::Channel channel, const std::string& host, int port,
+                          Duration timeout) override;
+  void close(link::ConnectionId id) override;
+  void send(link::ConnectionId id, std::string bytes) override;
+  void trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,
+             std::string meaning) override;
+
+  // --- Goals: checked, refused or taken (core_goals.cpp).
+  void abortAsItComes(blocks::Block block, blocks::GoalId id, const std::string& why);
+  void execute(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void reject(blocks::GoalId id, const blocks::Goal& goal, const Failures& failures);
+  void connect(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void stopOnRequest(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void queueUp(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  /// Planned from where the robot will be, and answered.
+  void answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  /// Why nothing that the controller would take can be sent; empty: it can.
+  [[nodiscard]] Failures checkLink() const;
+  /// Why not even a try can be made, for what must never be held back: there is no connection.
+  [[nodiscard]] Failures checkConnection() const;
+  /// Why no command may be taken now, whatever it is; in table order.
+  [[nodiscard]] Failures checkReadiness(blocks::BufferMode mode) const;
+  [[nodiscard]] std::optional<blocks::Block> busyBlock() const;
+  [[nodiscard]] blocks::Outcome answerOf(blocks::GoalId id, const blocks::Command& command, Instant now);
+  [[nodiscard]] blocks::PlanningScene sceneAt(const std::optional<Origin>& origin) const;
+
+  // --- The queue (core_queue.cpp).
+  /// Where a command starts that is sent now.
+  [[nodiscard]] Origin originNow(Instant now) const {
+    return preflight_.origin(robot_, frames_, loose_, now);
+  }
+  /// Where a command starts that comes behind all that is on the wire and waits; nothing when nobody knows.
+  [[nodiscard]] std::optional<Origin> originBehindAll(Instant now) const;
+  [[nodiscard]] Result<std::optional<Plan>, blocks::Failure> planFor(
+      const blocks::Command& command, const std::optional<Origin>& origin) const;
+  void forgetForecasts();
+  void enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
+  /// With all that came until now, as nobody can know yet what makes them fall.
+  void dropWaiting(const std::string& why) { dropWaiting(why, newestGoal()); }
+  /// With all that came until `newest`, which is when it was asked for.
+  void dropWaiting(const std::string& why, blocks::GoalId newest);
+  /// Behind a stop that failed; `found`: why.
+  void dropUnstopped(const std::string& found);
+  [[nodiscard]] blocks::GoalId newestGoal() const { return newest_ ? newest_() : newest_submitted_; }
+  void askForStop(Instant now);
+  /// Everything that is Busy is to end as CommandAborted, with a stop when it moves; `newest`: see
+  /// dropWaiting().
+  void abortAll(const std::string& why, blocks::GoalId newest, Instant now);
+  void abortRunning(const std::string& why, Instant now);
+  void endAborted(blocks::Block block, blocks::GoalId id, const std::string& why);
+  void dispatch(Instant now);
+  void begin(const Waiting& next, Instant now);
+  void refuseTurn(const Waiting& next, blocks::Outcome refusal);
+  void beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now);
+  bool continueRun(Instant now);
+  [[nodiscard]] Result<CommandOrder, blocks::Failure> prepareNext(const blocks::Command& command,
+                                                                  Instant now);
+  [[nodiscard]] Result<CommandOrder, blocks::Failure> prepare(const blocks::Command& command, Instant now);
+  void startNext(CommandOrder order, Instant now);
+  void start(CommandOrder order, Instant now);
+  void finishCommand(Instant now);
+  void finishDirectRuns(Instant now);
+  [[nodiscard]] RunContext contextOfRuns() {
+    return {settings_, script_, tags_, robot_, stop_, preflight_.arm()};
+  }
+  /// The node is left once its motion is done: until then the controller takes a stop, and a pause.
+  void leaveNode(const CommandRun& done, Instant now);
+  void finishRun(Instant now);
+  void tellPlaces();
+  [[nodiscard]] std::string textOfPlace(int place) const;
+
+  // --- The stop (core_stop.cpp).
+  /// Everything that is Busy is to end as CommandAborted, with a stop whatever there is; `newest`: see
+  /// dropWaiting().
+  void stopAll(const std::string& why, blocks::GoalId newest, Instant now);
+  /// For motions that no goal waits for any more.
+  void stopIfMoving(Instant now);
+  /// Something may move, or be queued, that is not of what runs here: blended, from before, or another
+  /// client's. Nobody can tell that of a robot that is not seen to stand.
+  [[nodiscard]] bool mayMoveOtherwise() const;
+  /// The robot may move, and no goal answers for it: nothing may queue behind that unseen.
+  [[nodiscard]] bool holdsBack() const { return orphan_.mayMove() || loose_.holdsBack(); }
+  [[nodiscard]] std::string heldBackBy() const;
+  void finishStops(Instant now);
+  void endStopGoals(const StopRun::Result& result);
+  [[nodiscard]] std::vector<StopWish>::const_iterator wishFor(const StopRun::Result& result) const;
+  void stopConfirmed(const StopRun::Result& result);
+  void stopFailed(const StopRun::Result& result, Instant now);
+  void dropQueuedChanges();
+
+  // --- Events (core_events.cpp).
+  void settle(Instant now);
+  void finish(Instant now);
+  void tellOfClosedConnection(Instant now);
+  void watchOrphan(Instant now);
+  void watchStrangers(Instant now);
+  void handle(const link::LinkChanged& event, Instant now);
+  void handle(const link::LinkLost& event, Instant now);
+  void handle(const link::ScriptAnswered& event, Instant now);
+  void handle(const link::TagReported& event, Instant now);
+  void handle(const link::TagQueryFailed& event, Instant now);
+  void handle(const link::RobotStatus& status, Instant now);
+  void commandAccepted(const CommandOrder& order, Instant now);
+  [[nodiscard]] static robot::LooseMotion::End endOf(const CommandOrder& order);
+  void takeBurden(const script::ScriptCommand& command, bool behind_motion);
+  void weigh();
+  void robotChanged(Instant now);
+
+  // --- What everyone may know (core_status.cpp).
+  /// Of a robot that may move, and that no link can stop. Precondition: there is one.
+  [[nodiscard]] std::string textOfTheRobotLeft() const;
+  /// By a connect goal that was cancelled, and no other has come since.
+  [[nodiscard]] bool automaticLinkEnded() const { return kept_no_more_ && !connect_.busy(); }
+  [[nodiscard]] std::string linkDiagnosis() const;
+  void publishStatus();
+  void publishFrames();
+  void tellPath(blocks::GoalId goal, const Plan& plan);
+  void log(Severity severity, std::string text);
+
+  link::LinkSettings settings_;
+  blocks::FrameFinder frame_finder_;
+  NewestGoal newest_;
+  blocks::GoalId newest_submitted_ = 0;
+  CommandsFell fell_{0, ""};  ///< the last that fell
+  std::vector<Action> actions_;
+  link::ConnectionId last_connection_ = 0;
+  link::ScriptLink script_;
+  link::StatusLink status_;
+  link::TagLedger tags_;
+  robot::RobotWatch robot_;
+  robot::FrameWatch frames_;
+  robot::Burden burden_;
+  robot::OrphanWatch orphan_;
+  robot::StrangerWatch strangers_;
+  Preflight preflight_;
+  OutputBoard board_;
+  ConnectRun connect_;
+  StopRun stop_;
+  std::vector<StopWish> stop_goals_;
+  std::unique_ptr<blocks::Run> run_;   ///< the goal whose turn it is
+  std::optional<CommandRun> on_wire_;  ///< its command that is under way
+  std::optional<blocks::Outcome>
+      before_exit_;               ///< of a motion that is done, while the ScriptExit() behind it is under way
+  std::list<CommandRun> direct_;  ///< beside whatever else is on the wire
+  std::deque<Waiting> waiting_;
+  robot::LooseMotion loose_;
+  std::optional<blocks::ConnectGoal> kept_;  ///< the link to keep while no connect goal is Busy
+  bool kept_no_more_ = false;  ///< a connect goal was cancelled, and no other came: who disconnects means it
+  std::optional<blocks::ConnectGoal> left_moving_;  ///< the link to it was lost with a motion under way
+  Life life_ = Life::Working;
+  std::uint64_t late_events_ = 0;
+  CommandStatus published_;
+  robot::ActiveFrames published_frames_;
+};
+
+}  // namespace cobot_command::command

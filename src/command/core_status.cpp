@@ -1,0 +1,127 @@
+// What everyone may know: the latched status, the active frames, planned paths, the flight recorder.
+
+#include <utility>
+
+#include "core_impl.h"
+#include <fmt/format.h>
+
+#include "cobot_command/planning/sampling.h"
+#include "cobot_command/robot/diagnosis.h"
+
+namespace cobot_command::command {
+namespace {
+
+/// Of one motion, for a marker.
+constexpr std::size_t kPathPoints = 60;
+
+CommandStatus::LinkState toLinkState(link::ScriptLinkState state) {
+  switch (state) {
+    case link::ScriptLinkState::Disconnected:
+      break;
+    case link::ScriptLinkState::BackingOff:
+    case link::ScriptLinkState::Connecting:
+      return CommandStatus::LinkState::Connecting;
+    case link::ScriptLinkState::Probing:
+      return CommandStatus::LinkState::Probing;
+    case link::ScriptLinkState::NotListening:
+    case link::ScriptLinkState::Leaving:
+      return CommandStatus::LinkState::NotListening;
+    case link::ScriptLinkState::Ready:
+      return CommandStatus::LinkState::Ready;
+  }
+  return CommandStatus::LinkState::Disconnected;
+}
+
+}  // namespace
+
+std::string CommandCore::Impl::linkDiagnosis() const {
+  std::string text = script_.diagnosis();
+  if (automaticLinkEnded()) {
+    text += text.empty() ? "" : "; ";
+    text +=
+        "the connect goal that was cancelled has ended the automatic link (auto_connect): send a connect "
+        "goal, or start the node again";
+  }
+  return text;
+}
+
+std::string CommandCore::Impl::textOfTheRobotLeft() const {
+  return fmt::format("the link to {}:{} was lost with a motion under way: {}", left_moving_->host,
+                     left_moving_->port, robot::LooseMotion::kMayStillMove);
+}
+
+void CommandCore::Impl::publishStatus() {
+  CommandStatus status;
+  status.link = toLinkState(script_.state());
+  if (status.link == CommandStatus::LinkState::Ready && !connect_.ready()) {
+    status.link = CommandStatus::LinkState::Probing;
+  }
+  status.diagnosis = robot::diagnose(script_, robot_);
+  if (automaticLinkEnded()) status.diagnosis = linkDiagnosis();
+  if (orphan_.mayMove()) status.diagnosis += fmt::format("; {}", orphan_.text());
+  if (const std::string text = strangers_.text(); !text.empty()) status.diagnosis += "; " + text;
+  if (!loose_.text().empty()) status.diagnosis += "; " + loose_.text();
+  if (left_moving_) status.diagnosis += "; " + textOfTheRobotLeft();
+  status.host = connect_.target().host;
+  status.port = connect_.target().port;
+  status.listen_node = script_.listenNode();
+  status.status_stream = status_.streaming();
+  status.status_diagnosis = status_.diagnosis();
+  status.last_connected = connect_.lastConnected();
+  status.last_lost = connect_.lastLost();
+  status.commands_under_way = run_ ? 1 : 0;
+  status.commands_waiting = static_cast<int>(waiting_.size());
+  status.queue_depth = status.commands_under_way + status.commands_waiting;
+  status.waiting_return = busyBlock().has_value();
+  status.open_tags = tags_.openTags();
+  status.late_replies = script_.lateReplies() + tags_.staleReports() + late_events_;
+  status.decode_faults = script_.decodeFaults() + status_.decodeFaults();
+  status.blocks = board_.outputs();
+  if (status == published_) return;
+  published_ = status;
+  actions_.emplace_back(StatusChanged{std::move(status)});
+}
+
+void CommandCore::Impl::publishFrames() {
+  robot::ActiveFrames frames = frames_.frames();
+  if (frames == published_frames_) return;
+  published_frames_ = frames;
+  actions_.emplace_back(ActiveFramesChanged{std::move(frames)});
+}
+
+void CommandCore::Impl::tellPath(blocks::GoalId goal, const Plan& plan) {
+  PathPlanned path{goal, {}};
+  for (const auto& motion : plan.motions) {
+    const auto poses = planning::toolPath(*preflight_.arm(), *motion, plan.tcp, kPathPoints);
+    path.tool_path.insert(path.tool_path.end(), poses.begin(), poses.end());
+  }
+  if (!path.tool_path.empty()) actions_.emplace_back(std::move(path));
+}
+
+void CommandCore::Impl::log(Severity severity, std::string text) {
+  actions_.emplace_back(LogMessage{severity, std::move(text)});
+}
+
+// --- Wire.
+
+link::ConnectionId CommandCore::Impl::open(link::Channel channel, const std::string& host, int port,
+                                           Duration timeout) {
+  const link::ConnectionId id = ++last_connection_;
+  actions_.emplace_back(OpenConnection{id, channel, host, port, timeout});
+  return id;
+}
+
+void CommandCore::Impl::close(link::ConnectionId id) {
+  actions_.emplace_back(CloseConnection{id});
+}
+
+void CommandCore::Impl::send(link::ConnectionId id, std::string bytes) {
+  actions_.emplace_back(SendBytes{id, std::move(bytes)});
+}
+
+void CommandCore::Impl::trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,
+                              std::string meaning) {
+  actions_.emplace_back(FrameTraced{now, channel, sent, std::string(bytes), std::move(meaning)});
+}
+
+}  // namespace cobot_command::command

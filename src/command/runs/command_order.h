@@ -1,0 +1,32 @@
+// What goes over the wire for a command, and what the core has to know of it until its end.
+#pragma once
+
+#include <optional>
+
+#include "forecast/preflight.h"
+
+#include "cobot_command/blocks/shared/block.h"
+#include "cobot_command/blocks/shared/goal_values.h"
+#include "cobot_command/blocks/shared/order.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/robot/arrival.h"
+
+namespace cobot_command::command {
+
+struct CommandOrder : blocks::Order {
+  blocks::Block block{};
+  blocks::GoalId goal = 0;
+  int command_id_ack = 0;
+  std::optional<int> tag;         ///< open in the ledger; none: done as soon as it is accepted
+  bool exits_node = false;        ///< ScriptExit() is to stand behind its lines
+  bool exits_afterwards = false;  ///< the node is to be left with a script of its own once it is done
+  bool beside = false;            ///< goes out beside what is on the wire, whatever state the robot is in
+  std::optional<Duration> reply_timeout;  ///< other than that of the link
+  std::optional<Plan> plan;
+  std::optional<robot::Target> target;  ///< where it leaves the robot, if that is certain
+};
+
+/// The queue tag, when one is open for it, and the exit from the node.
+void addLastLines(CommandOrder& order);
+
+}  // namespace cobot_command::command

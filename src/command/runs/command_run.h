@@ -1,0 +1,129 @@
+// One command, from its frame to its one end (states: command_run_states.h).
+//
+// It is told everything that may concern it, and takes what does. The same for every block: what differs is
+// in its order.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runs/command_order.h"
+#include "runs/command_run_states.h"
+#include "runs/stop_run.h"
+
+#include "cobot_command/blocks/shared/failure.h"
+#include "cobot_command/link/script_link.h"
+#include "cobot_command/link/tag_ledger.h"
+#include "cobot_command/robot/reason_wait.h"
+#include "cobot_command/robot/robot_watch.h"
+#include "cobot_command/robot/stall_watch.h"
+
+namespace cobot_command::command {
+
+/// What a running command uses of the core.
+struct RunContext {
+  const link::LinkSettings& settings;
+  link::ScriptLink& link;
+  link::TagLedger& tags;
+  const robot::RobotWatch& robot;
+  StopRun& stop;
+  const std::optional<arm::ArmModel>& arm;
+};
+
+class CommandRun {
+ public:
+  /// Sends the script. Precondition: the link is Ready.
+  CommandRun(CommandOrder order, const RunContext& context, Instant now);
+
+  /// Stops the robot; ends as CommandAborted with `why` once it stands. A command that does not move is left
+  /// to its end, which is as near as its reply.
+  void cancel(const std::string& why, Instant now);
+  /// Ends it now, as CommandAborted; the robot is told to stop, and nobody waits for the answer.
+  void abandon(const std::string& why, Instant now);
+
+  void answered(const link::ScriptAnswered& answer, Instant now);
+  /// The tag, open until now, was reported complete: Done, when the status stream shows it too.
+  void tagCompleted(Instant now);
+  void tagFailed(Instant now);
+  /// The answer to the question that it asked, other than "complete".
+  void tagIncomplete(protocol::TagState state, Instant now);
+  void tagQueryFailed(const std::string& reason, Instant now);
+  void stopEnded(const StopRun::Result& result, Instant now);
+  void linkLost(const std::string& reason, Instant now);
+  /// A status frame came, or the status stream stopped.
+  void robotChanged(Instant now);
+  void advance(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  [[nodiscard]] const CommandOrder& order() const { return order_; }
+  [[nodiscard]] bool accepted() const { return accepted_at_.has_value(); }
+  [[nodiscard]] bool stopping() const { return state_ == CommandRunState::Stopping; }
+  [[nodiscard]] bool mayBeCancelled() const;
+  [[nodiscard]] bool ended() const { return state_ == CommandRunState::Ended; }
+  /// Precondition: ended().
+  [[nodiscard]] const blocks::Outcome& outcome() const { return outcome_; }
+  /// What is new since the last call.
+  [[nodiscard]] std::vector<blocks::Progress> takeProgress();
+
+ private:
+  enum class Robot { LeaveIt, Stop };
+
+  void fire(CommandRunEvent event, Instant now);
+  void act(CommandRunAction action, Instant now);
+  void fail(blocks::Failure failure, Robot robot, Instant now,
+            CommandRunEvent event = CommandRunEvent::Failed);
+  void awaitTag(Instant now);
+  void askTag(bool early, Instant now);
+  void extend(Instant now);
+  void askForStop(Instant now);
+  /// The controller has it, or may have it, and its end is not known.
+  [[nodiscard]] bool underWay() const;
+  void followHold(Instant now);
+  void goOn(Instant now);
+  [[nodiscard]] std::string holdText() const;
+
+  // --- Evidence (command_run_evidence.cpp).
+  void watchForStall(Instant now);
+  [[nodiscard]] std::string stallText() const;
+  void beginVerifying(Instant now);
+  void verify(Instant now);
+  void judge(Instant now);
+  [[nodiscard]] std::optional<robot::Gap> gap() const;
+  void awaitReason(Instant now);
+  void lookForReason(Instant now);
+
+  void becomeActiveWhenDue(Instant now);
+  void becomeActive(Instant now);
+  void report(blocks::Phase phase, std::string text, Instant now);
+  void endAborted(const std::string& why, Instant now);
+  void end(blocks::Outcome outcome, Instant now);
+
+  CommandOrder order_;
+  RunContext context_;
+  CommandRunState state_ = CommandRunState::Sent;
+  std::string script_id_;
+  Instant sent_at_;
+  std::optional<Instant> accepted_at_;
+  std::optional<Instant> tag_seen_at_;
+  std::optional<Instant> active_at_;    ///< when the commands in front of it should be done
+  std::optional<Instant> moving_from_;  ///< when it began to be executed, later by every pause since
+  std::optional<Instant> deadline_;     ///< of Executing, Verifying, Explaining
+  std::optional<Instant> due_;          ///< the deadline of its tag, when that is asked for before
+  std::optional<Instant> held_since_;   ///< the robot is paused: its deadlines stand still
+  Instant give_up_at_;                  ///< when nobody can tell whether it moves
+  bool reached_ = false;                ///< it was seen at its target since its tag, if not standing there
+  robot::ReasonWait reason_;
+  robot::StallWatch stall_;
+  blocks::Failure failure_;
+  Robot robot_on_failure_ = Robot::LeaveIt;
+  StopRun::Number stop_ = 0;  ///< that it has asked for
+  std::string cancelled_why_;
+  std::string stopped_how_;
+  blocks::Phase phase_ = blocks::Phase::Sent;
+  Instant reported_at_;
+  std::vector<blocks::Progress> progress_;
+  blocks::Outcome outcome_;
+};
+
+}  // namespace cobot_command::command

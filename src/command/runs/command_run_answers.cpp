@@ -1,0 +1,124 @@
+// What the controller's answers mean for a running command.
+
+#include <algorithm>
+
+#include "runs/command_run.h"
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/foreign_text.h"
+
+namespace cobot_command::command {
+namespace {
+
+using Event = CommandRunEvent;
+using State = CommandRunState;
+
+/// "line 1: PTP(...); line 3: QueueTag(...)" for the lines that the controller named; of a long list the
+/// first ones. What it names beside the script is its own fault, and told as that.
+std::string faultyLines(const std::vector<std::string>& script, std::vector<int> lines) {
+  constexpr std::size_t kMaxNamed = 8;
+  if (lines.empty()) return "no line was named";
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  const auto known = [&](int line) { return line >= 1 && line <= static_cast<int>(script.size()); };
+  const auto ours = std::stable_partition(lines.begin(), lines.end(), known);
+  const auto named = static_cast<std::size_t>(ours - lines.begin());
+  std::string text;
+  for (std::size_t i = 0; i < std::min(named, kMaxNamed); ++i) {
+    text += fmt::format("{}line {}: {}", i == 0 ? "" : "; ", lines[i],
+                        foreignText(script[static_cast<std::size_t>(lines[i]) - 1]));
+  }
+  if (named > kMaxNamed) text += fmt::format("; and {} more lines", named - kMaxNamed);
+  if (ours == lines.end()) return text;
+  return fmt::format("{}{}the controller named {} that a script of {} lines has not, such as line {}", text,
+                     text.empty() ? "" : "; ",
+                     lines.end() - ours == 1 ? "one" : fmt::format("{} lines", lines.end() - ours),
+                     script.size(), *ours);
+}
+
+/// The controller takes no script at all.
+bool saysNotListening(const protocol::CommunicationError& error) {
+  return error.code == protocol::CommunicationErrorCode::NotListening;
+}
+
+blocks::Failure failureOf(const protocol::CommunicationError& error) {
+  return {saysNotListening(error) ? blocks::own_error::kNotListening : blocks::own_error::kCommunication,
+          protocol::describe(error), ""};
+}
+
+}  // namespace
+
+void CommandRun::answered(const link::ScriptAnswered& answer, Instant now) {
+  if (answer.id != script_id_) return;
+  if (std::holds_alternative<link::NoReply>(answer.answer)) {
+    if (state_ != State::Sent) return;  // cancelled meanwhile: now the stop is what counts
+    fail({blocks::motion_error::kReceiveReply,
+          fmt::format("no reply to script {} within {} s", answer.id,
+                      toSeconds(order_.reply_timeout.value_or(context_.settings.reply_timeout))),
+          ""},
+         order_.beside ? Robot::LeaveIt : Robot::Stop, now);
+    return;
+  }
+  if (const auto* error = std::get_if<protocol::CommunicationError>(&answer.answer)) {
+    // Without an id it may be meant for another frame, and the controller may have the script.
+    const bool may_move = order_.moves && !saysNotListening(*error);
+    if (state_ == State::Sent) fail(failureOf(*error), may_move ? Robot::Stop : Robot::LeaveIt, now);
+    return;
+  }
+  const auto& reply = std::get<protocol::ScriptReply>(answer.answer);
+  if (reply.accepted) {
+    accepted_at_ = now;
+    if (order_.exits_node || order_.has_exit) context_.link.exitAccepted(now);
+    fire(!order_.tag ? Event::AcceptedLast : tag_seen_at_ ? Event::AcceptedBehindTag : Event::Accepted, now);
+  } else if (state_ == State::Sent) {
+    fail({blocks::motion_error::kRejected, faultyLines(order_.lines, reply.lines), ""}, Robot::LeaveIt, now);
+  }
+}
+
+void CommandRun::tagFailed(Instant now) {
+  fail({blocks::motion_error::kMotionFailed, fmt::format("tag {} was reported false", *order_.tag), ""},
+       Robot::Stop, now, Event::Unexplained);
+}
+
+void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
+  if (state_ != State::Confirming) return;
+  if (due_) {
+    // "false": the controller has the motion still, whatever it waits for.
+    const bool dropped = state == protocol::TagState::Unknown;
+    if (dropped && stall_.stalled(context_.settings.evidence_timeout)) {
+      fail({blocks::own_error::kStoppedElsewhere, stallText(), ""}, Robot::Stop, now);
+    } else {
+      fire(Event::StillGoing, now);
+    }
+    return;
+  }
+  if (state == protocol::TagState::Unknown) {
+    fail({blocks::own_error::kTagLost, fmt::format("the controller does not know tag {}", *order_.tag), ""},
+         Robot::Stop, now);
+    return;
+  }
+  const auto moving = context_.robot.moving();
+  if (context_.robot.held() || moving == true || (!moving && now < give_up_at_)) {
+    fire(Event::StillGoing, now);
+  } else if (!moving) {
+    fail({blocks::own_error::kTagLost, fmt::format("tag {} is still not complete", *order_.tag), ""},
+         Robot::Stop, now);
+  } else {
+    fail({blocks::motion_error::kMotionFailed,
+          fmt::format("the robot stands, tag {} is not complete", *order_.tag), ""},
+         Robot::Stop, now);
+  }
+}
+
+void CommandRun::tagQueryFailed(const std::string& reason, Instant now) {
+  if (state_ != State::Confirming) return;
+  if (due_) {  // it was a question before its time
+    fire(Event::StillGoing, now);
+    return;
+  }
+  fail({blocks::motion_error::kReceiveTag, fmt::format("tag {} was asked for: {}", *order_.tag, reason), ""},
+       Robot::Stop, now);
+}
+
+}  // namespace cobot_command::command

@@ -1,0 +1,60 @@
+#include "cobot_command/robot/robot_watch.h"
+
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
+
+namespace cobot_command::robot {
+
+void RobotWatch::update(const link::RobotStatus& status) {
+  const bool same = status_ && status.error.value_or(false) && status.error_code == status_->error_code;
+  error_acknowledged_ = error_acknowledged_ && same;
+  status_ = status;
+  standstill_.see(status);
+}
+
+void RobotWatch::forget() {
+  status_.reset();
+  standstill_.forget();
+}
+
+bool RobotWatch::held() const {
+  return status_ && (status_->project_paused.value_or(false) || status_->safeguard.value_or(false));
+}
+
+std::string RobotWatch::errorText() const {
+  if (!status_) return "";
+  std::string text = fmt::format("error 0x{:X}", static_cast<unsigned>(status_->error_code.value_or(0)));
+  if (status_->error_text && !status_->error_text->empty()) text += ": " + *status_->error_text;
+  if (too_much_) text += "; " + too_much_->text;
+  return text;
+}
+
+std::optional<arm::JointVector> RobotWatch::joints() const {
+  return status_ ? status_->joints : std::nullopt;
+}
+
+std::optional<arm::Pose> RobotWatch::tcp() const {
+  if (!status_) return std::nullopt;
+  if (status_->tcp) return status_->tcp;
+  if (status_->flange && status_->tool) return status_->flange->inverse() * *status_->tool;
+  return std::nullopt;
+}
+
+double RobotWatch::speedOverride() const {
+  const int percent = status_ ? status_->project_speed_percent.value_or(100) : 100;
+  return percent > 0 && percent <= 100 ? percent / 100.0 : 1.0;
+}
+
+std::optional<std::array<double, 6>> RobotWatch::jointsDeg() const {
+  if (!joints()) return std::nullopt;
+  return arm::toControllerJoints(*joints());
+}
+
+std::optional<std::array<double, 6>> RobotWatch::toolInBaseMmDeg() const {
+  if (!status_ || !status_->tool) return std::nullopt;
+  const arm::Pose base = status_->base.value_or(arm::Pose::Identity());
+  return arm::toControllerPose(base.inverse() * *status_->tool);
+}
+
+}  // namespace cobot_command::robot

@@ -1,0 +1,32 @@
+#include "cobot_command/robot/stall_watch.h"
+
+namespace cobot_command::robot {
+namespace {
+
+/// At different times, however long there is between them: one alone may have been on its way for long.
+constexpr int kFrames = 5;
+
+}  // namespace
+
+void StallWatch::see(const RobotWatch& robot, Instant now) {
+  const auto joints = robot.joints();
+  if (!joints) {
+    rest_.reset();
+    return;
+  }
+  const bool elsewhere = rest_ && (*joints - rest_->place).cwiseAbs().maxCoeff() > kSamePlace;
+  const bool moves = elsewhere || robot.moving() == true;
+  moved_ = moved_ || moves;
+  if (!rest_ || moves || robot.held()) {
+    rest_ = Rest{*joints, now, now};
+  } else if (now > rest_->last) {
+    rest_->last = now;
+    ++rest_->frames;
+  }
+}
+
+bool StallWatch::stalled(Duration patience) const {
+  return moved_ && rest_ && rest_->frames >= kFrames && rest_->last - rest_->since >= patience;
+}
+
+}  // namespace cobot_command::robot

@@ -1,0 +1,77 @@
+#include "cobot_command/blocks/pick_and_place.h"
+
+#include <utility>
+
+#include "actions/goal_parts.h"
+#include "actions/outcome_parts.h"
+#include "actions/serve.h"
+#include "actions/step_goals.h"
+
+#include "cobot_command/PickAndPlaceAction.h"
+#include "cobot_command/common/foreign_text.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+blocks::PickAndPlaceStep toStep(const cobot_command::PickAndPlaceStep& message, const Lookups& lookups) {
+  blocks::PickAndPlaceStep step;
+  step.move = toGoal(message.move, lookups);
+  if (!message.output.module.empty()) {
+    step.output = {message.output.module, message.output.output, message.output.value != 0};
+  }
+  step.dwell = message.dwell;
+  return step;
+}
+
+}  // namespace
+
+blocks::PickAndPlaceGoal toGoal(const cobot_command::PickAndPlaceGoal& message, const Lookups& lookups) {
+  blocks::PickAndPlaceGoal goal;
+  goal.cycles = message.cycles;
+  goal.buffer_mode = message.buffer_mode;
+  goal.check_only = message.check_only != 0;
+  if (message.steps_file.empty()) {
+    if (hasTooMany(goal, message.steps)) return goal;
+    for (const auto& step : message.steps) goal.steps.push_back(toStep(step, lookups));
+    return goal;
+  }
+  if (!message.steps.empty()) {
+    goal.steps_fault = "both steps_file and steps are given; give one of them";
+    return goal;
+  }
+  auto steps = lookups.steps(message.steps_file);
+  if (!steps) {
+    goal.steps_fault = foreignText(message.steps_file) + ": it could not be read in the time there was";
+  } else if (*steps) {
+    goal.steps = std::move(**steps);
+  } else {
+    goal.steps_fault = steps->error();
+  }
+  return goal;
+}
+
+void fill(cobot_command::PickAndPlaceResult& message, const blocks::Outcome& outcome, const FillSite& site) {
+  fillEnd(message, outcome);
+  fillSteps(message, outcome, site.joint_names);
+  message.actual_duration = toRos(outcome.actual);
+  message.cycles_done = outcome.cycles_done;
+  const auto failed = static_cast<std::size_t>(outcome.failed_step);
+  if (outcome.failed_step < 0 || failed >= outcome.steps.size()) return;
+  message.step_error_id = outcome.steps[failed].error_id;
+  message.step_error_description = outcome.steps[failed].error_description;
+}
+
+void fill(cobot_command::PickAndPlaceFeedback& message, const blocks::Progress& progress,
+          const FillSite& /*site*/) {
+  fillMotion(message, progress);
+  message.step = progress.step;
+  message.cycle = progress.cycle;
+}
+
+template <>
+struct ActionOf<blocks::PickAndPlaceGoal> {
+  using Type = cobot_command::PickAndPlaceAction;
+};
+template std::unique_ptr<GoalListener> serve<blocks::PickAndPlaceGoal>(const ActionSite& site);
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,43 @@
+// What brings about the rows of the error catalogue, by block and id.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/blocks/shared/outcome.h"
+
+namespace cobot_command::testing {
+
+using Row = std::pair<blocks::Block, int>;
+/// How a goal ends that meets the condition of the row.
+using Scenario = std::function<blocks::Outcome()>;
+using Scenarios = std::map<Row, Scenario>;
+
+[[nodiscard]] Scenarios connectScenarios();
+/// Goals of all command blocks with one bad parameter.
+[[nodiscard]] Scenarios parameterScenarios();
+/// Moves, and scripts of them, that the arm cannot make, or of which that is not known.
+[[nodiscard]] Scenarios planningScenarios();
+
+// The same for any command, `goal` being one that may be sent.
+/// There is no connection on which it could be tried.
+[[nodiscard]] Scenarios triedScenarios(const blocks::Goal& goal);
+/// It cannot be told to the controller.
+[[nodiscard]] Scenarios linkScenarios(const blocks::Goal& goal);
+/// It is not its turn, or not the time for any command.
+[[nodiscard]] Scenarios turnScenarios(const blocks::Goal& goal);
+/// The controller, or the wire, fails a command that was sent.
+[[nodiscard]] Scenarios replyScenarios(const blocks::Goal& goal);
+/// The way of a motion from its acceptance to its end.
+[[nodiscard]] Scenarios motionScenarios(const blocks::Goal& goal);
+/// A stop, or the stop after a cancel, that nobody answers.
+[[nodiscard]] Scenarios stopScenarios(const blocks::Goal& goal);
+/// A target in a tf frame that has moved when the goal's turn comes.
+[[nodiscard]] Scenarios movedFrameScenarios();
+/// Sequences and cycles of them.
+[[nodiscard]] Scenarios sequenceScenarios();
+
+}  // namespace cobot_command::testing

@@ -1,0 +1,312 @@
+// A hundred thousand random events: whatever happens in whatever order, the rules hold.
+//
+// The rules of every step (exclusive outputs, one end for each goal, no end before its acceptance) are
+// checked by the rig; here: no Done without the report of its tag after it was sent, nor while the status
+// stream shows the robot in motion, everything ends, and the layer works afterwards. A failure prints its
+// seed; COBOT_TEST_SEED and COBOT_TEST_EVENTS choose others.
+
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <regex>
+#include <set>
+
+#include "core_rig.h"
+#include "status_frames.h"
+#include <gtest/gtest.h>
+
+namespace cobot_command::testing {
+namespace {
+
+using namespace blocks;
+using namespace command;
+using protocol::TagState;
+
+unsigned fromEnvironment(const char* name, unsigned fallback) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? fallback : static_cast<unsigned>(std::strtoul(value, nullptr, 10));
+}
+
+class Chaos {
+ public:
+  explicit Chaos(unsigned seed) : random_(seed), rig_(std::nullopt, link::LinkSettings{}) {
+    rig_.answers_lifesigns = false;
+  }
+
+  void step() {
+    static const std::vector<void (Chaos::*)()> kEvents = {
+        &Chaos::submitConnect, &Chaos::submitMove,    &Chaos::submitMove,    &Chaos::submitMove,
+        &Chaos::submitStop,    &Chaos::submitControl, &Chaos::submitBase,    &Chaos::submitCycle,
+        &Chaos::cancelAny,     &Chaos::openAny,       &Chaos::openAny,       &Chaos::failAny,
+        &Chaos::closeAny,      &Chaos::answerNode,    &Chaos::answerNode,    &Chaos::answerNode,
+        &Chaos::replyToScript, &Chaos::replyToScript, &Chaos::replyToScript, &Chaos::strangeReply,
+        &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::enterNode,
+        &Chaos::complain,      &Chaos::noise,         &Chaos::statusFrame,   &Chaos::statusFrame,
+        &Chaos::statusFrame,   &Chaos::shortTime,     &Chaos::shortTime,     &Chaos::longTime,
+        &Chaos::reportEarly};
+    (this->*kEvents[pick(kEvents.size())])();
+    collect();
+    checkDone();
+  }
+
+  /// Whatever is open can be brought to an end, and a new motion works.
+  void finish() {
+    rig_.answers_lifesigns = true;
+    rig_.listening = true;
+    for (GoalId id = 1; id <= last_; ++id) rig_.cancel(id);
+    for (int i = 0; i < 20; ++i) rig_.pass(500ms);
+    collect();
+    for (GoalId id = 1; id <= last_; ++id) EXPECT_NE(rig_.outcome(id), nullptr) << "goal " << id;
+    rig_.discardSent();
+    rig_.connect();
+    rig_.status(StatusFrames());
+    const GoalId goal = rig_.submit(CoreRig::move());
+    const auto script = rig_.takeScript();
+    rig_.reply(script.id);
+    rig_.tag(tagOf(script.script));
+    rig_.status(StatusFrames());
+    ASSERT_NE(rig_.outcome(goal), nullptr);
+    EXPECT_EQ(rig_.outcome(goal)->ending, Ending::Done);
+  }
+
+  std::map<int, int> endings;  ///< by error id, or minus the ending: what the run has seen
+
+ private:
+  struct Motion {
+    bool needs_tag = false;
+    bool exits = false;  ///< it is done later than its motion
+    std::string script_id;
+    int target = 0;
+    int tag = 0;
+    bool reported = false;
+    bool accepted = false;
+    bool checked = false;
+  };
+
+  std::size_t pick(std::size_t count) { return random_() % count; }
+  bool open(link::Channel channel) const { return rig_.connectionOpen(channel); }
+  link::Channel anyChannel() { return pick(3) == 0 ? link::Channel::Status : link::Channel::Script; }
+
+  static int tagOf(const std::string& script) {
+    std::smatch match;
+    return std::regex_search(script, match, std::regex("QueueTag\\((\\d+),0\\)")) ? std::stoi(match[1]) : 0;
+  }
+
+  void submitConnect() { last_ = rig_.submit(CoreRig::robot()); }
+  void submitMove() {
+    MoveAbsoluteGoal goal = CoreRig::move();
+    goal.blending_enable = pick(5) == 0;
+    goal.exit_node = pick(12) == 0;
+    goal.command_id = pick(3) == 0 ? static_cast<int>(pick(11)) : 0;
+    if (pick(20) == 0) goal.speed = 0;
+    goal.buffer_mode = static_cast<int>(pick(4));  // 3 is none
+    // Known again on the wire by its target, whenever its turn comes.
+    goal.target[0] = static_cast<double>(++targets_);
+    last_ = rig_.submit(goal);
+    const Outcome* outcome = rig_.outcome(last_);
+    if (outcome != nullptr && outcome->ending == Ending::Rejected) return;
+    Motion motion;
+    motion.needs_tag = !goal.blending_enable || goal.exit_node;
+    motion.exits = goal.exit_node;
+    motion.target = targets_;
+    motions_[last_] = motion;
+  }
+  void submitStop() {
+    if (pick(4) == 0) last_ = rig_.submit(StopGoal{});
+  }
+  void submitControl() { last_ = rig_.submit(ProgramControlGoal{0, static_cast<int>(pick(2))}); }
+  void submitBase() {
+    ChangeBaseGoal goal;
+    goal.buffer_mode = static_cast<int>(pick(3));
+    last_ = rig_.submit(goal);
+  }
+  void submitCycle() {
+    if (pick(8) != 0) return;
+    PickAndPlaceGoal goal;
+    PickAndPlaceStep step;
+    step.move = CoreRig::move();
+    step.dwell = static_cast<double>(pick(2));
+    if (pick(2) == 0) step.output = OutputAction{"EndModule", 0, true};
+    goal.steps.assign(1 + pick(3), step);
+    goal.cycles = static_cast<int>(pick(3));
+    goal.buffer_mode = static_cast<int>(pick(3));
+    last_ = rig_.submit(goal);
+  }
+  void cancelAny() {
+    if (last_ != 0) rig_.cancel(last_ - pick(std::min<std::size_t>(last_, 4)));
+  }
+  void openAny() {
+    const auto channel = anyChannel();
+    if (rig_.pendingOpen(channel)) rig_.open(channel);
+  }
+  void failAny() {
+    const auto channel = anyChannel();
+    if (rig_.pendingOpen(channel)) rig_.failOpen(static_cast<link::OpenFailure::Kind>(pick(5)), channel);
+  }
+  void closeAny() {
+    const auto channel = anyChannel();
+    if (pick(4) == 0 && open(channel)) rig_.close("closed by chance", channel);
+  }
+  void answerNode() {
+    if (open(link::Channel::Script)) rig_.say(protocol::ListenNodeState{pick(8) != 0, "Listen1"});
+  }
+  void enterNode() {
+    if (open(link::Channel::Script)) rig_.say(protocol::ListenNodeEntered{"Listen2"});
+  }
+  void replyToScript() {
+    if (scripts_.empty() || !open(link::Channel::Script)) return;
+    const std::string id = scripts_[scripts_.size() - 1 - pick(std::min<std::size_t>(scripts_.size(), 3))];
+    const bool accepted = pick(6) != 0;
+    for (auto& [goal, motion] : motions_) {
+      if (motion.script_id == id && accepted) motion.accepted = true;
+    }
+    rig_.reply(id, accepted, accepted ? std::vector<int>{} : std::vector<int>{1});
+  }
+  void strangeReply() {
+    if (open(link::Channel::Script)) rig_.reply(std::to_string(pick(100000)));
+  }
+  void reportTag() {
+    if (!open(link::Channel::Script)) return;
+    const auto& tags = rig_.latest().open_tags;
+    const int tag = !tags.empty() && pick(3) != 0 ? tags[0] : static_cast<int>(pick(17));
+    const auto state = pick(6) == 0    ? TagState::Incomplete
+                       : pick(12) == 0 ? TagState::Unknown
+                                       : TagState::Complete;
+    if (state == TagState::Complete) {
+      for (auto& [goal, motion] : motions_) {
+        if (motion.tag == tag) motion.reported = true;
+      }
+    }
+    rig_.tag(tag, state);
+  }
+  /// The tag is back, and the robot goes on for longer than one waits for it. Before the first frame of a
+  /// stream the tag is all that is known, and enough: reportTag().
+  void reportEarly() {
+    const auto tags = rig_.latest().open_tags;
+    if (tags.empty() || !open(link::Channel::Script) || !rig_.latest().status_stream) return;
+    for (auto& [goal, motion] : motions_) {
+      if (motion.tag == tags[0]) motion.reported = true;
+    }
+    shows_motion_ = true;
+    rig_.tag(tags[0]);
+    showFrames(StatusFrames().moving(), 40);
+  }
+  void complain() {
+    constexpr protocol::CommunicationErrorCode kCodes[] = {protocol::CommunicationErrorCode::Checksum,
+                                                           protocol::CommunicationErrorCode::NotListening};
+    if (pick(3) == 0 && open(link::Channel::Script)) {
+      rig_.say(protocol::CommunicationError{kCodes[pick(2)]});
+    }
+  }
+  void noise() {
+    const auto channel = anyChannel();
+    if (open(channel)) rig_.receive(pick(2) == 0 ? "noise$" : "$TMSTA,3,01,*00\r\n", channel);
+  }
+  void statusFrame() {
+    if (!open(link::Channel::Status)) return;
+    StatusFrames frame;
+    shows_motion_ = false;
+    switch (pick(12)) {
+      case 0:
+        frame.emergencyStop();
+        break;
+      case 1:
+        frame.error(0x13, "PTP");
+        break;
+      case 2:
+        frame.paused();
+        break;
+      case 3:
+      case 4:
+      case 5:
+        frame.moving();
+        shows_motion_ = true;
+        break;
+      case 6:
+        frame.without("Joint_Speed");
+        break;
+      default:
+        break;
+    }
+    showFrames(frame, pick(4) == 0 ? 40 : 1 + pick(3));
+  }
+  void showFrames(const StatusFrames& frame, std::size_t count) {
+    for (std::size_t i = 0; i < count && open(link::Channel::Status); ++i) {
+      rig_.status(frame);
+      rig_.pass(CoreRig::kStreamPeriod);
+    }
+  }
+  void shortTime() { rig_.pass(std::chrono::milliseconds(pick(400))); }
+  void longTime() {
+    if (pick(10) == 0) rig_.pass(std::chrono::seconds(pick(400)));
+  }
+
+  /// What was sent: scripts and which motion they are of.
+  void collect() {
+    for (auto& message : rig_.takeAllSent()) {
+      const auto* script = std::get_if<protocol::ScriptRequest>(&message);
+      if (script == nullptr) continue;
+      EXPECT_TRUE(script_ids_.insert(script->id).second) << "script ids are unique";
+      scripts_.push_back(script->id);
+      for (auto& [goal, motion] : motions_) {
+        if (script->script.find("PTP(\"CPP\"," + std::to_string(motion.target) + ",") != 0) continue;
+        EXPECT_EQ(motion.script_id, "") << "goal " << goal << " was sent twice";
+        motion.script_id = script->id;
+        motion.tag = tagOf(script->script);
+      }
+    }
+  }
+  void checkDone() {
+    for (auto& [goal, motion] : motions_) {
+      const Outcome* outcome = rig_.outcome(goal);
+      if (outcome == nullptr || motion.checked) continue;
+      motion.checked = true;
+      ++endings[outcome->error_id != 0 ? outcome->error_id : -static_cast<int>(outcome->ending)];
+      if (outcome->ending != Ending::Done) continue;
+      EXPECT_TRUE(motion.accepted) << "goal " << goal;
+      EXPECT_EQ(motion.needs_tag, motion.tag != 0);
+      EXPECT_TRUE(motion.reported || !motion.needs_tag) << "goal " << goal;
+      const bool stands = !shows_motion_ || !rig_.latest().status_stream;
+      EXPECT_TRUE(stands || !motion.needs_tag || motion.exits) << "goal " << goal;
+    }
+    for (auto it = motions_.begin(); it != motions_.end();) {
+      it = it->second.checked ? motions_.erase(it) : std::next(it);
+    }
+  }
+
+  std::mt19937 random_;
+  CoreRig rig_;
+  GoalId last_ = 0;
+  bool shows_motion_ = false;  ///< the last status frame
+  int targets_ = 10000;        ///< above the targets of the cycles
+  std::vector<std::string> scripts_;
+  std::set<std::string> script_ids_;
+  std::map<GoalId, Motion> motions_;
+};
+
+TEST(RandomEvents, breakNoRule) {
+  const unsigned seed = fromEnvironment("COBOT_TEST_SEED", 20240611);
+  const unsigned events = fromEnvironment("COBOT_TEST_EVENTS", 100000);
+  constexpr unsigned kRounds = 20;
+  std::map<int, int> endings;
+  for (unsigned round = 0; round < kRounds; ++round) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));
+    Chaos chaos(seed + round);
+    for (unsigned i = 0; i < events / kRounds; ++i) {
+      chaos.step();
+      if (::testing::Test::HasFailure()) FAIL() << "at event " << i;
+    }
+    chaos.finish();
+    for (const auto& [ending, count] : chaos.endings) endings[ending] += count;
+  }
+  // The walk is worth its time only if it meets the ends that there are.
+  for (const int id : {-static_cast<int>(Ending::Done), -static_cast<int>(Ending::CommandAborted),
+                       motion_error::kReceiveReply, motion_error::kRejected, motion_error::kLinkDropped,
+                       motion_error::kMotionFailed, own_error::kNotAtTarget, own_error::kRobotError,
+                       own_error::kStopNotConfirmed, own_error::kCommunication, own_error::kNotListening}) {
+    EXPECT_GT(endings[id], 0) << id;
+  }
+}
+
+}  // namespace
+}  // namespace cobot_command::testing
