@@ -8,7 +8,6 @@
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::script {
-namespace {
 
 /// As a whole number of millionths where that fits, which is much faster than to format a double.
 void appendNumber(std::string& text, double value) {
@@ -29,8 +28,6 @@ void appendNumber(std::string& text, double value) {
   text[text.size() - 7] = '.';
   text.erase(text.find_last_not_of('0') + 1);
 }
-
-}  // namespace
 
 CallText::CallText(std::string_view function) {
   text_.reserve(128);

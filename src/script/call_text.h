@@ -13,6 +13,9 @@
 
 namespace cobot_command::script {
 
+/// To the nearest millionth. Precondition: finite.
+void appendNumber(std::string& text, double value);
+
 class CallText {
  public:
   explicit CallText(std::string_view function);

@@ -112,6 +112,7 @@ ScriptCommand commandOf(const std::string& function, const tm_script::Arguments&
 
 std::string toText(const ScriptCommand& command) {
   if (const auto* write = std::get_if<WriteOutput>(&command)) return toText(*write);
+  if (const auto* write = std::get_if<WriteAnalogOutput>(&command)) return toText(*write);
   const FunctionRow* function = find(command);
   assert(function != nullptr);
   CallText text(function->name);
@@ -126,6 +127,7 @@ bool isQueued(std::string_view function) {
 
 bool isQueued(const ScriptCommand& command) {
   if (const auto* write = std::get_if<WriteOutput>(&command)) return !write->instant;
+  if (const auto* write = std::get_if<WriteAnalogOutput>(&command)) return !write->instant;
   return find(command)->way == FunctionRow::Way::Queued;
 }
 

@@ -106,8 +106,14 @@ class Notebook final : public tm_script::Environment {
 
   std::optional<std::string> writeOne(const tm_script::ItemName& item, std::size_t index,
                                       const Scalar& value) {
+    if (const auto* volt = std::get_if<float>(&value)) {
+      if (!(std::abs(*volt) <= kMostVolt)) {
+        return fmt::format("an analog output is -10 to 10 V, not {}", *volt);
+      }
+      commands_.emplace_back(WriteAnalogOutput{*volt, item.attribute == "InstantAO"});
+      return std::nullopt;
+    }
     const auto* level = std::get_if<std::uint8_t>(&value);
-    if (level == nullptr) return std::nullopt;  // an analog output
     if (*level > 1) return fmt::format("an output is 0 or 1, not {}", *level);
     const IoModule module = *moduleOf(item.keys.front());
     commands_.emplace_back(

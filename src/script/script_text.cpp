@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
+#include "call_text.h"
 #include <fmt/format.h>
 
 #include "cobot_command/common/foreign_text.h"
@@ -40,6 +42,14 @@ std::string toText(const WriteOutput& write) {
   assert(write.index >= 0 && write.index < ioCount(write.module));
   return fmt::format("IO[\"{}\"].{}[{}]={}", toString(write.module), write.instant ? "InstantDO" : "DO",
                      write.index, write.on ? 1 : 0);
+}
+
+std::string toText(const WriteAnalogOutput& write) {
+  assert(std::abs(write.volt) <= kMostVolt);
+  std::string text =
+      fmt::format("IO[\"{}\"].{}[0]=", toString(IoModule::ControlBox), write.instant ? "InstantAO" : "AO");
+  appendNumber(text, write.volt);
+  return text;
 }
 
 std::string toText(const std::vector<ScriptCommand>& script) {

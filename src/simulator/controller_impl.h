@@ -64,7 +64,7 @@ class SimulatedController::Impl {
   void on(const TagSettled& settled) { node_.on(settled); }
   void on(const TagDropped& dropped) { node_.on(dropped); }
   void on(const script::WriteOutput& write) { io_.write(write); }
-  void on(const SetAnalogOutput& write) { io_.write(write); }
+  void on(const script::WriteAnalogOutput& write) { io_.write(write); }
   void on(const SetCameraLight& write) { io_.write(write); }
   void on(const MotionStarted& started);
   void on(const MotionFailed& failed);

@@ -1,5 +1,6 @@
 #include "environment.h"
 
+#include <cmath>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -71,8 +72,10 @@ std::optional<std::string> ScriptEnvironment::write(const tm_script::ItemName& i
 tm_script::CallAnswer ScriptEnvironment::writeOutput(const tm_script::ItemName& item, std::size_t index,
                                                      const Scalar& value) {
   if (const auto* volt = std::get_if<float>(&value)) {
-    if (isAnalogOutput(*volt)) return effects_.set({*volt}, item.attribute == "InstantAO");
-    return tm_script::CallFailure{fmt::format("an analog output is -10 to 10 V, not {}", *volt)};
+    if (!(std::abs(*volt) <= script::kMostVolt)) {
+      return tm_script::CallFailure{fmt::format("an analog output is -10 to 10 V, not {}", *volt)};
+    }
+    return effects_.execute(script::WriteAnalogOutput{*volt, item.attribute == "InstantAO"});
   }
   const auto level = std::get<std::uint8_t>(value);
   if (level > 1) return tm_script::CallFailure{fmt::format("an output is 0 or 1, not {}", level)};

@@ -20,7 +20,6 @@ class ScriptEnvironment final : public tm_script::Environment {
   /// What comes of a script.
   struct Effects {
     std::function<tm_script::CallAnswer(const script::ScriptCommand&)> execute;
-    std::function<tm_script::CallAnswer(const SetAnalogOutput&, bool is_instant)> set;
     std::function<void(const protocol::ListenData&)> send;
   };
 

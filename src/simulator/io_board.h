@@ -9,19 +9,9 @@
 
 namespace cobot_command::simulator {
 
-/// The analog output of the control box.
-struct SetAnalogOutput {
-  float volt = 0;
-};
 struct SetCameraLight {
   bool on = true;
 };
-
-/// What the output can give.
-[[nodiscard]] inline bool isAnalogOutput(float volt) {
-  constexpr float kMost = 10.0F;
-  return volt >= -kMost && volt <= kMost;
-}
 
 class IoBoard {
  public:
@@ -31,9 +21,9 @@ class IoBoard {
     outputs_.at(write.module, write.index) = write.on;
     outbox_.log(script::toText(write));
   }
-  void write(const SetAnalogOutput& write) {
-    analog_output_ = write.volt;
-    outbox_.log(fmt::format("the analog output of the control box is {} V", write.volt));
+  void write(const script::WriteAnalogOutput& write) {
+    analog_output_ = static_cast<float>(write.volt);
+    outbox_.log(fmt::format("the analog output of the control box is {} V", analog_output_));
   }
   void write(const SetCameraLight& write) {
     camera_light_ = write.on;

@@ -85,8 +85,8 @@ Written writeLight(const ItemValue& value, N) {
   return SetCameraLight{*on};
 }
 Written writeAnalog(const ItemValue& value, N) {
-  const SetAnalogOutput output{std::get<float>(value)};
-  return isAnalogOutput(output.volt) ? Written(output) : std::nullopt;
+  const script::WriteAnalogOutput output{std::get<float>(value)};
+  return std::abs(output.volt) <= script::kMostVolt ? Written(output) : std::nullopt;
 }
 Written writeSpeed(const ItemValue& value, N) {
   const SetProjectSpeed speed{std::get<std::int32_t>(value)};

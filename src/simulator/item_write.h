@@ -31,7 +31,7 @@ struct SetVariable {
   protocol::ItemValue value;
 };
 
-using ItemWrite = std::variant<PressButton, SetCameraLight, SetAnalogOutput, SetProjectName, SetAutoRemote,
-                               SetVariable, SetProjectSpeed, script::WriteOutput>;
+using ItemWrite = std::variant<PressButton, SetCameraLight, script::WriteAnalogOutput, SetProjectName,
+                               SetAutoRemote, SetVariable, SetProjectSpeed, script::WriteOutput>;
 
 }  // namespace cobot_command::simulator

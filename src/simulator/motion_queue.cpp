@@ -238,7 +238,7 @@ void MotionQueue::apply(const script::WriteOutput& write, Instant) {
   events_.emplace_back(write);
 }
 
-void MotionQueue::apply(const SetAnalogOutput& write, Instant) {
+void MotionQueue::apply(const script::WriteAnalogOutput& write, Instant) {
   events_.emplace_back(write);
 }
 

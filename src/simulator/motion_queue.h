@@ -57,7 +57,7 @@ struct VelocityMode {
   std::optional<Velocity> first{};  ///< came before the mode began
 };
 using QueueItem = std::variant<MotionRequest, BaseChange, TcpChange, LoadChange, QueuedTag, PvtMark,
-                               VelocityMode, script::WriteOutput, SetAnalogOutput>;
+                               VelocityMode, script::WriteOutput, script::WriteAnalogOutput>;
 
 /// What the queue tells: a tag came to its end.
 struct TagSettled {
@@ -74,9 +74,9 @@ struct MotionStarted {
 struct MotionFailed {
   RobotError error;
 };
-/// WriteOutput, SetAnalogOutput: the motions before it are done, it is to be written now.
-using QueueEvent =
-    std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed, script::WriteOutput, SetAnalogOutput>;
+/// WriteOutput, WriteAnalogOutput: the motions before it are done, it is to be written now.
+using QueueEvent = std::variant<TagSettled, TagDropped, MotionStarted, MotionFailed, script::WriteOutput,
+                                script::WriteAnalogOutput>;
 
 class MotionQueue {
  public:
@@ -204,7 +204,7 @@ class MotionQueue {
   void apply(const PvtMark&, Instant) {}  // the PVT is over
   void apply(const VelocityMode& mode, Instant now);
   void apply(const script::WriteOutput& write, Instant now);
-  void apply(const SetAnalogOutput& write, Instant now);
+  void apply(const script::WriteAnalogOutput& write, Instant now);
   void fail(RobotError error);
   void dropQueue();
   void brake(Instant now);

@@ -32,16 +32,6 @@ tm_script::CallAnswer ScriptInterpreter::perform(const script::ScriptCommand& co
   return std::visit([this](const auto& what) { return execute(what); }, command);
 }
 
-tm_script::CallAnswer ScriptInterpreter::set(const SetAnalogOutput& output, bool is_instant) {
-  if (!is_instant && isFull()) return full();
-  if (is_instant) {
-    robot_.io.write(output);
-  } else {
-    robot_.queue.push(output);
-  }
-  return done();
-}
-
 template <class Motion>
 tm_script::CallAnswer ScriptInterpreter::execute(const Motion& motion) {
   if (auto failure = withinPvt("another motion")) return *failure;
@@ -121,6 +111,15 @@ tm_script::CallAnswer ScriptInterpreter::execute(const script::ScriptExit&) {
 }
 
 tm_script::CallAnswer ScriptInterpreter::execute(const script::WriteOutput& write) {
+  if (write.instant) {
+    robot_.io.write(write);
+  } else {
+    robot_.queue.push(write);
+  }
+  return done();
+}
+
+tm_script::CallAnswer ScriptInterpreter::execute(const script::WriteAnalogOutput& write) {
   if (write.instant) {
     robot_.io.write(write);
   } else {

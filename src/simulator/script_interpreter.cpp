@@ -51,12 +51,10 @@ ScriptInterpreter::ScriptInterpreter(const Settings& settings, Robot robot, TagT
       outbox_(outbox),
       tmflow_(tmflowVersion(settings.tmflow_version)),
       functions_(tmflow_),
-      environment_(
-          RobotItems(robot_.model, robot_.io, robot_.project, robot_.state), robot_.project,
-          settings.velocity_licence,
-          {[this](const script::ScriptCommand& command) { return perform(command); },
-           [this](const SetAnalogOutput& output, bool is_instant) { return set(output, is_instant); },
-           [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {
+      environment_(RobotItems(robot_.model, robot_.io, robot_.project, robot_.state), robot_.project,
+                   settings.velocity_licence,
+                   {[this](const script::ScriptCommand& command) { return perform(command); },
+                    [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {
   script::declareRobotFunctions(functions_);
   defineControllerFunctions(functions_, robot_.state);
 }

@@ -97,7 +97,6 @@ class ScriptInterpreter {
   void resumeWaiting();
   [[nodiscard]] tm_script::Scope scope() { return {locals_, robot_.project.variables}; }
   tm_script::CallAnswer perform(const script::ScriptCommand& command);
-  tm_script::CallAnswer set(const SetAnalogOutput& output, bool is_instant);
   [[nodiscard]] bool isFull() const { return robot_.queue.size() >= kMostWaiting; }
 
   template <class Motion>
@@ -112,6 +111,7 @@ class ScriptInterpreter {
   tm_script::CallAnswer execute(const script::Resume& resume);
   tm_script::CallAnswer execute(const script::ScriptExit& exit);
   tm_script::CallAnswer execute(const script::WriteOutput& write);
+  tm_script::CallAnswer execute(const script::WriteAnalogOutput& write);
   tm_script::CallAnswer execute(const script::PvtEnter& enter);  // from here on: script_modes.cpp
   tm_script::CallAnswer execute(const script::PvtPoint& point);
   tm_script::CallAnswer execute(const script::PvtExit& exit);

@@ -161,11 +161,19 @@ struct WriteOutput {
   bool instant = false;
 };
 
+/// What an analog output can give, either way [V].
+inline constexpr double kMostVolt = 10;
+/// The analog output of the control box, which has one (TM 2.4).
+struct WriteAnalogOutput {
+  double volt = 0;  ///< -kMostVolt .. kMostVolt
+  bool instant = false;
+};
+
 using ScriptCommand =
     std::variant<Ptp, Line, Circle, MovePtp, MoveLine, ChangeBase, ChangeTcp, ChangeLoad, QueueTag,
-                 WaitQueueTag, StopAndClearBuffer, Pause, Resume, ScriptExit, WriteOutput, PLine, MovePLine,
-                 PvtEnter, PvtPoint, PvtExit, PvtPause, PvtResume, ContinueVJog, ContinueVLine,
-                 SetContinueVJog, SetContinueVLine, StopContinueVmode, SuspendContinueVmode>;
+                 WaitQueueTag, StopAndClearBuffer, Pause, Resume, ScriptExit, WriteOutput, WriteAnalogOutput,
+                 PLine, MovePLine, PvtEnter, PvtPoint, PvtExit, PvtPause, PvtResume, ContinueVJog,
+                 ContinueVLine, SetContinueVJog, SetContinueVLine, StopContinueVmode, SuspendContinueVmode>;
 
 /// What can stand as the name of a base or TCP: UTF-8, not empty, without control characters (a line end
 /// would begin another command), at most kMaxNameLength bytes. Quotes are allowed: they are doubled in the
@@ -181,6 +189,7 @@ inline constexpr std::size_t kMaxNameLength = 255;
 /// them.
 [[nodiscard]] std::string toText(const ScriptCommand& command);
 [[nodiscard]] std::string toText(const WriteOutput& write);
+[[nodiscard]] std::string toText(const WriteAnalogOutput& write);
 /// Lines joined by CR LF, without one at the end.
 [[nodiscard]] std::string toText(const std::vector<ScriptCommand>& script);
 

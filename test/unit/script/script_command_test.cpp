@@ -147,6 +147,13 @@ TEST(ReadCommand, readsWhichOutputIsWrittenAndHow) {
   EXPECT_TRUE(parsed<WriteOutput>("IO[\"ControlBox\"].InstantDO[0]=0").instant);
 }
 
+TEST(ReadCommand, readsTheVoltsOfTheAnalogOutput) {
+  const auto write = parsed<WriteAnalogOutput>("IO[\"ControlBox\"].AO[0]=-2.5");
+  EXPECT_EQ(write.volt, -2.5);
+  EXPECT_FALSE(write.instant);
+  EXPECT_TRUE(parsed<WriteAnalogOutput>("IO[\"ControlBox\"].InstantAO[0]=10").instant);
+}
+
 TEST(ReadCommand, takesBlanksCommentsAndAllSpellings) {
   const auto wait = parsed<WaitQueueTag>(" \tWaitQueueTag ( 0x0A , 0b101 ) // until it is there");
   EXPECT_EQ(wait.tag, 10);

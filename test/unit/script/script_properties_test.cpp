@@ -57,6 +57,9 @@ ScriptCommand anyMotion() {
 }
 
 ScriptCommand anyOutput() {
+  if (*rc::gen::arbitrary<bool>()) {
+    return WriteAnalogOutput{*rc::gen::inRange(-10000, 10001) / 1e3, *rc::gen::arbitrary<bool>()};
+  }
   const auto module = *rc::gen::element(IoModule::ControlBox, IoModule::EndModule);
   return WriteOutput{module, *rc::gen::inRange(0, ioCount(module)), *rc::gen::arbitrary<bool>(),
                      *rc::gen::arbitrary<bool>()};

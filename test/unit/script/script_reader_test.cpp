@@ -60,8 +60,14 @@ TEST(ScriptReader, takesOutputsOneByOneAndAllAtOnce) {
                   "IO[\"EndModule\"].DO[3]=1", "IO[\"ControlBox\"].InstantDO[2]=1"));
 }
 
+TEST(ScriptReader, takesTheAnalogOutputAndRefusesWhatItCannotGive) {
+  EXPECT_THAT(textsOf("float v = 1.5\nIO[\"ControlBox\"].AO[0] = v\nIO[\"ControlBox\"].InstantAO = {-10}"),
+              ElementsAre("IO[\"ControlBox\"].AO[0]=1.5", "IO[\"ControlBox\"].InstantAO[0]=-10"));
+  EXPECT_FALSE(readScript("IO[\"ControlBox\"].AO[0] = 10.5"));
+}
+
 TEST(ScriptReader, passesOverWhatIsNoCommandOfMotion) {
-  EXPECT_THAT(textsOf("IO[\"ControlBox\"].AO[0] = 1.5\nListenSend(90, \"hello\")\n\n// nothing"), IsEmpty());
+  EXPECT_THAT(textsOf("ListenSend(90, \"hello\")\n\n// nothing"), IsEmpty());
   EXPECT_THAT(textsOf(""), IsEmpty());
 }
 
