@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "cobot_command/blocks/change_base.h"
+#include "cobot_command/blocks/change_load.h"
 #include "cobot_command/blocks/change_tcp.h"
 #include "cobot_command/blocks/check_sequence.h"
 #include "cobot_command/blocks/connect.h"
@@ -36,7 +37,8 @@ using Goal = std::variant<
     ExitListenNodeGoal,
     RunScriptGoal,
     CheckSequenceGoal,
-    PickAndPlaceGoal
+    PickAndPlaceGoal,
+    ChangeLoadGoal
     >;
 // clang-format on
 

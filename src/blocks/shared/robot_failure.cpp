@@ -23,7 +23,7 @@ Failure robotError(const robot::RobotWatch& robot) {
           ? ""
           : fmt::format(
                 "Execute stop, then change_tcp with the tool that is there, and at most {} kg of tool "
-                "and load (ChangeLoad of run_script) together: the next motion then clears the error. "
+                "and load (change_load) together: the next motion then clears the error. "
                 "If it does not, clear it on the controller",
                 robot.tooMuch()->payload);
   return {own_error::kRobotError, robot.errorText(), way_out};

@@ -120,6 +120,8 @@ inline constexpr int kBlendBeforeDwell = 0x258;
 inline constexpr int kExitBeforeEnd = 0x259;
 // Raw scripts.
 inline constexpr int kReplyTimeoutRange = 0x260;
+// Load, outputs and inputs.
+inline constexpr int kLoadRange = 0x261;
 }  // namespace own_error
 
 }  // namespace cobot_command::blocks
