@@ -19,6 +19,7 @@
 #include "cobot_command/blocks/pick_and_place.h"
 #include "cobot_command/blocks/program_control.h"
 #include "cobot_command/blocks/run_script.h"
+#include "cobot_command/blocks/set_output.h"
 #include "cobot_command/blocks/shared/block.h"
 #include "cobot_command/blocks/stop.h"
 
@@ -38,7 +39,8 @@ using Goal = std::variant<
     RunScriptGoal,
     CheckSequenceGoal,
     PickAndPlaceGoal,
-    ChangeLoadGoal
+    ChangeLoadGoal,
+    SetOutputGoal
     >;
 // clang-format on
 

@@ -46,6 +46,12 @@ void ParameterChecks::sixValues(const char* field, const SixValues& values) {
           fmt::format("coordinate {} of {} is {}", bad - values.begin() + 1, field, *bad));
 }
 
+void ParameterChecks::io(const char* field, const std::string& module, int number, int error_id) {
+  const auto known = script::ioModule(module);
+  require(known && number >= 0 && number < script::ioCount(*known), error_id,
+          fmt::format("{} {} of module '{}'", field, number, foreignText(module, kQuoteLimit)));
+}
+
 void ParameterChecks::name(const char* field, const std::string& name) {
   require(script::isName(name), own_error::kNameInvalid,
           fmt::format("{} is \"{}\", {} bytes", field, foreignText(name, kQuoteLimit), name.size()));

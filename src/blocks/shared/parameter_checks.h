@@ -28,6 +28,8 @@ class ParameterChecks {
   void bufferMode(int buffer_mode);
   /// Finite, and no larger than any arm of the family could mean. `field` as the caller knows it.
   void sixValues(const char* field, const SixValues& values);
+  /// The number of an output or input: each module has as many of both. `error_id`: when there is none.
+  void io(const char* field, const std::string& module, int number, int error_id);
   /// The name of a base or TCP in the controller's project.
   void name(const char* field, const std::string& name);
 

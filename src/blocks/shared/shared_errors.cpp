@@ -118,6 +118,23 @@ constexpr SharedError kParameterErrors[] = {
      "buffer_mode is none of them"},
     {own_error::kQueueFull, "Too many commands wait", "Wait until a command is done",
      "buffer_mode BUFFERED, and the queue of this layer is full; or as many wait for a frame or a file"},
+    {own_error::kOutputInvalid, "Output invalid", "Use 0 to 3 of EndModule, or 0 to 15 of ControlBox",
+     "the output is of another module, or the module has no such number"},
+    {own_error::kOutputValue, "Output value or kind out of range",
+     "Use kind 0 (digital) with value 0 or 1, or kind 1 (analog) with -10 to 10 V",
+     "kind is neither 0 nor 1; or value is neither 0 nor 1 for a digital output; or outside -10..10, or not "
+     "a "
+     "number, for an analog one"},
+    {own_error::kInputInvalid, "Input invalid", "Use 0 to 3 of EndModule, or 0 to 15 of ControlBox",
+     "the input is of another module, or the module has no such number"},
+    {own_error::kWaitRange, "Timeout range: 0~86400 s", kSetInRange,
+     "the timeout is negative, above 86400, or not a number; 0 waits without an end"},
+    {own_error::kInputTimedOut, "Input not seen in time", "Find out why the input does not come",
+     "the input had another value until the timeout; a pause of the robot holds that"},
+    {own_error::kInputUnknown, "Input not in the status stream",
+     "Tick the input in the Ethernet Slave's data table, and let status_port not be 0",
+     "there is no status stream, or its data table does not have the input, when it is the goal's turn or "
+     "while it waits"},
     {own_error::kNameInvalid, "Name invalid", "Give the name as it is in the TMflow project",
      "a name has more than 255 bytes or control characters, or is not UTF-8"},
     {own_error::kStepCount, "Number of steps out of range", kSetInRange, "there are no steps, or too many"},
@@ -138,7 +155,7 @@ constexpr SharedError kRobotErrors[] = {
      "controller",
      "the status stream shows an error that no stop has acknowledged, when the command comes, or while it is "
      "Busy; "
-     "code and text are given, and what the arm carries where change_tcp and ChangeLoad gave it more than "
+     "code and text are given, and what the arm carries where change_tcp and change_load gave it more than "
      "its "
      "payload: the remedy names the way out then"},
     {own_error::kNotAtTarget, "Target not reached",
@@ -202,6 +219,13 @@ ErrorTable& ErrorTable::shared(std::initializer_list<int> ids) {
 ErrorTable& ErrorTable::shared(int id, const char* raised_when) {
   const SharedError& error = sharedError(id);
   return row(id, error.description, error.remedy, raised_when);
+}
+
+ErrorTable& ErrorTable::condition(int id, const char* raised_when) {
+  for (ErrorRow& row : rows_) {
+    if (row.id == id) row.raised_when = raised_when;
+  }
+  return *this;
 }
 
 ErrorTable& ErrorTable::remedy(int id, const char* remedy) {

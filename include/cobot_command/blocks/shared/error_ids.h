@@ -122,6 +122,11 @@ inline constexpr int kExitBeforeEnd = 0x259;
 inline constexpr int kReplyTimeoutRange = 0x260;
 // Load, outputs and inputs.
 inline constexpr int kLoadRange = 0x261;
+inline constexpr int kOutputValue = 0x262;
+inline constexpr int kInputInvalid = 0x263;
+inline constexpr int kWaitRange = 0x264;
+inline constexpr int kInputTimedOut = 0x265;
+inline constexpr int kInputUnknown = 0x266;
 }  // namespace own_error
 
 }  // namespace cobot_command::blocks

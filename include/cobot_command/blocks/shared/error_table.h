@@ -33,6 +33,8 @@ class ErrorTable {
   /// The same, raised under another condition here.
   ErrorTable& shared(int id, const char* raised_when);
 
+  /// Raised under another condition, for a row that is there already.
+  ErrorTable& condition(int id, const char* raised_when);
   /// Another remedy for a row that is there already.
   ErrorTable& remedy(int id, const char* remedy);
 
