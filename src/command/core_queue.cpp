@@ -165,6 +165,7 @@ void CommandCore::Impl::begin(const Waiting& next, Instant now) {
   } else {
     board_.accept(block, next.id, 0);
     run_ = std::move(run);
+    run_->robotChanged(robot_, now);
   }
 }
 
@@ -310,6 +311,7 @@ void CommandCore::Impl::finishCommand(Instant now) {
     preflight_.forget();
   }
   run_->commandEnded(outcome, now);
+  run_->robotChanged(robot_, now);
 }
 
 void CommandCore::Impl::finishRun(Instant now) {

@@ -1,6 +1,7 @@
 #include "status_decoding.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string_view>
 
@@ -66,6 +67,30 @@ bool readString(const StatusItem& item, std::optional<std::string>& target) {
   return true;
 }
 
+/// Of a digital input, a byte that is 0 or 1.
+template <std::size_t N>
+bool readInput(const StatusItem& item, std::string_view prefix, std::array<std::optional<bool>, N>& inputs) {
+  const std::string_view number = std::string_view(item.name).substr(prefix.size());
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
+  if (error != std::errc() || end != number.data() + number.size() || index >= N) return true;  // no input
+  const auto level = protocol::item::asByte(item);
+  if (level && *level <= 1) inputs[index] = *level == 1;
+  return inputs[index].has_value();
+}
+
+bool readIfInput(const StatusItem& item, RobotStatus& status) {
+  constexpr std::string_view kControlBox = "Ctrl_DI", kEndModule = "End_DI";
+  const std::string_view name = item.name;
+  if (name.substr(0, kControlBox.size()) == kControlBox) {
+    return readInput(item, kControlBox, status.control_box_inputs);
+  }
+  if (name.substr(0, kEndModule.size()) == kEndModule) {
+    return readInput(item, kEndModule, status.end_module_inputs);
+  }
+  return true;
+}
+
 using Reader = bool (*)(const StatusItem&, RobotStatus&);
 struct ItemRow {
   std::string_view name;
@@ -105,7 +130,8 @@ RobotStatus toRobotStatus(const std::vector<StatusItem>& items, Instant received
   for (const StatusItem& item : items) {
     const auto* row = std::find_if(std::begin(kItems), std::end(kItems),
                                    [&](const ItemRow& known) { return known.name == item.name; });
-    if (row != std::end(kItems) && !row->read(item, status)) status.unreadable.emplace_back(row->name);
+    const bool read = row != std::end(kItems) ? row->read(item, status) : readIfInput(item, status);
+    if (!read) status.unreadable.emplace_back(item.name);
   }
   const std::string_view meaning = protocol::meaningOfError(status.error_code.value_or(0));
   if (!status.error_text && !meaning.empty()) status.error_text = meaning;

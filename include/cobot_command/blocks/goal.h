@@ -22,6 +22,7 @@
 #include "cobot_command/blocks/set_output.h"
 #include "cobot_command/blocks/shared/block.h"
 #include "cobot_command/blocks/stop.h"
+#include "cobot_command/blocks/wait_for_input.h"
 
 namespace cobot_command::blocks {
 
@@ -40,7 +41,8 @@ using Goal = std::variant<
     CheckSequenceGoal,
     PickAndPlaceGoal,
     ChangeLoadGoal,
-    SetOutputGoal
+    SetOutputGoal,
+    WaitForInputGoal
     >;
 // clang-format on
 

@@ -34,14 +34,14 @@ class Run {
   /// Its blended moves may go on behind a command of it that fails: they are to be stopped then.
   [[nodiscard]] virtual bool leavesMotions() const { return false; }
   /// What has to be sent now; nothing while a command is under way, or when there is nothing to send.
-  [[nodiscard]] virtual std::optional<Command> next() const = 0;
+  [[nodiscard]] virtual std::optional<Command> next() const { return std::nullopt; }
   /// Whether the exit_node of the command that is done now counts.
   [[nodiscard]] virtual bool leavesNode() const { return true; }
-  virtual void commandStarted() = 0;
-  virtual void commandProgressed(const Progress& progress) = 0;
-  virtual void commandEnded(const Outcome& outcome, Instant now) = 0;
+  virtual void commandStarted() {}
+  virtual void commandProgressed(const Progress& /*progress*/) {}
+  virtual void commandEnded(const Outcome& /*outcome*/, Instant /*now*/) {}
   /// The command could not be sent.
-  virtual void commandRefused(const Failure& failure, Instant now) = 0;
+  virtual void commandRefused(const Failure& /*failure*/, Instant /*now*/) {}
 
   /// When a command is under way that one is cancelled too; its end is this one's.
   virtual void cancel(const std::string& why, Instant now) = 0;
@@ -50,7 +50,7 @@ class Run {
   /// `patience`: how long the status stream may take to tell why; nothing: there is none.
   virtual void linkLost(const std::string& /*reason*/, std::optional<Duration> /*patience*/,
                         Instant /*now*/) {}
-  /// A status frame came, or the status stream stopped.
+  /// It is its turn, a command of it has ended, a status frame came, or the status stream stopped.
   virtual void robotChanged(const robot::RobotWatch& /*robot*/, Instant /*now*/) {}
   virtual void advance(Instant /*now*/) {}
   [[nodiscard]] virtual std::optional<Instant> nextDeadline() const { return std::nullopt; }
