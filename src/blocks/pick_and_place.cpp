@@ -11,7 +11,6 @@
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
-#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -19,14 +18,17 @@ namespace {
 constexpr int kMaxCycles = 1000000;
 constexpr double kMaxDwell = 3600;
 
-bool isOutput(const OutputAction& output) {
-  const auto module = script::ioModule(output.module);
-  return module && output.output >= 0 && output.output < script::ioCount(*module);
-}
-
 /// What is wrong with a step besides its move.
 Failure blame(int error_id, std::string found, std::size_t index) {
   return {error_id, std::move(found), "", {static_cast<int>(index), 0, ""}};
+}
+
+/// What follows a move has the errors of its own block.
+template <class Part>
+void checkPart(const Part& part, std::size_t index, std::vector<Failure>& failures) {
+  for (const Failure& failure : check(part)) {
+    failures.push_back(blame(failure.error_id, fmt::format("step {}: {}", index + 1, failure.found), index));
+  }
 }
 
 void checkStep(const PickAndPlaceGoal& goal, std::size_t index, std::vector<Failure>& failures) {
@@ -39,13 +41,9 @@ void checkStep(const PickAndPlaceGoal& goal, std::size_t index, std::vector<Fail
     failures.push_back(blame(own_error::kDwellRange,
                              fmt::format("the dwell of step {} is {} s", number, step.dwell), index));
   }
-  if (step.output && !isOutput(*step.output)) {
-    failures.push_back(blame(own_error::kOutputInvalid,
-                             fmt::format("step {}: output {} of module '{}'", number, step.output->output,
-                                         foreignText(step.output->module, kQuoteLimit)),
-                             index));
-  }
-  if (step.move.blending_enable && (step.dwell > 0 || step.output)) {
+  if (step.output) checkPart(*step.output, index, failures);
+  if (step.input) checkPart(*step.input, index, failures);
+  if (step.move.blending_enable && (step.dwell > 0 || step.output || step.input)) {
     failures.push_back(blame(own_error::kBlendBeforeDwell, fmt::format("step {}", number), index));
   }
 }
@@ -59,9 +57,9 @@ void checkExits(const PickAndPlaceGoal& goal, std::vector<Failure>& failures) {
           blame(own_error::kExitBeforeEnd, fmt::format("step {} of {}", i + 1, goal.steps.size()), i));
     } else if (goal.cycles == 0) {
       failures.push_back(blame(own_error::kExitBeforeEnd, "cycles is 0: there is no last cycle", i));
-    } else if (goal.steps[i].output) {
-      failures.push_back(
-          blame(own_error::kExitBeforeEnd, fmt::format("step {} has an output behind it", i + 1), i));
+    } else if (goal.steps[i].output || goal.steps[i].input) {
+      failures.push_back(blame(own_error::kExitBeforeEnd,
+                               fmt::format("step {} has an output or an input behind it", i + 1), i));
     } else {
       continue;
     }
@@ -87,24 +85,34 @@ ErrorTable PickAndPlaceGoal::errors() {
       .shared(own_error::kStepCount, "there are no steps, or more than 50")
       .shared({own_error::kStepRefused})
       .row(own_error::kStepFailed, "Step failed", kExecuteAgain,
-           "a move of the cycle failed in execution; the description tells its error and which step")
+           "a move of the cycle failed in execution, or its input did not come; the description tells its "
+           "error "
+           "and which step")
       .row(own_error::kDwellRange, "Dwell range: 0~3600 s", kSetInRange,
            "the dwell of a step is negative, above 3600, or not a number")
       .row(own_error::kCycleRange, "Cycles range: 0~1000000", kSetInRange,
            "cycles is negative or above 1000000; 0 means until cancelled")
-      .row(own_error::kOutputInvalid, "Output invalid", "Use 0 to 3 of EndModule, or 0 to 15 of ControlBox",
-           "the output of a step is of another module, or has no such number")
+      .shared(own_error::kOutputInvalid, "the output of a step is of another module, or has no such number")
+      .shared(own_error::kOutputValue,
+              "cannot occur through ROS, whose outputs are on or off: the value of a step's output is one "
+              "that it "
+              "cannot have")
+      .shared(own_error::kInputInvalid, "the input of a step is of another module, or has no such number")
+      .shared(
+          own_error::kWaitRange,
+          "the timeout of a step's input is negative, above 86400, or not a number; 0 waits without an end")
       .row(own_error::kStepsUnreadable, "Steps cannot be read",
            "Check the path of the file, and its form against config/pick_and_place.yaml",
            "steps_file is not there, is no YAML, or has other fields than a step")
       .row(own_error::kOutputFailed, "Output not set", "Check that the controller has this output",
            "the controller refused or did not answer the line that sets an output, or it could not be sent; "
            "the description tells why")
-      .row(own_error::kBlendBeforeDwell, "Blending must be disabled before an output or a dwell",
-           "Disable blending_enable of the step", "a step with blending_enable has an output or a dwell")
+      .row(own_error::kBlendBeforeDwell, "Blending must be disabled before an output, an input or a dwell",
+           "Disable blending_enable of the step",
+           "a step with blending_enable has an output, an input or a dwell")
       .row(own_error::kExitBeforeEnd, "Only the last step of the last cycle may leave the Listen node",
-           "Take exit_node away from the step, or its output; give a number of cycles",
-           "exit_node of a step that is not the last, of one with an output, or with cycles 0");
+           "Take exit_node away from the step, or its output and input; give a number of cycles",
+           "exit_node of a step that is not the last, of one with an output or an input, or with cycles 0");
 }
 
 GoalTraits traitsOf(const PickAndPlaceGoal& goal) {

@@ -14,20 +14,6 @@ using State = PickAndPlaceState;
 
 namespace {
 
-/// A line of script, and it fails as one: the cycle tells that error as the one of its step.
-Command commandOf(const OutputAction& output) {
-  Command command;
-  command.block = kBlock<RunScriptGoal>;
-  command.order = [output](const arm::Pose& /*base*/) {
-    script::WriteOutput write;
-    write.module = *script::ioModule(output.module);
-    write.index = output.output;
-    write.on = output.value;
-    return settingOrder(write);
-  };
-  return command;
-}
-
 Command exitOfNode() {
   Command command = commandOf(ExitListenNodeGoal{});
   command.leaves_only = true;
@@ -87,22 +73,28 @@ void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
     return;
   }
   if (std::exchange(owes_exit_, false)) return;  // the dwell goes on, or is over
-  const bool dwells = step().dwell > 0;
-  if (state_ == State::Moving && step().output) {
-    fire(Event::MoveDone, now);
-  } else if (dwells) {
-    fire(state_ == State::Moving ? Event::MoveDoneDwell : Event::OutputSetDwell, now);
-  } else if (isLast()) {
-    fire(Event::LastDone, now);
+  goOn(now);
+}
+
+void PickAndPlaceRun::goOn(Instant now) {
+  const bool moved = state_ == State::Moving;
+  const bool set = moved || state_ == State::Setting;
+  const bool waited = set || state_ == State::Waiting;
+  if (moved && step().output) {
+    fire(Event::OutputNext, now);
+  } else if (set && step().input) {
+    fire(Event::InputNext, now);
+  } else if (waited && step().dwell > 0) {
+    fire(Event::DwellNext, now);
   } else {
-    fire(state_ == State::Moving ? Event::MoveDoneNext : Event::OutputSetNext, now);
+    fire(isLast() ? Event::LastDone : Event::StepNext, now);
   }
 }
 
 void PickAndPlaceRun::commandRefused(const Failure& failure, Instant now) {
   const bool sets = state_ == State::Setting;
   const Outcome refusal =
-      toOutcome(sets ? kBlock<RunScriptGoal> : kBlock<MoveAbsoluteGoal>, Ending::Rejected, failure);
+      toOutcome(sets ? kBlock<SetOutputGoal> : kBlock<MoveAbsoluteGoal>, Ending::Rejected, failure);
   failStep(sets ? own_error::kOutputFailed : own_error::kStepRefused,
            {refusal.error_id, refusal.error_description, ""}, refusal.remedy, now);
 }
@@ -112,7 +104,9 @@ void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::st
   StepReport& report = found_.steps[step_];
   report.error_id = step_failure.error_id;
   report.error_description = step_failure.found;
-  const char* part = state_ == State::Setting ? "the output of " : "";
+  const char* part = state_ == State::Setting   ? "the output of "
+                     : state_ == State::Waiting ? "the input of "
+                                                : "";
   fail({error_id,
         fmt::format("{}step {} of {}, cycle {}: 16#{:X} {}", part, step_ + 1, goal_.steps.size(), cycle_,
                     step_failure.error_id, step_failure.found),
@@ -121,6 +115,11 @@ void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::st
 }
 
 void PickAndPlaceRun::cancel(const std::string& why, Instant now) {
+  if (wait_) {
+    wait_->cancel(why, now);
+    followWait(now);
+    return;
+  }
   if (!cancelled_why_) cancelled_why_ = why + "; no motion was under way";
   if (!under_way_) fire(Event::Cancelled, now);
 }
@@ -130,8 +129,9 @@ void PickAndPlaceRun::finish(FinishAfter after, Instant now) {
   if (beginsNoMore() || state_ == State::Explaining) return;
   if (after == FinishAfter::Move) {
     ends_behind_move_ = true;
-    finished_why_ = state_ == State::Dwelling ? "finished on request, in a dwell"
-                                              : "finished on request, behind this move";
+    finished_why_ = state_ == State::Dwelling  ? "finished on request, in a dwell"
+                    : state_ == State::Waiting ? "finished on request, while it waited for an input"
+                                               : "finished on request, behind this move";
     if (!under_way_) fire(Event::Cancelled, now);
   } else if (!isLast()) {
     goal_.cycles = cycle_;
@@ -142,6 +142,11 @@ void PickAndPlaceRun::finish(FinishAfter after, Instant now) {
 
 void PickAndPlaceRun::linkLost(const std::string& reason, std::optional<Duration> patience, Instant now) {
   if (under_way_) return;
+  if (wait_) {
+    wait_->linkLost(reason, patience, now);
+    followWait(now);
+    return;
+  }
   failure_ = {motion_error::kLinkDropped, reason, ""};
   if (patience) waits_until_ = now + *patience;
   fire(patience ? Event::Unexplained : Event::Failed, now);
@@ -149,6 +154,11 @@ void PickAndPlaceRun::linkLost(const std::string& reason, std::optional<Duration
 
 void PickAndPlaceRun::robotChanged(const robot::RobotWatch& robot, Instant now) {
   if (under_way_ || outcome()) return;
+  if (wait_) {
+    wait_->robotChanged(robot, now);
+    followWait(now);
+    return;
+  }
   if (robot.emergencyStop()) {
     fail(emergencyStop(), now);
     return;
@@ -171,16 +181,22 @@ void PickAndPlaceRun::robotChanged(const robot::RobotWatch& robot, Instant now) 
 }
 
 void PickAndPlaceRun::advance(Instant now) {
+  if (wait_) {
+    wait_->advance(now);
+    followWait(now);
+    return;
+  }
   if (under_way_ || !waits_until_ || held_since_ || now < *waits_until_) return;
   waits_until_.reset();
   if (state_ == State::Explaining) {
     fire(Event::Failed, now);
   } else {
-    fire(isLast() ? Event::LastDone : Event::DwellOver, now);
+    goOn(now);
   }
 }
 
 std::optional<Instant> PickAndPlaceRun::nextDeadline() const {
+  if (wait_) return wait_->nextDeadline();
   return under_way_ || held_since_ ? std::nullopt : waits_until_;
 }
 
@@ -195,6 +211,9 @@ void PickAndPlaceRun::fire(Event event, Instant now) {
   state_ = row->to;
   switch (row->action) {
     case PickAndPlaceAction::None:
+      return;
+    case PickAndPlaceAction::StartWait:
+      startWait(now);
       return;
     case PickAndPlaceAction::StartDwell:
       startDwell(now);
@@ -218,6 +237,21 @@ void PickAndPlaceRun::fire(Event event, Instant now) {
       endAs(Ending::CommandAborted, now);
       return;
   }
+}
+
+void PickAndPlaceRun::startWait(Instant now) {
+  wait_ = runOf(*step().input, goal(), {}, now);
+  followWait(now);
+}
+
+void PickAndPlaceRun::followWait(Instant now) {
+  for (Progress& progress : wait_->takeProgress()) {
+    progress.fraction = static_cast<double>(step_ + 1) / static_cast<double>(goal_.steps.size());
+    tell(std::move(progress));
+  }
+  if (!wait_->outcome()) return;
+  const auto done = std::exchange(wait_, nullptr);
+  commandEnded(*done->outcome(), now);
 }
 
 void PickAndPlaceRun::startDwell(Instant now) {
@@ -252,6 +286,7 @@ void PickAndPlaceRun::tell(Progress progress) {
 
 void PickAndPlaceRun::endAs(Ending ending, Instant now) {
   waits_until_.reset();
+  wait_.reset();
   Outcome outcome;
   if (ending == Ending::Aborted) {
     outcome = toOutcome(kBlock<PickAndPlaceGoal>, ending, failure_);

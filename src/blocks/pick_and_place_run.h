@@ -3,6 +3,7 @@
 // Every step lives on the wire exactly like a command of its own.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -53,6 +54,11 @@ class PickAndPlaceRun final : public Run {
   using Event = PickAndPlaceEvent;
 
   void fire(Event event, Instant now);
+  /// Behind a part of the step that is over.
+  void goOn(Instant now);
+  void startWait(Instant now);
+  /// What its wait for an input tells, and how that ended.
+  void followWait(Instant now);
   void startDwell(Instant now);
   void tellFailure();
   void nextStep();
@@ -73,6 +79,7 @@ class PickAndPlaceRun final : public Run {
   std::string finished_why_;                  ///< it is to end behind this cycle, or this move
   bool ends_behind_move_ = false;
   bool owes_exit_ = false;              ///< its last move was done before it was known to be the last
+  std::unique_ptr<Run> wait_;           ///< for the input of the step
   std::optional<Instant> waits_until_;  ///< in a dwell, or for a reason
   robot::ReasonWait reason_;
   std::optional<Instant> held_since_;

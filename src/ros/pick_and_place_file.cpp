@@ -205,13 +205,24 @@ blocks::PickAndPlaceStep toStep(const YAML::Node& node, double usual_dwell) {
   const Map map(node, "a step",
                 {"name", "command_id", "movement_command", "data_format", "target_position", "speed",
                  "accel_time", "blending_enable", "blending_value", "disable_precise_positioning",
-                 "robot_pose", "exit_node", "output", "dwell"});
+                 "robot_pose", "exit_node", "output", "input", "dwell"});
   if (map.has("name")) static_cast<void>(map.text("name"));
   blocks::PickAndPlaceStep step;
   step.move = toMove(map);
   if (map.has("output")) {
     const Map output(map.required("output"), "output", {"module", "output", "value"});
-    step.output = {output.text("module"), output.whole("output"), output.truth("value")};
+    step.output.emplace();
+    step.output->module = output.text("module");
+    step.output->output = output.whole("output");
+    step.output->value = output.truth("value") ? 1 : 0;
+  }
+  if (map.has("input")) {
+    const Map input(map.required("input"), "input", {"module", "input", "value", "timeout"});
+    step.input.emplace();
+    step.input->module = input.text("module");
+    step.input->input = input.whole("input");
+    step.input->value = input.truth("value");
+    if (input.has("timeout")) step.input->timeout = input.number("timeout");
   }
   step.dwell = toDwell(map, usual_dwell);
   return step;

@@ -26,47 +26,28 @@ class AnyGoal {
   /// `plans`: the core has an arm, so paths are not to take too long.
   AnyGoal(FuzzInput& input, bool plans) : input_(input), plans_(plans) {}
 
-  [[nodiscard]] blocks::Goal next() {
-    switch (static_cast<blocks::Block>(input_.choice(blocks::kBlockCount))) {
-      case blocks::kBlock<blocks::ConnectGoal>:
-        return connect();
-      case blocks::kBlock<blocks::MoveAbsoluteGoal>:
-        return moveAbsolute();
-      case blocks::kBlock<blocks::MoveRelativeGoal>:
-        return moveRelative();
-      case blocks::kBlock<blocks::MoveCircleGoal>:
-        return moveCircle();
-      case blocks::kBlock<blocks::ChangeBaseGoal>:
-        return changeBase();
-      case blocks::kBlock<blocks::ChangeTcpGoal>:
-        return changeTcp();
-      case blocks::kBlock<blocks::ProgramControlGoal>:
-        return programControl();
-      case blocks::kBlock<blocks::StopGoal>:
-        return blocks::StopGoal{};
-      case blocks::kBlock<blocks::ExitListenNodeGoal>:
-        return exitListenNode();
-      case blocks::kBlock<blocks::RunScriptGoal>:
-        return runScript();
-      case blocks::kBlock<blocks::CheckSequenceGoal>:
-        return checkSequence();
-      case blocks::kBlock<blocks::PickAndPlaceGoal>:
-        return pickAndPlace();
-    }
-    return blocks::StopGoal{};
-  }
+  [[nodiscard]] blocks::Goal next() { return anyOf<blocks::Goal>(static_cast<const blocks::Goal*>(nullptr)); }
 
  private:
   static constexpr std::size_t kMostSteps = 3;
 
-  blocks::ConnectGoal connect() {
+  template <class Variant, class... Kinds>
+  Variant anyOf(const std::variant<Kinds...>* /*list*/) {
+    const std::size_t chosen = input_.choice(sizeof...(Kinds));
+    Variant goal;
+    std::size_t place = 0;
+    static_cast<void>(((place++ == chosen && (goal = any(static_cast<const Kinds*>(nullptr)), true)) || ...));
+    return goal;
+  }
+
+  blocks::ConnectGoal any(const blocks::ConnectGoal* /*kind*/) {
     blocks::ConnectGoal goal{"robot", 5890, 10, {}};
     begin();
     vary(goal.host, goal.port, goal.timeout, goal.status_port);
     return goal;
   }
 
-  blocks::MoveAbsoluteGoal moveAbsolute() {
+  blocks::MoveAbsoluteGoal any(const blocks::MoveAbsoluteGoal* /*kind*/) {
     auto goal = testing::good<blocks::MoveAbsoluteGoal>();
     begin();
     vary(goal.command_id, goal.movement_command, goal.data_format, goal.target, goal.target_pose);
@@ -75,7 +56,7 @@ class AnyGoal {
     return bounded(goal, goal.movement_command == static_cast<int>(blocks::Movement::Line));
   }
 
-  blocks::MoveRelativeGoal moveRelative() {
+  blocks::MoveRelativeGoal any(const blocks::MoveRelativeGoal* /*kind*/) {
     auto goal = testing::good<blocks::MoveRelativeGoal>();
     begin();
     vary(goal.command_id, goal.movement_command, goal.data_format, goal.target);
@@ -84,7 +65,7 @@ class AnyGoal {
     return bounded(goal, goal.movement_command == static_cast<int>(blocks::Movement::Line));
   }
 
-  blocks::MoveCircleGoal moveCircle() {
+  blocks::MoveCircleGoal any(const blocks::MoveCircleGoal* /*kind*/) {
     auto goal = testing::good<blocks::MoveCircleGoal>();
     begin();
     vary(goal.command_id, goal.data_format, goal.arc_point, goal.end_point, goal.arc_pose, goal.end_pose);
@@ -93,7 +74,7 @@ class AnyGoal {
     return bounded(goal, true);
   }
 
-  blocks::ChangeBaseGoal changeBase() {
+  blocks::ChangeBaseGoal any(const blocks::ChangeBaseGoal* /*kind*/) {
     auto goal = testing::good<blocks::ChangeBaseGoal>();
     begin();
     vary(goal.command_id, goal.transformation, goal.base_pose, goal.base_name, goal.exit_node,
@@ -101,7 +82,7 @@ class AnyGoal {
     return goal;
   }
 
-  blocks::ChangeTcpGoal changeTcp() {
+  blocks::ChangeTcpGoal any(const blocks::ChangeTcpGoal* /*kind*/) {
     auto goal = testing::good<blocks::ChangeTcpGoal>();
     begin();
     vary(goal.command_id, goal.tcp_offset, goal.weight, goal.moment_of_inertia, goal.mass_center,
@@ -109,32 +90,32 @@ class AnyGoal {
     return goal;
   }
 
-  blocks::ProgramControlGoal programControl() {
+  blocks::ProgramControlGoal any(const blocks::ProgramControlGoal* /*kind*/) {
     blocks::ProgramControlGoal goal;
     begin();
     vary(goal.command_id, goal.command);
     return goal;
   }
 
-  blocks::ExitListenNodeGoal exitListenNode() {
+  blocks::ExitListenNodeGoal any(const blocks::ExitListenNodeGoal* /*kind*/) {
     blocks::ExitListenNodeGoal goal;
     begin();
     vary(goal.buffer_mode);
     return goal;
   }
 
-  blocks::RunScriptGoal runScript() {
+  blocks::RunScriptGoal any(const blocks::RunScriptGoal* /*kind*/) {
     auto goal = testing::good<blocks::RunScriptGoal>();
     begin();
     vary(goal.script, goal.await_motion, goal.reply_timeout, goal.buffer_mode);
     return goal;
   }
 
-  blocks::CheckSequenceGoal checkSequence() {
+  blocks::CheckSequenceGoal any(const blocks::CheckSequenceGoal* /*kind*/) {
     blocks::CheckSequenceGoal goal;
     goal.steps.resize(input_.choice(kMostSteps + 1));
     for (auto& step : goal.steps) {
-      step = sequenceStep();
+      step = anyOf<blocks::SequenceStep>(static_cast<const blocks::SequenceStep*>(nullptr));
     }
     begin();
     varyFault(goal.steps_fault);
@@ -144,32 +125,40 @@ class AnyGoal {
     return goal;
   }
 
-  blocks::SequenceStep sequenceStep() {
-    switch (input_.choice(5)) {
-      case 0:
-        return moveAbsolute();
-      case 1:
-        return moveRelative();
-      case 2:
-        return moveCircle();
-      case 3:
-        return changeBase();
-      default:
-        return changeTcp();
-    }
-  }
-
-  blocks::PickAndPlaceGoal pickAndPlace() {
+  blocks::PickAndPlaceGoal any(const blocks::PickAndPlaceGoal* /*kind*/) {
     blocks::PickAndPlaceGoal goal;
     goal.steps.resize(input_.choice(kMostSteps + 1));
     for (auto& step : goal.steps) {
-      step.move = moveAbsolute();
+      step.move = any(&step.move);
       begin();
-      vary(step.output, step.dwell);
+      vary(step.output, step.input, step.dwell);
     }
     begin();
     varyFault(goal.steps_fault);
     vary(goal.cycles, goal.buffer_mode, goal.check_only);
+    return goal;
+  }
+
+  blocks::StopGoal any(const blocks::StopGoal* /*kind*/) { return {}; }
+
+  blocks::ChangeLoadGoal any(const blocks::ChangeLoadGoal* /*kind*/) {
+    blocks::ChangeLoadGoal goal;
+    begin();
+    vary(goal.weight, goal.buffer_mode);
+    return goal;
+  }
+
+  blocks::SetOutputGoal any(const blocks::SetOutputGoal* /*kind*/) {
+    auto goal = testing::good<blocks::SetOutputGoal>();
+    begin();
+    vary(goal, goal.buffer_mode);
+    return goal;
+  }
+
+  blocks::WaitForInputGoal any(const blocks::WaitForInputGoal* /*kind*/) {
+    auto goal = testing::good<blocks::WaitForInputGoal>();
+    begin();
+    vary(goal, goal.buffer_mode);
     return goal;
   }
 
@@ -254,8 +243,10 @@ class AnyGoal {
     }
     mask_ = mask;
   }
-  void any(blocks::OutputAction& field) {
-    field = {input_.flag() ? "EndModule" : "ControlBox", input_.whole(), input_.flag()};
+  void any(blocks::WaitForInputGoal& field) { vary(field.module, field.input, field.value, field.timeout); }
+  void any(blocks::SetOutputGoal& field) {
+    field.module = input_.flag() ? "EndModule" : "ControlBox";
+    vary(field.kind, field.output, field.value, field.at_once);
     if (input_.choice(8) == 0) {
       any(field.module);
     }

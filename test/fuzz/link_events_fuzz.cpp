@@ -39,8 +39,8 @@ blocks::Goal goodGoal(FuzzInput& input) {
                                    static_cast<int>(input.choice(3))};
     case 4: {
       blocks::PickAndPlaceGoal cycle;
-      cycle.steps = {{move(input), blocks::OutputAction{"EndModule", 1, true}, 1},
-                     {move(input), std::nullopt, 0}};
+      cycle.steps = {{move(input), blocks::SetOutputGoal{0, "EndModule", 1, 1}, std::nullopt, 1},
+                     {move(input), std::nullopt, std::nullopt, 0}};
       cycle.cycles = static_cast<int>(input.choice(3));
       return cycle;
     }

@@ -1,8 +1,8 @@
 """A good goal of each block, and how to change it. The arm starts at HOME; none of these leaves its reach."""
-from cobot_command.msg import (ChangeBaseGoal, ChangeTCPGoal, CheckSequenceGoal, ExitListenNodeGoal, MomentOfInertia,
+from cobot_command.msg import (ChangeBaseGoal, ChangeLoadGoal, ChangeTCPGoal, CheckSequenceGoal, ExitListenNodeGoal, MomentOfInertia,
                                MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, OutputAction, PickAndPlaceGoal,
-                               PickAndPlaceStep, ProgramControlGoal, RunScriptGoal, SequenceStep, StopGoal,
-                               Transformation)
+                               PickAndPlaceStep, ProgramControlGoal, RunScriptGoal, SequenceStep, SetOutputGoal, StopGoal,
+                               Transformation, WaitForInputGoal)
 
 HOME = (0, 0, 90, 0, 90, 0)
 ELSEWHERE = (60, -20, 100, 10, 80, -45)
@@ -80,8 +80,16 @@ def cycle(*steps, **changes):
     return with_changes(PickAndPlaceGoal(steps=list(steps), cycles=1), changes)
 
 
-def step(move, output=None, dwell=0.0):
-    return PickAndPlaceStep(move=move, output=output or OutputAction(), dwell=dwell)
+def step(move, output=None, dwell=0.0, awaited=None):
+    return PickAndPlaceStep(move=move, output=output or OutputAction(), input=awaited or WaitForInputGoal(), dwell=dwell)
+
+
+def output(number=0, value=1, **changes):
+    return with_changes(SetOutputGoal(module="EndModule", output=number, value=value), changes)
+
+
+def wait_for(number=0, value=True, timeout=10.0, **changes):
+    return with_changes(WaitForInputGoal(module="ControlBox", input=number, value=value, timeout=timeout), changes)
 
 
 def sequence(*goals, **changes):
@@ -113,7 +121,8 @@ def queued(**changes):
     """One goal of each block that may have to wait for its turn."""
     return [to_joints(*HOME, **changes), relative(0, 0, 20, 0, 0, 0, **changes),
             circle((450, 0, 500, 180, 0, 90), POSE, **changes), base(20, 30, 10, 0, 0, 90, **changes),
-            tcp(0, 0, 150, 0, 0, 90, **changes), ExitListenNodeGoal(**changes), script("ChangeLoad(1)", **changes),
+            tcp(0, 0, 150, 0, 0, 90, **changes), ChangeLoadGoal(weight=1, **changes), output(**changes),
+            wait_for(value=False, **changes), ExitListenNodeGoal(**changes), script("ChangeLoad(1)", **changes),
             cycle(step(to_joints(*HOME)), **changes)]
 
 

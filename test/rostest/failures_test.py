@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 """How commands fail that are good by themselves: the controller refuses them, or the wire fails."""
+import itertools
+
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import ExitListenNodeGoal, ProgramControlGoal, StopGoal
-from cobot_goals import HOME, base, cycle, motions, move_script, relative, script, step, tcp, to_joints, turn
+from cobot_command.msg import ChangeLoadGoal, ExitListenNodeGoal, ProgramControlGoal, StopGoal
+from cobot_goals import (HOME, base, cycle, motions, move_script, output, relative, script, step, tcp, to_joints, turn,
+                         wait_for)
 from cobot_test import CobotTestCase
 
 SLOWLY = {"speed": 5}
@@ -13,7 +16,7 @@ SLOWLY = {"speed": 5}
 def scripts():
     """One goal of each block that is one script; the motions are short."""
     return [to_joints(*HOME), relative(0, 0, 1, 0, 0, 0), motions()[2], base(20, 30, 10, 0, 0, 90), tcp(0, 0, 150),
-            ExitListenNodeGoal(), script("ChangeLoad(1)"), ProgramControlGoal(command=ProgramControlGoal.RESUME)]
+            ChangeLoadGoal(weight=1), output(), ExitListenNodeGoal(), script("ChangeLoad(1)"), ProgramControlGoal(command=ProgramControlGoal.RESUME)]
 
 
 class Failures(CobotTestCase):
@@ -35,7 +38,7 @@ class Failures(CobotTestCase):
                 self.assert_aborted(self.robot.run(goal), 0x80, "line 1")
 
     def test_of_scripts_with_a_communication_error(self):
-        for code, goal in zip(("01", "02", "03", "04", "01", "02", "03", "04"), scripts()):
+        for code, goal in zip(itertools.cycle(("01", "02", "03", "04")), scripts()):
             with self.subTest(type(goal).__name__):
                 self.robot.fault("cperr_script", count=1, text=code)
                 self.assert_aborted(self.robot.run(goal), 0x224)
@@ -49,7 +52,7 @@ class Failures(CobotTestCase):
                 self.robot.establish()
 
     def test_of_all_that_is_busy_when_the_link_is_lost(self):
-        for goal in [*scripts(), StopGoal(), cycle(step(to_joints(*HOME)))]:
+        for goal in [*scripts(), wait_for(), StopGoal(), cycle(step(to_joints(*HOME)))]:
             with self.subTest(type(goal).__name__):
                 self.robot.fault("silence")
                 sent = self.robot.send(goal).wait_until_active()

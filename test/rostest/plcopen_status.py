@@ -2,7 +2,8 @@
 numbers them."""
 from cobot_command.msg import CommandStatus
 
-QUEUED_BLOCKS = {"move_absolute", "move_relative", "move_circle", "change_base", "change_tcp", "exit_listen_node",
+QUEUED_BLOCKS = {"move_absolute", "move_relative", "move_circle", "change_base", "change_tcp", "change_load",
+                 "set_output", "wait_for_input", "exit_listen_node",
                  "run_script", "pick_and_place"}
 MOST_WAITING = 64
 

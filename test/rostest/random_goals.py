@@ -3,8 +3,9 @@ again."""
 import collections
 import random
 
-from cobot_command.msg import (ConnectGoal, ExitListenNodeGoal, MoveAbsoluteGoal, MoveRelativeGoal, OutputAction,
-                               PickAndPlaceGoal, ProgramControlGoal, RobotPose, StopGoal)
+from cobot_command.msg import (ChangeLoadGoal, ConnectGoal, ExitListenNodeGoal, MoveAbsoluteGoal, MoveRelativeGoal,
+                               OutputAction, PickAndPlaceGoal, ProgramControlGoal, RobotPose, SetOutputGoal, StopGoal,
+                               WaitForInputGoal)
 from cobot_goals import (HOME, base, circle, cycle, line_to, ptp_to, relative, script, sequence, step, tcp, to_joints,
                          turn, with_changes)
 from tf_frames import pose_in
@@ -17,6 +18,7 @@ follow_up: a goal that its sender owes the others, as the resume behind a pause.
 
 # How often a goal is of this action.
 WEIGHTS = {"move_absolute": 26, "move_relative": 14, "move_circle": 8, "change_base": 7, "change_tcp": 6,
+           "change_load": 3, "set_output": 5, "wait_for_input": 4,
            "run_script": 12, "pick_and_place": 8, "check_sequence": 5, "program_control": 6, "exit_listen_node": 3,
            "stop": 3, "connect": 2}
 WRONG = 0.2  # of the goals
@@ -124,6 +126,23 @@ class RandomGoals:
         if r.random() < 0.6:
             return tcp(tcp_name="NOTOOL", **self._change())
         return tcp(0, 0, r.uniform(0, 60), 0, 0, r.uniform(-90, 90), weight=r.choice((0, 1.5, 14)), **self._change())
+
+    def change_load(self):
+        return ChangeLoadGoal(weight=self._random.choice((0, 0.5, 1, 14)), buffer_mode=self._common()["buffer_mode"])
+
+    def set_output(self):
+        r = self._random
+        mode = {"buffer_mode": self._common()["buffer_mode"], "at_once": r.random() < 0.4}
+        if r.random() < 0.2:
+            return SetOutputGoal(kind=SetOutputGoal.ANALOG, module="ControlBox", value=r.uniform(-10, 10), **mode)
+        module, number = r.choice((("EndModule", 0), ("EndModule", 3), ("ControlBox", 0), ("ControlBox", 15)))
+        return SetOutputGoal(module=module, output=number, value=r.choice((0, 1)), **mode)
+
+    def wait_for_input(self):
+        """All inputs are off."""
+        r = self._random
+        return WaitForInputGoal(module=r.choice(("EndModule", "ControlBox")), input=r.randint(0, 2), value=r.random() < 0.2,
+                                timeout=r.choice((0.05, 0.5)), buffer_mode=self._common()["buffer_mode"])
 
     def _change(self):
         common = self._common()

@@ -34,12 +34,12 @@ class _Row:
         self.fits = fits
 
 
-def _field(error, name, *values):
+def _field(error, name, *values, fits=lambda good: True):
     """A field of an otherwise good goal."""
     def make(r, good):
         setattr(good, name, r.choice(values))
         return good
-    return _Row(error, make, lambda good: hasattr(good, name))
+    return _Row(error, make, lambda good: hasattr(good, name) and fits(good))
 
 
 def _coordinate(error, name, values):
@@ -94,7 +94,7 @@ def _blended(radius, *values):
 
 
 _SHARED = (_field(0x28, "command_id", -1, 1, 10, 16, INT_MAX, INT_MIN),
-           _field(0x215, "buffer_mode", 3, *TINY_AND_HUGE),
+           _field(0x215, "buffer_mode", 3, *TINY_AND_HUGE, fits=lambda good: not getattr(good, "at_once", False)),
            _field(0x27, "accel_time", 149, 10000, 0, *TINY_AND_HUGE))
 
 _ROWS = {
@@ -137,6 +137,13 @@ _ROWS = {
         _coordinate(0x21D, "moment_of_inertia", (-0.1, 1e10, *NOT_FINITE)),
         _coordinate(0x200, "mass_center", NOT_FINITE),
         _field(0x21F, "tcp_name", "x" * 256, FAR_TOO_LONG, *WITH_CONTROLS), _field((), "tcp_name", *WILD_NAMES)),
+    "change_load": (_field(0x261, "weight", -0.1, 14.1, 1e308, *NOT_FINITE),),
+    "set_output": (
+        _field(0x255, "module", "", *WILD_NAMES, FAR_TOO_LONG), _field(0x255, "output", 16, *TINY_AND_HUGE),
+        _field(0x262, "value", 10.1, -10.1, *NOT_FINITE), _field(0x262, "kind", 2, *TINY_AND_HUGE)),
+    "wait_for_input": (
+        _field(0x263, "module", "", *WILD_NAMES, FAR_TOO_LONG), _field(0x263, "input", 16, *TINY_AND_HUGE),
+        _field(0x264, "timeout", -0.1, 86400.1, 1e308, *NOT_FINITE)),
     "run_script": (
         _field(0x21E, "script", "", " \n\t", "x" * 4097, "QueueTag(1)", "x // waitqueuetag", "a\x07b",
                "ScriptExit()\nChangeLoad(1)"),

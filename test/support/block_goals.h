@@ -74,9 +74,22 @@ inline blocks::RunScriptGoal good() {
 }
 
 template <>
+inline blocks::ChangeLoadGoal good() {
+  return {1.5, 0};
+}
+template <>
+inline blocks::SetOutputGoal good() {
+  return {0, "EndModule", 2, 1};
+}
+template <>
+inline blocks::WaitForInputGoal good() {
+  return {"ControlBox", 3, true, 10};
+}
+
+template <>
 inline blocks::PickAndPlaceGoal good() {
   blocks::PickAndPlaceGoal goal;
-  goal.steps.push_back({good<blocks::MoveAbsoluteGoal>(), blocks::OutputAction{"EndModule", 0, true}, 2});
+  goal.steps.push_back({good<blocks::MoveAbsoluteGoal>(), blocks::SetOutputGoal{0, "EndModule", 0, 1}, std::nullopt, 2});
   return goal;
 }
 

@@ -48,6 +48,9 @@ class StatusFrames {
     return with(protocol::item::ofFloats("Joint_Angle", joints_deg));
   }
   StatusFrames& moving() { return with(protocol::item::ofFloats("Joint_Speed", {0, 5, -20, 0, 0, 0})); }
+  StatusFrames& input(const std::string& name, bool on) {
+    return with(protocol::item::ofByte(name, on ? 1 : 0));
+  }
   StatusFrames& paused() { return with(protocol::item::ofBool("Project_Pause", true)); }
   StatusFrames& emergencyStop() { return with(protocol::item::ofBool("ESTOP", true)); }
   StatusFrames& error(int code, const std::string& text) {

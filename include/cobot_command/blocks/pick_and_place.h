@@ -1,5 +1,6 @@
-// Annex B and chapter 6.3.8: above pick, pick, up, dwell, above place, place, up, dwell; again and again.
-// Checked as a whole before the first move. A pause of the robot holds the dwells too.
+// Annex B and chapter 6.3.8: above pick, pick, up, dwell, above place, place, up, dwell; again and again. A
+// step is a move_absolute, and may have a set_output and a wait_for_input behind it. Checked as a whole
+// before the first move. A pause of the robot holds the dwells too.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +10,19 @@
 #include <vector>
 
 #include "cobot_command/blocks/move_absolute.h"
+#include "cobot_command/blocks/set_output.h"
 #include "cobot_command/blocks/shared/block_parts.h"
 #include "cobot_command/blocks/shared/run.h"
+#include "cobot_command/blocks/wait_for_input.h"
 
 namespace cobot_command::blocks {
-
-/// A digital output of the controller.
-struct OutputAction {
-  std::string module;  ///< "EndModule" or "ControlBox"
-  int output = 0;      ///< 0..3 of the EndModule, 0..15 of the ControlBox
-  bool value = false;
-};
 
 /// One move of a pick-and-place cycle, and what follows once the robot stands at its target.
 struct PickAndPlaceStep {
   MoveAbsoluteGoal move;
-  std::optional<OutputAction> output;  ///< set first, e.g. the gripper
-  double dwell = 0;                    ///< then wait [s], 0..3600
+  std::optional<SetOutputGoal> output;    ///< set first, e.g. the gripper; in its turn
+  std::optional<WaitForInputGoal> input;  ///< then waited for, e.g. the switch of the gripper
+  double dwell = 0;                       ///< then wait [s], 0..3600
 };
 
 struct PickAndPlaceGoal {

@@ -17,7 +17,14 @@ blocks::PickAndPlaceStep toStep(const cobot_command::PickAndPlaceStep& message, 
   blocks::PickAndPlaceStep step;
   step.move = toGoal(message.move, lookups);
   if (!message.output.module.empty()) {
-    step.output = {message.output.module, message.output.output, message.output.value != 0};
+    step.output.emplace();
+    step.output->module = message.output.module;
+    step.output->output = message.output.output;
+    step.output->value = message.output.value != 0 ? 1 : 0;
+  }
+  if (!message.input.module.empty()) {
+    step.input = toGoal(message.input, lookups);
+    step.input->buffer_mode = 0;  // that of the whole goal counts
   }
   step.dwell = message.dwell;
   return step;

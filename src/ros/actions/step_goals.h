@@ -6,7 +6,9 @@
 #include "cobot_command/MoveAbsoluteGoal.h"
 #include "cobot_command/MoveCircleGoal.h"
 #include "cobot_command/MoveRelativeGoal.h"
+#include "cobot_command/WaitForInputGoal.h"
 #include "cobot_command/blocks/check_sequence.h"
+#include "cobot_command/blocks/wait_for_input.h"
 #include "cobot_command/ros/goal_lookups.h"
 
 namespace cobot_command::ros_adapter {
@@ -21,5 +23,8 @@ namespace cobot_command::ros_adapter {
                                             const Lookups& lookups);
 [[nodiscard]] blocks::ChangeTcpGoal toGoal(const cobot_command::ChangeTCPGoal& message,
                                            const Lookups& lookups);
+
+[[nodiscard]] blocks::WaitForInputGoal toGoal(const cobot_command::WaitForInputGoal& message,
+                                              const Lookups& lookups);
 
 }  // namespace cobot_command::ros_adapter

@@ -91,6 +91,20 @@ BlockCase changeTcp() {
           }};
 }
 
+BlockCase changeLoad() {
+  return {blocks::kBlock<blocks::ChangeLoadGoal>, blocks::ChangeLoadGoal{1.5}, false,
+          [](const RobotState& robot) -> std::string {
+            return robot.load == 1.5 ? "" : "the load is another";
+          }};
+}
+
+BlockCase setOutput() {
+  return {blocks::kBlock<blocks::SetOutputGoal>, blocks::SetOutputGoal{0, "EndModule", 3, 1}, false,
+          [](const RobotState& robot) -> std::string {
+            return robot.outputs.end_module.at(3) ? "" : "the output was not set";
+          }};
+}
+
 BlockCase programControl() {
   return {blocks::kBlock<blocks::ProgramControlGoal>, blocks::ProgramControlGoal{}, false,
           [](const RobotState& robot) -> std::string {
@@ -135,8 +149,8 @@ BlockCase checkSequence() {
 BlockCase pickAndPlace(Pace pace) {
   blocks::PickAndPlaceGoal goal;
   goal.steps.push_back({test::moveJoints({10, -5, 95, 0, 90, 0}, percent(pace)),
-                        blocks::OutputAction{"EndModule", 0, true}, 0.05});
-  goal.steps.push_back({test::moveJoints({-5, 5, 85, 0, 90, 0}, percent(pace)), std::nullopt, 0});
+                        blocks::SetOutputGoal{0, "EndModule", 0, 1}, std::nullopt, 0.05});
+  goal.steps.push_back({test::moveJoints({-5, 5, 85, 0, 90, 0}, percent(pace)), std::nullopt, std::nullopt, 0});
   const Lie moved = standsAtJoints({-5, 5, 85, 0, 90, 0});
   return {blocks::kBlock<blocks::PickAndPlaceGoal>, goal, true,
           [moved](const RobotState& robot) -> std::string {
@@ -153,6 +167,8 @@ std::vector<BlockCase> blockCases(Pace pace) {
           moveCircle(pace),
           changeBase(),
           changeTcp(),
+          changeLoad(),
+          setOutput(),
           programControl(),
           stop(),
           exitListenNode(),

@@ -53,7 +53,7 @@ TEST(Catalogue, isOrderedByBlockAndIdWithoutDoubles) {
     EXPECT_LT(std::make_pair(all[i - 1].block, all[i - 1].id), std::make_pair(all[i].block, all[i].id));
   }
   EXPECT_EQ(all.front().block, kBlock<ConnectGoal>);
-  EXPECT_EQ(all.back().block, kBlock<PickAndPlaceGoal>);
+  EXPECT_EQ(all.back().block, static_cast<Block>(kBlockCount - 1));
 }
 
 TEST(Catalogue, findsEachRowAndNoOthers) {

@@ -25,9 +25,10 @@ Scenarios allScenarios() {
     all.merge(motionScenarios(goal));
     all.merge(stopScenarios(goal));
   }
-  for (const Goal& goal : {Goal(good<MoveAbsoluteGoal>()), Goal(good<MoveRelativeGoal>()),
-                           Goal(good<MoveCircleGoal>()), Goal(good<ChangeBaseGoal>()),
-                           Goal(good<ChangeTcpGoal>()), Goal(good<ExitListenNodeGoal>()), Goal(script)}) {
+  for (const Goal& goal :
+       {Goal(good<MoveAbsoluteGoal>()), Goal(good<MoveRelativeGoal>()), Goal(good<MoveCircleGoal>()),
+        Goal(good<ChangeBaseGoal>()), Goal(good<ChangeTcpGoal>()), Goal(good<ChangeLoadGoal>()),
+        Goal(good<SetOutputGoal>()), Goal(good<ExitListenNodeGoal>()), Goal(script)}) {
     all.merge(linkScenarios(goal));
     all.merge(turnScenarios(goal));
     all.merge(replyScenarios(goal));
@@ -35,6 +36,9 @@ Scenarios allScenarios() {
   all.merge(movedFrameScenarios());
   all.merge(triedScenarios(good<ProgramControlGoal>()));
   all.merge(replyScenarios(good<ProgramControlGoal>()));
+  all.merge(linkScenarios(good<WaitForInputGoal>()));
+  all.merge(turnScenarios(good<WaitForInputGoal>()));
+  all.merge(inputScenarios());
   all.merge(linkScenarios(good<PickAndPlaceGoal>()));
   all.merge(turnScenarios(good<PickAndPlaceGoal>()));
   all.merge(triedScenarios(StopGoal{}));

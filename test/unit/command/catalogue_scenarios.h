@@ -37,6 +37,8 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios stopScenarios(const blocks::Goal& goal);
 /// A target in a tf frame that has moved when the goal's turn comes.
 [[nodiscard]] Scenarios movedFrameScenarios();
+/// The end of a wait for an input.
+[[nodiscard]] Scenarios inputScenarios();
 /// Sequences and cycles of them.
 [[nodiscard]] Scenarios sequenceScenarios();
 

@@ -320,7 +320,7 @@ TEST(CycleEnd, tellsTheFirstCancelWhileAnOutputIsUnderWayWhateverIsAskedBehindIt
   CoreRig rig;
   rig.connect();
   PickAndPlaceGoal goal = cycle(0);
-  goal.steps[0].output = OutputAction{"EndModule", 0, true};
+  goal.steps[0].output = SetOutputGoal{0, "EndModule", 0, 1};
   const GoalId id = rig.submit(goal);
   move(rig);
   const auto output = rig.takeScript();
@@ -344,7 +344,7 @@ TEST(CycleExit, isRefusedBeforeTheFirstMoveWhereItWouldBreakTheCycle) {
       },
       [](PickAndPlaceGoal& g) {
         g.steps[1].move.exit_node = true;
-        g.steps[1].output = OutputAction{"EndModule", 0, true};
+        g.steps[1].output = SetOutputGoal{0, "EndModule", 0, 1};
       },
   };
   for (const auto& spoil : kSpoilt) {

@@ -184,7 +184,7 @@ TEST_F(Explanation, comesAlsoToACycleInItsDwell) {
     other.connect();
     other.status(StatusFrames());
     PickAndPlaceGoal goal;
-    goal.steps.push_back({CoreRig::move(), std::nullopt, 60});
+    goal.steps.push_back({CoreRig::move(), std::nullopt, std::nullopt, 60});
     const GoalId cycle = other.submit(goal);
     other.reply(other.takeScript().id);
     other.tag(1);
@@ -210,7 +210,7 @@ TEST_F(Explanation, isNotWaitedForInADwellWhenTheStreamHangs) {
   rig.tag(1);
   rig.status(StatusFrames());
   PickAndPlaceGoal goal;
-  goal.steps.push_back({CoreRig::move(), std::nullopt, 60});
+  goal.steps.push_back({CoreRig::move(), std::nullopt, std::nullopt, 60});
   const GoalId cycle = rig.submit(goal);
   rig.reply(rig.takeScript().id);
   rig.tag(2);

@@ -117,7 +117,7 @@ TEST(ForeignTexts, ofGoalsAreToldShort) {
                                      with<ChangeTcpGoal>([&](auto& g) { g.tcp_name = text; }),
                                      with<RunScriptGoal>([&](auto& g) { g.script = text; }),
                                      with<PickAndPlaceGoal>([&](auto& g) {
-                                       g.steps[0].output = OutputAction{text, 0, true};
+                                       g.steps[0].output = SetOutputGoal{0, text, 0, 1};
                                      }),
                                      with<MoveAbsoluteGoal>([&](auto& g) {
                                        g.target_pose.emplace();

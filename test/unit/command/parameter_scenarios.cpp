@@ -108,6 +108,11 @@ void refusedOthers(Scenarios& all) {
   refused<ChangeTcpGoal>(all, own_error::kNameInvalid, [](auto& g) { g.tcp_name = "\n"; });
   refused<ChangeTcpGoal>(all, tcp_error::kWeightRange, [](auto& g) { g.weight = 15; });
   refused<ChangeTcpGoal>(all, own_error::kInertiaRange, [](auto& g) { g.moment_of_inertia[2] = -1; });
+  refused<ChangeLoadGoal>(all, own_error::kLoadRange, [](auto& g) { g.weight = 15; });
+  refused<SetOutputGoal>(all, own_error::kOutputInvalid, [](auto& g) { g.output = 4; });
+  refused<SetOutputGoal>(all, own_error::kOutputValue, [](auto& g) { g.value = 2; });
+  refused<WaitForInputGoal>(all, own_error::kInputInvalid, [](auto& g) { g.module = "Box"; });
+  refused<WaitForInputGoal>(all, own_error::kWaitRange, [](auto& g) { g.timeout = -1; });
   refused<ProgramControlGoal>(all, own_error::kProgramCommandUnknown, [](auto& g) { g.command = 2; });
   refused<RunScriptGoal>(all, own_error::kScriptInvalid, [](auto& g) { g.script = ""; });
   refused<RunScriptGoal>(all, own_error::kReplyTimeoutRange, [](auto& g) { g.reply_timeout = 0.01; });
@@ -123,7 +128,7 @@ Scenarios parameterScenarios() {
   refusedCommandId<MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal, ChangeBaseGoal, ChangeTcpGoal,
                    ProgramControlGoal>(all);
   refusedBufferMode<MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal, ChangeBaseGoal, ChangeTcpGoal,
-                    ExitListenNodeGoal, RunScriptGoal>(all);
+                    ChangeLoadGoal, SetOutputGoal, WaitForInputGoal, ExitListenNodeGoal, RunScriptGoal>(all);
   return all;
 }
 

@@ -23,7 +23,7 @@ PickAndPlaceGoal cycle(int cycles = 1) {
   }
   goal.steps[2].dwell = 2;
   goal.steps[5].dwell = 2;
-  goal.steps[2].output = OutputAction{"EndModule", 0, true};
+  goal.steps[2].output = SetOutputGoal{0, "EndModule", 0, 1};
   return goal;
 }
 

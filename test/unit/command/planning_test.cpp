@@ -235,7 +235,7 @@ TEST_F(Planning, startsWhereTheRobotStandsOnceTheQueueIsDone) {
 TEST_F(Planning, ofACycleFromNobodyKnowsWhereAsksForNothingThatACycleHasNot) {
   PickAndPlaceGoal goal;
   goal.check_only = true;
-  goal.steps.push_back({toJoints(kAside), std::nullopt, 0});
+  goal.steps.push_back({toJoints(kAside), std::nullopt, std::nullopt, 0});
   const GoalId id = rig.submit(goal);
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->error_id, own_error::kStartUnknown);

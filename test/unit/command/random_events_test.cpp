@@ -126,7 +126,7 @@ class Chaos {
     PickAndPlaceStep step;
     step.move = CoreRig::move();
     step.dwell = static_cast<double>(pick(2));
-    if (pick(2) == 0) step.output = OutputAction{"EndModule", 0, true};
+    if (pick(2) == 0) step.output = SetOutputGoal{0, "EndModule", 0, 1};
     goal.steps.assign(1 + pick(3), step);
     goal.cycles = static_cast<int>(pick(3));
     goal.buffer_mode = static_cast<int>(pick(3));

@@ -5,6 +5,7 @@
 #include "runs/connect_run_states.h"
 #include "runs/stop_run_states.h"
 #include "table_checks.h"
+#include "wait_for_input_states.h"
 #include <gtest/gtest.h>
 
 #include "cobot_command/robot/orphan_states.h"
@@ -21,6 +22,11 @@ using testing::expectSoundTable;
 TEST(CommandRunTable, isSound) {
   expectSoundTable<CommandRunTable>(CommandRunState::Ended, CommandRunEvent::Stopped, CommandRunState::Sent,
                                     {CommandRunState::Ended});
+}
+
+TEST(InputWaitTable, isSound) {
+  expectSoundTable<InputWaitTable>(InputWaitState::Ended, InputWaitEvent::Cancelled, InputWaitState::Waiting,
+                                   {InputWaitState::Ended});
 }
 
 TEST(OrphanTable, isSound) {

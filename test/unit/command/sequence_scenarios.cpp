@@ -96,6 +96,11 @@ Scenarios pickAndPlaceParameterScenarios() {
       {row(own_error::kDwellRange), cycleWith([](auto& g) { g.steps[0].dwell = -1; })},
       {row(own_error::kCycleRange), cycleWith([](auto& g) { g.cycles = -1; })},
       {row(own_error::kOutputInvalid), cycleWith([](auto& g) { g.steps[0].output->output = 99; })},
+      {row(own_error::kOutputValue), cycleWith([](auto& g) { g.steps[0].output->value = 2; })},
+      {row(own_error::kInputInvalid), cycleWith([](auto& g) { g.steps[0].input = WaitForInputGoal{"Box"}; })},
+      {row(own_error::kWaitRange), cycleWith([](auto& g) {
+         g.steps[0].input = WaitForInputGoal{"ControlBox", 0, true, -1};
+       })},
       {row(own_error::kStepsUnreadable), cycleWith([](auto& g) { g.steps_fault = "no such file"; })},
       {row(own_error::kBlendBeforeDwell), cycleWith([](auto& g) { g.steps[0].move.blending_enable = true; })},
       {row(own_error::kExitBeforeEnd), cycleWith([](auto& g) { g.steps[0].move.exit_node = true; })},

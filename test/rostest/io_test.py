@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""The actions set_output, wait_for_input and change_load against a simulated controller over real sockets."""
+import rospy
+from actionlib_msgs.msg import GoalStatus
+
+from cobot_command.msg import ChangeLoadGoal, SetOutputGoal
+from cobot_goals import BUFFERED, HOME, MODERATELY, cycle, output, step, to_joints, turn, wait_for
+from motion_checks import MotionTestCase
+
+
+def analog(value, **changes):
+    return output(0, value, module="ControlBox", kind=SetOutputGoal.ANALOG, **changes)
+
+
+class Io(MotionTestCase):
+    def setUp(self):
+        super().setUp()
+        self.robot.operate("set_input", "ControlBox", 0, False)
+
+    def test_sets_outputs_in_their_turn_and_at_once(self):
+        for goal in (output(), output(3, 0), output(15, module="ControlBox"), output(at_once=True), analog(-2.5),
+                     analog(10, at_once=True)):
+            with self.subTest(goal):
+                self.assert_done(self.robot.run(goal))
+
+    def test_sets_an_output_at_once_while_the_robot_moves(self):
+        moving = self.robot.start_slowly(turn(20, 0, 0, 0, 0, 0, **MODERATELY))
+        self.assert_done(self.robot.run(output(at_once=True)))
+        self.assertEqual(moving.state(), GoalStatus.ACTIVE)
+        self.assert_rejected(self.robot.run(output()), 0x11, "move_relative")
+        moving.cancel()
+        moving.finish()
+
+    def test_waits_for_an_input_and_holds_back_what_comes_behind(self):
+        waiting = self.robot.send(wait_for()).wait_until_active()
+        behind = self.robot.send(to_joints(*HOME, buffer_mode=BUFFERED)).wait_until_queued()
+        self.assertFalse(waiting.ended())
+        self.robot.operate("set_input", "ControlBox", 0, True)
+        self.assert_done(waiting.finish())
+        self.assert_done(behind.finish())
+
+    def test_gives_up_an_input_that_does_not_come(self):
+        waiting = self.robot.send(wait_for(timeout=0.2)).wait_until_active()
+        behind = self.robot.send(to_joints(*HOME, buffer_mode=BUFFERED))
+        self.assert_aborted(waiting.finish(), 0x265, "input 0 of ControlBox was off for 0.2 s")
+        state, _ = behind.finish()
+        self.assertEqual(state, GoalStatus.RECALLED)
+
+    def test_names_an_input_that_the_controller_does_not_stream(self):
+        self.assert_aborted(self.robot.run(wait_for(15)), 0x266, "input 15 of ControlBox")
+
+    def test_ends_a_wait_that_is_cancelled(self):
+        waiting = self.robot.send(wait_for(timeout=0)).wait_until_active()
+        waiting.cancel()
+        state, result = waiting.finish()
+        self.assertEqual(state, GoalStatus.PREEMPTED, result.error_description)
+
+    def test_does_a_cycle_with_the_switch_of_a_gripper(self):
+        grip = cycle(step(to_joints(*HOME), awaited=wait_for(timeout=10)), cycles=1)
+        sent = self.robot.send(grip)
+        sent.wait_for_feedback(lambda f: "waits for input 0" in f.text, "the wait")
+        self.robot.operate("set_input", "ControlBox", 0, True)
+        self.assert_done(sent.finish())
+
+    def test_ends_a_cycle_whose_switch_does_not_come(self):
+        outcome = self.robot.run(cycle(step(to_joints(*HOME), awaited=wait_for(timeout=0.1))))
+        self.assert_aborted(outcome, 0x252)
+        result = outcome[1]
+        self.assertEqual((result.failed_step, result.step_error_id), (0, 0x265))
+
+    def test_changes_the_load(self):
+        for weight in (0, 1.5, 0):
+            self.assert_done(self.robot.run(ChangeLoadGoal(weight=weight)))
+
+    def test_refuses_what_there_is_not(self):
+        self.assert_refuses([
+            (output(4), 0x255, "output 4"), (output(module="Gripper"), 0x255, "'Gripper'"),
+            (analog(1, module="EndModule"), 0x255, "there is 0 of ControlBox"), (output(0, 2), 0x262, "value is 2"),
+            (analog(10.5), 0x262, "10.5 V"), (output(kind=2), 0x262, "kind is 2"), (wait_for(16), 0x263, "input 16"),
+            (wait_for(timeout=-1), 0x264, "-1 s"), (ChangeLoadGoal(weight=14.1), 0x261, "14.1"),
+            (cycle(step(to_joints(*HOME), awaited=wait_for(16))), 0x263, "step 1"),
+            (cycle(step(to_joints(*HOME), awaited=wait_for(timeout=1e6))), 0x264, "step 1")])
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("io_test")
+    rostest.rosrun("cobot_command", "io", Io)
