@@ -8,8 +8,8 @@ from cobot_goals import BUFFERED, HOME, MODERATELY, cycle, output, step, to_join
 from motion_checks import MotionTestCase
 
 
-def analog(value, **changes):
-    return output(0, value, module="ControlBox", kind=SetOutputGoal.ANALOG, **changes)
+def analog(value, module="ControlBox", **changes):
+    return output(0, value, module=module, kind=SetOutputGoal.ANALOG, **changes)
 
 
 class Io(MotionTestCase):

@@ -78,7 +78,7 @@ class Refusals(CobotTestCase):
 
     def test_of_all_that_have_a_turn_while_the_robot_moves_on_from_before_the_link(self):
         self.establish_at_home()
-        moving = self.robot.start_slowly()
+        moving = self.robot.start_slowly(turn(120, 0, 0, 0, 0, 0, speed=2))  # outlasts all that is waited for
         connect = self.robot.send(self.robot.connect_goal(), "unmodelled/")
         status = Latest("unmodelled/command_status", CommandStatus)
         status.wait_for(lambda s: s.link_state == CommandStatus.READY and "no goal of this layer" in s.diagnosis,
