@@ -141,7 +141,9 @@ class Round:
 
     def __init__(self, records, truth):
         self._records, self._truth = records, truth
-        self._queued = [r for r in records if r.block in QUEUED_BLOCKS and r.results]
+        # A set_output that is at_once has no turn; of one that came without an id nobody knows here.
+        self._queued = [r for r in records if r.block in QUEUED_BLOCKS and r.results
+                        and not (r.block == "set_output" and getattr(r.goal, "at_once", True))]
         self.compared = 0  # ends that the truth of the simulator could be asked about
 
     def faults(self):

@@ -61,7 +61,8 @@ class StatusRules:
         under_way, waiting = status.commands_under_way, status.commands_waiting
         if status.queue_depth != depth or under_way not in (0, 1) or waiting > MOST_WAITING:
             yield f"{under_way} under way, {waiting} wait, queue_depth {status.queue_depth}"
-        if (depth > 0) != bool(queued):
+        # A set_output that is at_once has no turn.
+        if (depth > 0 and not queued) or (depth == 0 and queued - {"set_output"}):
             yield f"R1: {depth} commands, and busy are {sorted(queued)}"
         if status.waiting_return != (depth > 0 or "stop" in busy):
             yield f"waiting_return is {status.waiting_return} with {depth} commands and {sorted(busy)} busy"

@@ -92,10 +92,9 @@ BlockCase changeTcp() {
 }
 
 BlockCase changeLoad() {
-  return {blocks::kBlock<blocks::ChangeLoadGoal>, blocks::ChangeLoadGoal{1.5}, false,
-          [](const RobotState& robot) -> std::string {
-            return robot.load == 1.5 ? "" : "the load is another";
-          }};
+  return {
+      blocks::kBlock<blocks::ChangeLoadGoal>, blocks::ChangeLoadGoal{1.5}, false,
+      [](const RobotState& robot) -> std::string { return robot.load == 1.5 ? "" : "the load is another"; }};
 }
 
 BlockCase setOutput() {
@@ -150,7 +149,8 @@ BlockCase pickAndPlace(Pace pace) {
   blocks::PickAndPlaceGoal goal;
   goal.steps.push_back({test::moveJoints({10, -5, 95, 0, 90, 0}, percent(pace)),
                         blocks::SetOutputGoal{0, "EndModule", 0, 1}, std::nullopt, 0.05});
-  goal.steps.push_back({test::moveJoints({-5, 5, 85, 0, 90, 0}, percent(pace)), std::nullopt, std::nullopt, 0});
+  goal.steps.push_back(
+      {test::moveJoints({-5, 5, 85, 0, 90, 0}, percent(pace)), std::nullopt, std::nullopt, 0});
   const Lie moved = standsAtJoints({-5, 5, 85, 0, 90, 0});
   return {blocks::kBlock<blocks::PickAndPlaceGoal>, goal, true,
           [moved](const RobotState& robot) -> std::string {
@@ -162,19 +162,9 @@ BlockCase pickAndPlace(Pace pace) {
 }  // namespace
 
 std::vector<BlockCase> blockCases(Pace pace) {
-  return {moveAbsolute(pace),
-          moveRelative(pace),
-          moveCircle(pace),
-          changeBase(),
-          changeTcp(),
-          changeLoad(),
-          setOutput(),
-          programControl(),
-          stop(),
-          exitListenNode(),
-          runScript(pace),
-          checkSequence(),
-          pickAndPlace(pace)};
+  return {moveAbsolute(pace), moveRelative(pace), moveCircle(pace),  changeBase(), changeTcp(),
+          changeLoad(),       setOutput(),        programControl(),  stop(),       exitListenNode(),
+          runScript(pace),    checkSequence(),    pickAndPlace(pace)};
 }
 
 BlockCase proofOfWork() {
