@@ -79,12 +79,12 @@ bool hasPoint(motion::Refusal::Reason reason) {
 /// Checks and plans one step after the other.
 class Sequence {
  public:
-  Sequence(const CheckSequenceGoal& goal, const arm::ArmModel& arm, const Start& start)
-      : goal_(goal), arm_(arm), planner_(arm, start) {}
+  Sequence(const CheckSequenceGoal& goal, const arm::ArmModel& arm, const Start& start, const GiveUp& give_up)
+      : goal_(goal), arm_(arm), planner_(arm, start), give_up_(give_up) {}
 
   Outcome run() {
     const std::size_t all = goal_.steps.size() + (goal_.comes_round ? 1 : 0);
-    for (std::size_t i = 0; i < all && outcome_.failed_step < 0; ++i) {
+    for (std::size_t i = 0; i < all && outcome_.failed_step < 0 && !gaveUp(); ++i) {
       auto planned = std::visit([this](const auto& step) { return plan(step); }, stepAt(i));
       if (!planned) {
         fail(i, planned.error());
@@ -102,6 +102,7 @@ class Sequence {
   }
 
  private:
+  [[nodiscard]] bool gaveUp() const { return give_up_ && give_up_(); }
   /// From 0; the one behind the last is the first again.
   [[nodiscard]] const SequenceStep& stepAt(std::size_t i) const {
     return goal_.steps[i % goal_.steps.size()];
@@ -201,6 +202,7 @@ class Sequence {
   const CheckSequenceGoal& goal_;
   const arm::ArmModel& arm_;
   planning::ScriptPlanner planner_;
+  const GiveUp& give_up_;
   std::vector<planning::PlannedStep> planned_;
   std::vector<motion::Setting> settings_;  ///< that each was planned with
   Outcome outcome_;
@@ -215,7 +217,7 @@ ErrorTable CheckSequenceGoal::errors() {
            "start_joints are neither six finite numbers nor empty; or they are empty and nobody knows "
            "where the robot is, or where what was sent will leave it")
       .shared(own_error::kNoModel, "the command layer knows no model of the arm")
-      .shared({own_error::kShutDown})
+      .shared({own_error::kPlanningBudget, own_error::kShutDown})
       .shared(own_error::kStepCount, "there are no steps, or more than 200")
       .shared({own_error::kStepRefused})
       .row(own_error::kStepsUnreadable, "Steps cannot be read",
@@ -237,7 +239,7 @@ Outcome plan(const CheckSequenceGoal& goal, const PlanningScene& scene) {
   if (const auto failures = check(goal, start, scene.arm != nullptr); !failures.empty()) {
     return toRejection(kBlock<CheckSequenceGoal>, failures);
   }
-  return Sequence(goal, *scene.arm, start).run();
+  return Sequence(goal, *scene.arm, start, scene.give_up).run();
 }
 
 }  // namespace cobot_command::blocks

@@ -54,6 +54,10 @@ std::optional<Command> GoalRules::command() const {
       goal_);
 }
 
+bool GoalRules::isPlanned() const {
+  return std::visit([](const auto& goal) { return kIsPlanned<std::decay_t<decltype(goal)>>; }, goal_);
+}
+
 std::optional<Outcome> GoalRules::plan(const PlanningScene& scene) const {
   return std::visit([&](const auto& goal) { return planOf(goal, scene); }, goal_);
 }

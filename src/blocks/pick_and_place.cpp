@@ -81,7 +81,7 @@ ErrorTable PickAndPlaceGoal::errors() {
   return ErrorTable()
       .turn()
       .shared({motion_error::kNotConnected, motion_error::kLinkDropped, own_error::kStartUnknown,
-               own_error::kNoModel, own_error::kShutDown})
+               own_error::kNoModel, own_error::kPlanningBudget, own_error::kShutDown})
       .shared(own_error::kStepCount, "there are no steps, or more than 50")
       .shared({own_error::kStepRefused})
       .row(own_error::kStepFailed, "Step failed", kExecuteAgain,

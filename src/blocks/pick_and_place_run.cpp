@@ -55,8 +55,8 @@ void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
   under_way_ = false;
   if (outcome.ending == Ending::Aborted || outcome.ending == Ending::Rejected) {
     if (outcome.error_id == motion_error::kLinkDropped) {
-      fail({motion_error::kLinkDropped, outcome.error_description, outcome.remedy}, now);
       found_.failed_step = static_cast<int>(step_);
+      fail({motion_error::kLinkDropped, outcome.error_description, outcome.remedy}, now);
       return;
     }
     const int id = state_ == State::Setting ? own_error::kOutputFailed : own_error::kStepFailed;
@@ -127,11 +127,13 @@ void PickAndPlaceRun::cancel(const std::string& why, Instant now) {
 /// The first wish stays, but for one that is to end sooner. What only looks for its reason is over already.
 void PickAndPlaceRun::finish(FinishAfter after, Instant now) {
   if (beginsNoMore() || state_ == State::Explaining) return;
-  if (after == FinishAfter::Move) {
+  if (wait_ && after == FinishAfter::Move) {
+    wait_->finish(after, now);
+    followWait(now);
+  } else if (after == FinishAfter::Move) {
     ends_behind_move_ = true;
-    finished_why_ = state_ == State::Dwelling  ? "finished on request, in a dwell"
-                    : state_ == State::Waiting ? "finished on request, while it waited for an input"
-                                               : "finished on request, behind this move";
+    finished_why_ = state_ == State::Dwelling ? "finished on request, in a dwell"
+                                              : "finished on request, behind this move";
     if (!under_way_) fire(Event::Cancelled, now);
   } else if (!isLast()) {
     goal_.cycles = cycle_;
@@ -154,17 +156,17 @@ void PickAndPlaceRun::linkLost(const std::string& reason, std::optional<Duration
 
 void PickAndPlaceRun::robotChanged(const robot::RobotWatch& robot, Instant now) {
   if (under_way_ || outcome()) return;
-  if (wait_) {
-    wait_->robotChanged(robot, now);
-    followWait(now);
-    return;
-  }
   if (robot.emergencyStop()) {
     fail(emergencyStop(), now);
     return;
   }
   if (robot.inError()) {
     fail(robotError(robot), now);
+    return;
+  }
+  if (wait_) {
+    wait_->robotChanged(robot, now);
+    followWait(now);
     return;
   }
   if (state_ == State::Explaining) {

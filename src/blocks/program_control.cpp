@@ -30,6 +30,7 @@ GoalTraits traitsOf(const ProgramControlGoal& goal) {
   GoalTraits traits;
   traits.way = Way::Beside;
   traits.command_id = goal.command_id;
+  traits.tried_anyway = true;
   traits.halts = is(goal, ProgramCommand::Pause);
   return traits;
 }

@@ -28,8 +28,10 @@ class InputWait final : public Run {
     tell(Phase::Active, fmt::format("waits for {} to be {}", name(), goal_.value ? "on" : "off"));
   }
 
+  [[nodiscard]] bool leavesTheRobot() const override { return true; }
+
   void cancel(const std::string& why, Instant now) override {
-    words_ = why + "; no motion was under way";
+    words_ = why + " while it waited for " + name();
     fire(Event::Cancelled, now);
   }
 
@@ -80,11 +82,14 @@ class InputWait final : public Run {
 
   void look(const robot::RobotWatch& robot, Instant now) {
     const auto level = robot.status() ? levelIn(*robot.status()) : std::nullopt;
+    // A frame from before its turn may show what was before the commands in front of it.
+    const bool is_new = robot.status() && robot.status()->received > began_at_;
+    seen_ = seen_ || is_new;
     if (!level) {
       fail({own_error::kInputUnknown,
             robot.status() ? name() + " is not among its items" : "there is no status stream", ""},
            now);
-    } else if (*level == goal_.value) {
+    } else if (is_new && *level == goal_.value) {
       fire(Event::Seen, now);
     } else {
       followHold(robot.held(), now);
@@ -106,7 +111,9 @@ class InputWait final : public Run {
 
   [[nodiscard]] Failure timedOut() const {
     return {own_error::kInputTimedOut,
-            fmt::format("{} was {} for {} s", name(), goal_.value ? "off" : "on", goal_.timeout), ""};
+            seen_ ? fmt::format("{} was {} for {} s", name(), goal_.value ? "off" : "on", goal_.timeout)
+                  : fmt::format("no status frame came in {} s", goal_.timeout),
+            ""};
   }
 
   void fail(Failure failure, Instant now) {
@@ -158,6 +165,7 @@ class InputWait final : public Run {
   Instant began_at_;
   std::optional<Instant> deadline_;  ///< of the input, or of the reason of a loss
   std::optional<Instant> held_since_;
+  bool seen_ = false;  ///< in a frame of its turn
   robot::ReasonWait reason_;
   Failure failure_;
   std::string words_;  ///< of an end that was asked for

@@ -5,8 +5,9 @@
 namespace cobot_command::command {
 
 CommandCore::CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings,
-                         blocks::FrameFinder frames, NewestGoal newest)
-    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(frames), std::move(newest))) {}
+                         blocks::FrameFinder frames, NewestGoal newest, Planning planning)
+    : impl_(
+          std::make_unique<Impl>(std::move(arm), settings, std::move(frames), std::move(newest), planning)) {}
 CommandCore::~CommandCore() = default;
 CommandCore::CommandCore(CommandCore&&) noexcept = default;
 CommandCore& CommandCore::operator=(CommandCore&&) noexcept = default;
@@ -54,6 +55,10 @@ void CommandCore::received(link::ConnectionId id, std::string_view bytes, Instan
 
 void CommandCore::closed(link::ConnectionId id, const std::string& reason, Instant now) {
   impl_->closed(id, reason, now);
+}
+
+void CommandCore::planned(PlanJobId id, PlanAnswer answer, Instant now) {
+  impl_->planned(id, std::move(answer), now);
 }
 
 void CommandCore::advance(Instant now) {

@@ -14,7 +14,7 @@ bool mayMove(const CommandOrder& order) {
 }  // namespace
 
 CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
-                        blocks::FrameFinder frame_finder, NewestGoal newest)
+                        blocks::FrameFinder frame_finder, NewestGoal newest, Planning planning)
     : settings_(settings),
       frame_finder_(std::move(frame_finder)),
       newest_(std::move(newest)),
@@ -22,6 +22,9 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       status_(settings_, *this),
       tags_(settings_.first_tag),
       preflight_(std::move(arm)),
+      arm_(preflight_.arm() ? std::make_shared<const arm::ArmModel>(*preflight_.arm()) : nullptr),
+      planning_(planning),
+      plans_(settings_.planning_budget, actions_),
       board_(actions_),
       connect_(settings_, script_, status_, robot_, board_),
       stop_(settings_, script_, tags_, robot_, preflight_.arm()) {}
@@ -79,6 +82,7 @@ void CommandCore::Impl::advance(Instant now) {
   if (run_) run_->advance(now);
   stop_.advance(now);
   connect_.advance(now);
+  endOverduePlans(now);
   settle(now);
 }
 
@@ -93,6 +97,7 @@ std::optional<Instant> CommandCore::Impl::nextDeadline() const {
   }
   if (on_wire_) consider(on_wire_->nextDeadline());
   if (run_) consider(run_->nextDeadline());
+  consider(plans_.nextDeadline());
   for (const CommandRun& run : direct_) consider(run.nextDeadline());
   return next;
 }
@@ -133,6 +138,7 @@ void CommandCore::Impl::settle(Instant now) {
     }
   }
   if (!on_wire_ && !loose_.mayMove() && !stop_.busy()) burden_.queueDone();
+  plans_.proceed(now);
   tellPlaces();
   publishFrames();
   publishStatus();
@@ -168,7 +174,7 @@ void CommandCore::Impl::watchOrphan(Instant now) {
 
 void CommandCore::Impl::watchStrangers(Instant now) {
   if (!script_.connected()) strangers_.forget();
-  const bool ours = !connect_.ready() || run_ || loose_.mayMove() || stop_.busy() || orphan_.mayMove();
+  const bool ours = !connect_.ready() || on_wire_ || loose_.mayMove() || stop_.busy() || orphan_.mayMove();
   strangers_.see(robot_, ours, now);
 }
 
@@ -232,7 +238,8 @@ void CommandCore::Impl::takeBurden(const script::ScriptCommand& command, bool be
   if (!burden_.accepted(command, behind_motion)) return;
   weigh();
   if (!robot_.tooMuch()) return;
-  log(Severity::Warning, robot_.tooMuch()->text + ": motions will fail; check weight of change_tcp");
+  log(Severity::Warning,
+      robot_.tooMuch()->text + ": motions will fail; check weight of change_tcp and change_load");
 }
 
 void CommandCore::Impl::weigh() {

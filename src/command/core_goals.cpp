@@ -6,9 +6,7 @@
 #include "core_impl.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/check_sequence.h"
 #include "cobot_command/blocks/shared/error_ids.h"
-#include "cobot_command/blocks/shared/joint_path.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
 
 namespace cobot_command::command {
@@ -122,7 +120,6 @@ void CommandCore::Impl::queueUp(blocks::GoalId id, const blocks::Goal& goal, Ins
 }
 
 void CommandCore::Impl::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
-  const blocks::Block block = blockOf(goal);
   const blocks::GoalRules rules(goal);
   Failures failures = rules.violations();
   sortByTable(failures);
@@ -130,41 +127,17 @@ void CommandCore::Impl::answerByPlan(blocks::GoalId id, const blocks::Goal& goal
     reject(id, goal, failures);
     return;
   }
-  auto outcome = rules.plan(sceneAt(originBehindAll(now)));
-  if (!outcome) outcome = answerOf(id, *rules.command(), now);
-  if (outcome->ending == blocks::Ending::Rejected) {
-    board_.reject(block, id, std::move(*outcome));
-  } else {
-    board_.answer(block, id, std::move(*outcome));
-  }
-}
-
-blocks::Outcome CommandCore::Impl::answerOf(blocks::GoalId id, const blocks::Command& command, Instant now) {
-  const auto planned = planFor(command, originBehindAll(now));
-  if (!planned) return toRejection(command.block, {planned.error()});
-  if (!*planned) {
-    const int id_of_error = preflight_.arm() ? blocks::own_error::kStartUnknown : blocks::own_error::kNoModel;
-    return toRejection(command.block, {{id_of_error, "", ""}});
-  }
-  const Plan& plan = **planned;
-  blocks::Outcome outcome;
-  outcome.planned = plan.duration;
-  outcome.joint_path = blocks::jointPath(plan.motions);
-  tellPath(id, plan);
-  return outcome;
-}
-
-blocks::PlanningScene CommandCore::Impl::sceneAt(const std::optional<Origin>& origin) const {
-  blocks::PlanningScene scene;
-  if (preflight_.arm()) scene.arm = &*preflight_.arm();
-  if (origin) scene.start = origin->start;
-  return scene;
+  static_cast<void>(askForPlan(id, goal, originBehindAll(now)));
 }
 
 void CommandCore::Impl::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
   const blocks::GoalRules rules(goal);
   Failures failures = rules.violations();
-  append(failures, connect_.disconnecting() ? checkLink() : checkConnection());
+  const bool only_connection = rules.traits().tried_anyway && !connect_.disconnecting();
+  append(failures, only_connection ? checkConnection() : checkLink());
+  if (!rules.traits().tried_anyway && robot_.emergencyStop()) {
+    failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
+  }
   sortByTable(failures);
   if (!failures.empty()) {
     reject(id, goal, failures);
@@ -250,8 +223,11 @@ void CommandCore::Impl::cancel(blocks::GoalId id, Instant now, std::optional<blo
   if (waiting != waiting_.end()) {
     const blocks::Block block = blockOf(waiting->goal);
     waiting_.erase(waiting);
+    static_cast<void>(plans_.drop(id));
     forgetForecasts();
     endAborted(block, id, "cancelled before its turn");
+  } else if (const auto job = plans_.drop(id)) {
+    endUnplanned(*job, "cancelled while it was planned");
   } else if (run_ && run_->goal() == id) {
     dropWaiting(fmt::format("the command in front of it, {}, was cancelled", toString(run_->block())),
                 newest.value_or(newestGoal()));
@@ -287,6 +263,7 @@ void CommandCore::Impl::retire(Instant now) {
   if (life_ != Life::Working) return;
   life_ = Life::Retiring;
   kept_.reset();
+  dropPlans(kShuttingDown);
   abortAll(kShuttingDown, newestGoal(), now);
   stopIfMoving(now);
   settle(now);
@@ -304,6 +281,7 @@ void CommandCore::Impl::shutDown(Instant now) {
                                        : kShuttingDown;
   life_ = Life::Over;
   kept_.reset();
+  dropPlans(why);
   dropWaiting(why);
   if (run_) run_->cancel(why, now);
   if (on_wire_) on_wire_->abandon(why, now);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "board/output_board.h"
+#include "forecast/plan_desk.h"
 #include "forecast/preflight.h"
 #include "runs/command_order.h"
 #include "runs/command_run.h"
@@ -39,7 +40,7 @@ namespace cobot_command::command {
 class CommandCore::Impl : private link::Wire {
  public:
   Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, blocks::FrameFinder frame_finder,
-       NewestGoal newest);
+       NewestGoal newest, Planning planning);
 
   void submit(blocks::GoalId id, const blocks::Goal& goal, Instant now);
   void cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest);
@@ -52,6 +53,7 @@ class CommandCore::Impl : private link::Wire {
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);
   void closed(link::ConnectionId id, const std::string& reason, Instant now);
+  void planned(PlanJobId id, PlanAnswer answer, Instant now);
   void advance(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
   [[nodiscard]] std::vector<Action> takeActions();
@@ -61,9 +63,11 @@ class CommandCore::Impl : private link::Wire {
   struct Waiting {
     blocks::GoalId id = 0;
     blocks::Goal goal;
-    bool takes_over = false;    ///< once the stop that is under way for it is confirmed
-    int told_place = 0;         ///< in the queue, as last reported; 0: not yet
-    std::optional<Origin> end;  ///< where it will leave the robot, as far as that can be foreseen
+    bool takes_over = false;               ///< once the stop that is under way for it is confirmed
+    int told_place = 0;                    ///< in the queue, as last reported; 0: not yet
+    std::optional<Origin> end;             ///< where it will leave the robot, as far as that can be foreseen
+    PlanJobId job = 0;                     ///< that plans it as a whole, when its turn has come
+    std::optional<blocks::Outcome> found;  ///< by that
   };
   /// A goal of the stop block, and which stop answers it.
   struct StopWish {
@@ -99,8 +103,16 @@ class CommandCore::Impl : private link::Wire {
   /// Why no command may be taken now, whatever it is; in table order.
   [[nodiscard]] Failures checkReadiness(blocks::BufferMode mode) const;
   [[nodiscard]] std::optional<blocks::Block> busyBlock() const;
-  [[nodiscard]] blocks::Outcome answerOf(blocks::GoalId id, const blocks::Command& command, Instant now);
-  [[nodiscard]] blocks::PlanningScene sceneAt(const std::optional<Origin>& origin) const;
+
+  // --- Plans that may take long (core_plans.cpp).
+  /// Its answer comes to takePlan(), at once with Planning::AtOnce.
+  PlanJobId askForPlan(blocks::GoalId id, const blocks::Goal& goal, const std::optional<Origin>& origin);
+  [[nodiscard]] PlanDesk::MakeWork planOf(const blocks::Goal& goal,
+                                          const std::optional<Origin>& origin) const;
+  void takePlan(const PlanDesk::Job& job, PlanAnswer answer);
+  void endOverduePlans(Instant now);
+  void dropPlans(const std::string& why);
+  void endUnplanned(const PlanDesk::Job& job, const std::string& why);
 
   // --- The queue (core_queue.cpp).
   /// Where a command starts that is sent now.
@@ -127,6 +139,8 @@ class CommandCore::Impl : private link::Wire {
   void abortRunning(const std::string& why, Instant now);
   void endAborted(blocks::Block block, blocks::GoalId id, const std::string& why);
   void dispatch(Instant now);
+  bool beginNext(Instant now);
+  [[nodiscard]] Failures objectionsTo(const Waiting& next) const;
   void begin(const Waiting& next, Instant now);
   void refuseTurn(const Waiting& next, blocks::Outcome refusal);
   void beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now);
@@ -193,6 +207,7 @@ class CommandCore::Impl : private link::Wire {
   void publishStatus();
   void publishFrames();
   void tellPath(blocks::GoalId goal, const Plan& plan);
+  [[nodiscard]] static std::vector<arm::Pose> toolPathOf(const Plan& plan, const arm::ArmModel& arm);
   void log(Severity severity, std::string text);
 
   link::LinkSettings settings_;
@@ -211,6 +226,9 @@ class CommandCore::Impl : private link::Wire {
   robot::OrphanWatch orphan_;
   robot::StrangerWatch strangers_;
   Preflight preflight_;
+  std::shared_ptr<const arm::ArmModel> arm_;  ///< the same, for plans beside the core
+  Planning planning_;
+  PlanDesk plans_;
   OutputBoard board_;
   ConnectRun connect_;
   StopRun stop_;

@@ -1,6 +1,7 @@
 // The queue: who waits, who is next, and what falls with whom.
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "core_impl.h"
@@ -37,6 +38,7 @@ blocks::Outcome withMotion(const blocks::Outcome& exit, const blocks::Outcome& m
 std::optional<Origin> CommandCore::Impl::originBehindAll(Instant now) const {
   if (!waiting_.empty()) return waiting_.back().end;
   if (!run_) return originNow(now);
+  if (run_->leavesTheRobot()) return originNow(now);
   const bool known = run_->isOneCommand() && on_wire_ && on_wire_->order().plan && !on_wire_->stopping();
   return known ? std::make_optional(on_wire_->order().plan->end) : std::nullopt;
 }
@@ -44,12 +46,7 @@ std::optional<Origin> CommandCore::Impl::originBehindAll(Instant now) const {
 Result<std::optional<Plan>, blocks::Failure> CommandCore::Impl::planFor(
     const blocks::Command& command, const std::optional<Origin>& origin) const {
   const auto base = origin ? origin->start.base : frames_.frames().base;
-  if (command.traits.needs_base && !base) {
-    return refuse(blocks::Failure{blocks::own_error::kBaseUnknown, "", ""});
-  }
-  const blocks::Order order = command.order(base.value_or(arm::Pose::Identity()));
-  if (!origin || !order.commands) return std::optional<Plan>();
-  return preflight_.plan(*order.commands, *origin);
+  return planOfCommand(command, arm_.get(), base, origin);
 }
 
 /// What was foreseen for those that wait stands on what was in front of them.
@@ -66,7 +63,10 @@ void CommandCore::Impl::enqueue(blocks::GoalId id, const blocks::Goal& goal, blo
     abortAll(fmt::format("taken over by {}", toString(block)), id, now);
     if (mayMoveOtherwise() && !stop_.busy()) askForStop(now);
   }
-  Waiting waiting{id, goal, mode == blocks::BufferMode::Aborting && stop_.busy(), 0, std::nullopt};
+  Waiting waiting;
+  waiting.id = id;
+  waiting.goal = goal;
+  waiting.takes_over = mode == blocks::BufferMode::Aborting && stop_.busy();
   if (busyBlock()) {
     if (const auto command = blocks::GoalRules(goal).command()) {
       const auto planned = planFor(*command, originBehindAll(now));
@@ -87,6 +87,7 @@ void CommandCore::Impl::dropWaiting(const std::string& why, blocks::GoalId newes
     actions_.emplace_back(fell_);
   }
   for (const Waiting& waiting : std::exchange(waiting_, {})) {
+    static_cast<void>(plans_.drop(waiting.id));
     endAborted(blocks::blockOf(waiting.goal), waiting.id, why);
   }
 }
@@ -112,7 +113,7 @@ void CommandCore::Impl::abortAll(const std::string& why, blocks::GoalId newest, 
 }
 
 void CommandCore::Impl::abortRunning(const std::string& why, Instant now) {
-  preflight_.forget();
+  if (!run_ || on_wire_) preflight_.forget();  // else it stays as it is
   if (run_) run_->cancel(why, now);
   if (on_wire_) on_wire_->cancel(why, now);
 }
@@ -131,9 +132,7 @@ void CommandCore::Impl::dispatch(Instant now) {
     if (run_) {
       if (!continueRun(now)) return;
     } else if (!waiting_.empty()) {
-      const Waiting next = std::move(waiting_.front());
-      waiting_.pop_front();
-      begin(next, now);
+      if (!beginNext(now)) return;
     } else {
       return;
     }
@@ -142,28 +141,47 @@ void CommandCore::Impl::dispatch(Instant now) {
   }
 }
 
-void CommandCore::Impl::begin(const Waiting& next, Instant now) {
-  const blocks::Block block = blockOf(next.goal);
-  const blocks::GoalRules rules(next.goal);
-  const bool has_waited = next.told_place > 0;
+/// Nothing (false) as long as it is planned as a whole.
+bool CommandCore::Impl::beginNext(Instant now) {
+  Waiting& first = waiting_.front();
+  const Failures failures = objectionsTo(first);
+  if (failures.empty() && !first.found && blocks::GoalRules(first.goal).isPlanned()) {
+    if (first.job == 0) first.job = askForPlan(first.id, first.goal, originNow(now));
+    if (!first.found) return false;
+  }
+  const Waiting next = std::move(waiting_.front());
+  waiting_.pop_front();
+  if (failures.empty()) {
+    begin(next, now);
+  } else {
+    static_cast<void>(plans_.drop(next.id));
+    refuseTurn(next, toRejection(blockOf(next.goal), failures));
+  }
+  return true;
+}
+
+CommandCore::Impl::Failures CommandCore::Impl::objectionsTo(const Waiting& next) const {
   Failures failures = checkReadiness(blocks::BufferMode::Aborting);
+  const bool has_waited = next.told_place > 0;
   if (failures.empty() && has_waited) {
-    if (auto moved = rules.findMovedFrame(frame_finder_)) failures.push_back(std::move(*moved));
+    if (auto moved = blocks::GoalRules(next.goal).findMovedFrame(frame_finder_)) {
+      failures.push_back(std::move(*moved));
+    }
   }
-  if (!failures.empty()) {
-    refuseTurn(next, toRejection(block, failures));
-    return;
-  }
-  auto found = rules.plan(sceneAt(originNow(now))).value_or(blocks::Outcome());
+  return failures;
+}
+
+void CommandCore::Impl::begin(const Waiting& next, Instant now) {
+  blocks::Outcome found = next.found.value_or(blocks::Outcome());
   if (found.ending == blocks::Ending::Rejected && !couldNotBePlanned(found)) {
     refuseTurn(next, std::move(found));
     return;
   }
-  auto run = rules.run(next.id, found, now);
+  auto run = blocks::GoalRules(next.goal).run(next.id, found, now);
   if (run->isOneCommand()) {
     beginCommand(next, std::move(run), now);
   } else {
-    board_.accept(block, next.id, 0);
+    board_.accept(run->block(), next.id, 0);
     run_ = std::move(run);
     run_->robotChanged(robot_, now);
   }
@@ -320,6 +338,7 @@ void CommandCore::Impl::finishRun(Instant now) {
     board_.progress(run_->block(), run_->goal(), std::move(progress));
   }
   if (!run_->outcome()) return;
+  assert(!on_wire_);
   const auto done = std::exchange(run_, nullptr);
   if (done->outcome()->ending == blocks::Ending::Aborted) {
     if (done->leavesMotions()) stopIfMoving(now);
@@ -332,6 +351,7 @@ void CommandCore::Impl::finishRun(Instant now) {
 std::string CommandCore::Impl::textOfPlace(int place) const {
   if (place > 1) return "waits for its turn, others are in front of it";
   if (run_) return "waits for its turn, one is in front of it";
+  if (waiting_.front().job != 0) return "is planned as a whole, before its first move";
   return holdsBack() ? fmt::format("waits until the robot stands: {}", heldBackBy())
                      : "waits for its turn, until the robot stands";
 }

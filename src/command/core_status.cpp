@@ -89,12 +89,17 @@ void CommandCore::Impl::publishFrames() {
   actions_.emplace_back(ActiveFramesChanged{std::move(frames)});
 }
 
-void CommandCore::Impl::tellPath(blocks::GoalId goal, const Plan& plan) {
-  PathPlanned path{goal, {}};
+std::vector<arm::Pose> CommandCore::Impl::toolPathOf(const Plan& plan, const arm::ArmModel& arm) {
+  std::vector<arm::Pose> path;
   for (const auto& motion : plan.motions) {
-    const auto poses = planning::toolPath(*preflight_.arm(), *motion, plan.tcp, kPathPoints);
-    path.tool_path.insert(path.tool_path.end(), poses.begin(), poses.end());
+    const auto poses = planning::toolPath(arm, *motion, plan.tcp, kPathPoints);
+    path.insert(path.end(), poses.begin(), poses.end());
   }
+  return path;
+}
+
+void CommandCore::Impl::tellPath(blocks::GoalId goal, const Plan& plan) {
+  PathPlanned path{goal, toolPathOf(plan, *arm_)};
   if (!path.tool_path.empty()) actions_.emplace_back(std::move(path));
 }
 

@@ -10,7 +10,8 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-/// It halts the robot, or lets it go on, or makes its connection: nothing of that must wait for a frame.
+/// It halts the robot, or goes out beside all others, or makes the connection: nothing of that must wait for
+/// a frame.
 bool neverWaits(const blocks::Goal& goal) {
   const blocks::Way way = blocks::GoalRules(goal).traits().way;
   return way == blocks::Way::Stop || way == blocks::Way::Beside || way == blocks::Way::Link;

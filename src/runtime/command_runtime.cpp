@@ -49,10 +49,11 @@ class CommandRuntime::Impl {
        blocks::FrameFinder frames, const command::NewestGoal& newest)
       : observer_(std::move(observer)),
         newest_(newest),
-        core_(std::move(arm), settings, std::move(frames), newest),
+        core_(std::move(arm), settings, std::move(frames), newest, command::Planning::Beside),
         start_(Clock::now()),
         timer_(thread_.context()) {
     thread_.post([this] { advance(); });
+    planner_.start();
     thread_.start();
   }
 
@@ -85,6 +86,7 @@ class CommandRuntime::Impl {
       carryOut();
       connections_.clear();
     });
+    planner_.finish([] {});  // what it is at was dropped: it ends behind its step
   }
 
   [[nodiscard]] Instant now() const { return Instant(Clock::now() - start_); }
@@ -144,6 +146,11 @@ class CommandRuntime::Impl {
   void carryOut(const Told& /*told*/, const command::Action& action) {
     observer_(action, now());
   }
+  void carryOut(const command::PlanAsked& plan, const command::Action& /*action*/) {
+    planner_.post([this, id = plan.id, work = plan.work] {
+      post([id, answer = work()](auto& core, Instant now) { core.planned(id, answer, now); });
+    });
+  }
   void carryOut(const command::SendBytes& send, const command::Action& /*action*/) {
     if (const auto connection = connections_.find(send.id); connection != connections_.end()) {
       connection->second.send(send.bytes);
@@ -173,7 +180,8 @@ class CommandRuntime::Impl {
     }
   }
 
-  CoreThread thread_;  ///< first: the sockets and the timer live on its context
+  CoreThread planner_;  ///< what may take long is planned here; it outlives the core's thread, which asks it
+  CoreThread thread_;   ///< first of the core's: the sockets and the timer live on its context
   const Observer observer_;
   const command::NewestGoal newest_;
   command::CommandCore core_;

@@ -3,13 +3,18 @@
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import FrameTrace, MoveAbsoluteGoal, SequenceStep
-from cobot_goals import (BUFFERED, ELSEWHERE, HOME, POSE, SLOWLY, base, circle, line_to, ptp_to, relative, script,
-                         sequence, tcp, to_joints, turn)
+from cobot_command.msg import CommandStatus, FrameTrace, MoveAbsoluteGoal, SequenceStep, StopGoal
+from cobot_goals import (BUFFERED, ELSEWHERE, HOME, POSE, SLOWLY, base, circle, cycle, line_to, ptp_to, relative, script,
+                         sequence, step, tcp, to_joints, turn)
 from cobot_test import CobotTestCase, Latest
 import provoked_errors
 
 FAST = {"speed": 4500, "accel_time": 150}
+
+
+def slow_lines(count, **changes):
+    """Lines of 300 mm at 1 mm/s, up and down: they are planned for long."""
+    return [line_to(517.5, -122.3, 461.05 - 300 * (i % 2 == 0), 180, 0, 90, speed=1, **changes) for i in range(count)]
 
 
 class Planning(CobotTestCase):
@@ -21,6 +26,39 @@ class Planning(CobotTestCase):
     def setUp(self):
         super().setUp()
         self.establish_at_home()
+
+    # --- Beside everything else.
+    def test_delays_no_stop_and_no_check_of_the_link(self):
+        moving = self.robot.start_slowly(turn(120, 0, 0, 0, 0, 0, speed=2))
+        check = self.robot.send(sequence(*slow_lines(200)))
+        self.assert_done(self.robot.run(StopGoal()))
+        self.assertFalse(check.ended(), "it was planned before the robot was stopped")
+        self.assertEqual(moving.finish()[0], GoalStatus.PREEMPTED)
+        check.cancel()
+        state, result = check.finish()
+        self.assertEqual(state, GoalStatus.RECALLED, result.error_description)
+        self.assertIn("while it was planned", result.error_description)
+
+    def test_of_a_cycle_is_ended_with_its_goal(self):
+        steps = [step(line) for line in slow_lines(50)]
+        sent = self.robot.send(cycle(*steps)).wait_until_queued()
+        sent.cancel()
+        self.assertEqual(sent.finish()[0], GoalStatus.RECALLED)
+        self.assert_done(self.robot.run(turn(1, 0, 0, 0, 0, 0)))
+
+    def test_is_given_up_when_it_takes_too_long(self):
+        connect = self.robot.send(self.robot.connect_goal(), "hurried/")
+        Latest("hurried/command_status", CommandStatus).wait_for(
+            lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a ready link")
+        slow = {"speed": 1, "check_only": True}
+        goals = (relative(0, 0, -300, **slow), slow_lines(1, check_only=True)[0],
+                 circle((517.5, 0, 300, 180, 0, 90), (517.5, 120, 461, 180, 0, 90), **slow),
+                 sequence(*slow_lines(50)), cycle(*[step(line) for line in slow_lines(50)]))
+        for goal in goals:
+            with self.subTest(type(goal).__name__):
+                self.assert_rejected(self.robot.run(goal, "hurried/"), 0x20C)
+        connect.cancel()
+        self.assert_done(connect.finish())
 
     # --- One motion.
     def test_refuses_ways_that_leave_the_reach(self):

@@ -89,7 +89,8 @@ inline blocks::WaitForInputGoal good() {
 template <>
 inline blocks::PickAndPlaceGoal good() {
   blocks::PickAndPlaceGoal goal;
-  goal.steps.push_back({good<blocks::MoveAbsoluteGoal>(), blocks::SetOutputGoal{0, "EndModule", 0, 1}, std::nullopt, 2});
+  goal.steps.push_back(
+      {good<blocks::MoveAbsoluteGoal>(), blocks::SetOutputGoal{0, "EndModule", 0, 1}, std::nullopt, 2});
   return goal;
 }
 

@@ -7,14 +7,14 @@ namespace cobot_command::testing {
 using namespace blocks;
 using namespace command;
 
-CoreRig::CoreRig(std::optional<arm::ArmModel> arm, link::LinkSettings settings)
+CoreRig::CoreRig(std::optional<arm::ArmModel> arm, link::LinkSettings settings, Planning planning)
     : core(
           std::move(arm), settings,
           [this](const std::string& frame) -> std::optional<arm::Pose> {
             const auto found = frames.find(frame);
             return found == frames.end() ? std::nullopt : std::make_optional(found->second);
           },
-          [this] { return last_goal_; }) {}
+          [this] { return last_goal_; }, planning) {}
 
 CoreRig::~CoreRig() {
   EXPECT_TRUE(sent_.empty()) << sent_.size() << " frames were sent that the test did not expect; the first: "
@@ -262,6 +262,17 @@ void CoreRig::take(const ActiveFramesChanged& action) {
 }
 
 void CoreRig::take(const PathPlanned& /*action*/) {}
+
+void CoreRig::take(const PlanAsked& action) {
+  plans_.push_back(action);
+}
+
+void CoreRig::answerPlan(PlanAnswer answer) {
+  const PlanJobId id = plans_.front().id;
+  plans_.pop_front();
+  core.planned(id, std::move(answer), now);
+  pump();
+}
 
 void CoreRig::take(const CommandsFell& action) {
   fell.push_back(action);

@@ -29,7 +29,9 @@ class CoreRig {
  public:
   static constexpr Duration kStreamPeriod = 15ms;
 
-  explicit CoreRig(std::optional<arm::ArmModel> arm = std::nullopt, link::LinkSettings settings = noStatus());
+  /// With Planning::Beside nothing is planned but by finishPlan().
+  explicit CoreRig(std::optional<arm::ArmModel> arm = std::nullopt, link::LinkSettings settings = noStatus(),
+                   command::Planning planning = command::Planning::AtOnce);
   ~CoreRig();
 
   [[nodiscard]] static link::LinkSettings noStatus();
@@ -66,6 +68,13 @@ class CoreRig {
   [[nodiscard]] bool nothingSent() const { return sent_.empty(); }
   void discardSent() { sent_.clear(); }
   std::deque<protocol::ClientMessage> takeAllSent() { return std::exchange(sent_, {}); }
+
+  // --- Plans beside the core.
+  [[nodiscard]] bool isPlanning() const { return !plans_.empty(); }
+  /// Makes the plan that was asked for first; answer it with answerPlan().
+  command::PlanAnswer makePlan() { return plans_.front().work(); }
+  void answerPlan(command::PlanAnswer answer);
+  void finishPlan() { answerPlan(makePlan()); }
 
   // --- Time.
   /// Lets time pass, calling advance() exactly at each deadline.
@@ -107,6 +116,7 @@ class CoreRig {
   void take(const command::GoalProgressed& action);
   void take(const command::GoalEnded& action);
   void take(const command::CommandsFell& action);
+  void take(const command::PlanAsked& action);
   void take(const command::StatusChanged& action);
   void take(const command::RobotStatusReceived& action);
   void take(const command::ActiveFramesChanged& action);
@@ -124,6 +134,7 @@ class CoreRig {
   std::map<blocks::GoalId, std::vector<blocks::Progress>> progress_;
   std::map<blocks::GoalId, blocks::Outcome> ended_;
   command::CommandStatus latest_;
+  std::deque<command::PlanAsked> plans_;
 };
 
 }  // namespace cobot_command::testing

@@ -26,6 +26,8 @@ class GoalRules {
   /// The one command that it is; nothing when it is another number of them. Precondition of all that follow:
   /// no violations.
   [[nodiscard]] std::optional<Command> command() const;
+  /// It is planned as a whole, by plan().
+  [[nodiscard]] bool isPlanned() const;
   /// Plans it as a whole: Rejected when it cannot be made; nothing when it is one command, which the core
   /// plans.
   [[nodiscard]] std::optional<Outcome> plan(const PlanningScene& scene) const;

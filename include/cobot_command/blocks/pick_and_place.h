@@ -1,6 +1,6 @@
 // Annex B and chapter 6.3.8: above pick, pick, up, dwell, above place, place, up, dwell; again and again. A
 // step is a move_absolute, and may have a set_output and a wait_for_input behind it. Checked as a whole
-// before the first move. A pause of the robot holds the dwells too.
+// before the first move. A pause of the robot holds dwells and timeouts too.
 #pragma once
 
 #include <cstddef>

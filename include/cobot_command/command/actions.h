@@ -10,6 +10,7 @@
 #include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/command/command_status.h"
+#include "cobot_command/command/planning_job.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
 #include "cobot_command/link/robot_status.h"
@@ -58,6 +59,11 @@ struct CommandsFell {
   blocks::GoalId newest;
   std::string why;
 };
+/// A plan is to be made, beside the core; answer with planned(). Only with Planning::Beside.
+struct PlanAsked {
+  PlanJobId id;
+  PlanWork work;
+};
 struct StatusChanged {
   CommandStatus status;
 };
@@ -89,7 +95,7 @@ struct LogMessage {
 };
 
 using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed,
-                            GoalEnded, CommandsFell, StatusChanged, RobotStatusReceived, ActiveFramesChanged,
-                            PathPlanned, FrameTraced, LogMessage>;
+                            GoalEnded, CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived,
+                            ActiveFramesChanged, PathPlanned, FrameTraced, LogMessage>;
 
 }  // namespace cobot_command::command

@@ -19,6 +19,7 @@
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/finish.h"
+#include "cobot_command/command/planning_job.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
 
@@ -33,9 +34,9 @@ class CommandCore {
   /// `arm`: the model for planning and checks; without one, moves are sent unplanned. See CoreSettings for
   /// the rest. `frames`: asked when a goal with a target in a frame has waited; without one, targets stay
   /// where they were. `newest`: asked when commands fall by what happens, not by a goal; without one it is
-  /// the newest that was submitted.
+  /// the newest that was submitted. `planning`: who plans what may take long.
   CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, blocks::FrameFinder frames = {},
-              NewestGoal newest = {});
+              NewestGoal newest = {}, Planning planning = Planning::AtOnce);
   ~CommandCore();
   CommandCore(CommandCore&&) noexcept;
   CommandCore& operator=(CommandCore&&) noexcept;
@@ -47,7 +48,8 @@ class CommandCore {
   /// that of now.
   void cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest = {});
   /// Ends what is under way in its own time, without a stop: a move is finished and Done; a pick and place
-  /// ends behind its move as CommandAborted, behind its cycle as Done. What waits ends as CommandAborted.
+  /// ends behind its move as CommandAborted, behind its cycle as Done; a wait for an input ends at once, or
+  /// waits on. What waits ends as CommandAborted.
   /// What is being stopped already is stopped. Returns what was found; FinishReport::foundAny() tells whether
   /// there was anything, without which nothing has changed. `newest`: as with cancel().
   FinishReport finish(blocks::FinishAfter after, Instant now, std::optional<blocks::GoalId> newest = {});
@@ -69,6 +71,9 @@ class CommandCore {
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);
   void closed(link::ConnectionId id, const std::string& reason, Instant now);
+
+  /// The answer to PlanAsked. One that nobody waits for any more is left alone.
+  void planned(PlanJobId id, PlanAnswer answer, Instant now);
 
   // --- Time.
   void advance(Instant now);

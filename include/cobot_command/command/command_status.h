@@ -39,7 +39,7 @@ struct CommandStatus {
   std::optional<Instant> last_connected;  ///< LastConnTime
   std::optional<Instant> last_lost;       ///< LastLostTime
   int queue_depth = 0;                    ///< commands that are under way or wait: the sum of the next two
-  int commands_under_way = 0;             ///< of which the script was sent; a cycle counts as one
+  int commands_under_way = 0;             ///< whose turn it is; a cycle, or a wait, counts as one
   int commands_waiting = 0;               ///< kept in this layer, not sent
   /// WaitingReturn (thesis 5.3.1.2): the robot is occupied, a command with BufferMode::Refuse is refused.
   bool waiting_return = false;

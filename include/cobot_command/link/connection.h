@@ -43,7 +43,8 @@ struct LinkSettings {
   double tag_deadline_factor = 1.5;                        ///< times the planned duration ...
   Duration tag_deadline_margin = std::chrono::seconds(2);  ///< ... plus this
   Duration unplanned_motion_timeout = std::chrono::seconds(300);  ///< when the motion could not be planned
-  Duration stop_timeout = std::chrono::seconds(2);  ///< from an accepted stop until the robot stands
+  Duration planning_budget = std::chrono::seconds(10);  ///< for one plan that is made beside the core
+  Duration stop_timeout = std::chrono::seconds(2);      ///< from an accepted stop until the robot stands
   /// How long the status stream may take, from its first frame behind a queue tag on, to show the robot
   /// standing at the target; and to tell the reason of what the script port told first.
   Duration evidence_timeout = std::chrono::milliseconds(500);

@@ -92,6 +92,10 @@ constexpr SharedError kTargetErrors[] = {
      "a target in a tf frame, at its latest place (stamp zero), is more than 1 mm or 0.1 degrees from where "
      "it was when the goal came: looked for when a goal that waited gets its turn, and before each move of a "
      "pick_and_place"},
+    {own_error::kPlanningBudget, "Planning took too long",
+     "Divide the sequence, or choose higher speeds: a path is planned point by point; or raise "
+     "~planning_budget",
+     "a check, or the check of a cycle in front of its first move, was not done within ~planning_budget"},
     {own_error::kCoordinateRange, "Coordinate range: -100000~100000", kSetInRange,
      "a coordinate [mm, deg] is beyond what any arm of the family could mean"},
     {own_error::kFrameUnknown, "Frame unknown", "Give a frame that tf connects with the robot base",
@@ -267,8 +271,8 @@ ErrorTable& ErrorTable::move() {
   return motion().shared({motion_error::kSpeedRangeAbsolute, motion_error::kSpeedRangePercent,
                           motion_error::kAccelTimeRange, motion_error::kCommandIdRange,
                           motion_error::kClearBufferAgain, own_error::kNotFinite, own_error::kStartUnknown,
-                          own_error::kNoModel, own_error::kBlendingRange, own_error::kCoordinateRange,
-                          own_error::kBaseUnknown});
+                          own_error::kNoModel, own_error::kPlanningBudget, own_error::kBlendingRange,
+                          own_error::kCoordinateRange, own_error::kBaseUnknown});
 }
 
 ErrorTable& ErrorTable::framedPose() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/refusal_failure.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/planning/script_planner.h"
@@ -50,8 +51,12 @@ Origin Preflight::origin(const robot::RobotWatch& robot, const robot::FrameWatch
 
 Result<std::optional<Plan>, blocks::Failure> Preflight::plan(
     const std::vector<script::ScriptCommand>& commands, const Origin& origin) const {
-  if (!arm_) return std::optional<Plan>();
-  planning::ScriptPlanner planner = origin.behind.value_or(planning::ScriptPlanner(*arm_, origin.start));
+  return arm_ ? planFor(*arm_, commands, origin) : std::optional<Plan>();
+}
+
+Result<std::optional<Plan>, blocks::Failure> Preflight::planFor(
+    const arm::ArmModel& arm, const std::vector<script::ScriptCommand>& commands, const Origin& origin) {
+  planning::ScriptPlanner planner = origin.behind.value_or(planning::ScriptPlanner(arm, origin.start));
   Plan plan;
   plan.tcp = origin.start.tcp.value_or(arm::Pose::Identity());
   plan.arrival = origin.arrival;
@@ -82,6 +87,18 @@ std::optional<robot::Target> Preflight::targetOf(const std::vector<script::Scrip
   const arm::JointVector begin = plan.motions.front()->at(Duration::zero()).position;
   const double way = (*end.joints - begin).cwiseAbs().maxCoeff();
   return robot::Target{*kind, *end.joints, end.tcp.value_or(arm::Pose::Identity()), way <= kNextTo};
+}
+
+Result<std::optional<Plan>, blocks::Failure> planOfCommand(const blocks::Command& command,
+                                                           const arm::ArmModel* arm,
+                                                           const std::optional<arm::Pose>& base,
+                                                           const std::optional<Origin>& origin) {
+  if (command.traits.needs_base && !base) {
+    return refuse(blocks::Failure{blocks::own_error::kBaseUnknown, "", ""});
+  }
+  const blocks::Order order = command.order(base.value_or(arm::Pose::Identity()));
+  if (!origin || !order.commands || arm == nullptr) return std::optional<Plan>();
+  return Preflight::planFor(*arm, *order.commands, *origin);
 }
 
 void Preflight::see(const robot::RobotWatch& robot, Duration patience, Instant now) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cobot_command/arm/arm_model.h"
+#include "cobot_command/blocks/shared/command.h"
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
@@ -49,7 +50,10 @@ class Preflight {
   [[nodiscard]] Origin origin(const robot::RobotWatch& robot, const robot::FrameWatch& frames,
                               const robot::LooseMotion& loose, Instant now) const;
 
-  /// No plan without a model, or when the start or the effect of a command is not known.
+  /// No plan when the start or the effect of a command is not known.
+  [[nodiscard]] static Result<std::optional<Plan>, blocks::Failure> planFor(
+      const arm::ArmModel& arm, const std::vector<script::ScriptCommand>& commands, const Origin& origin);
+  /// Nor without a model.
   [[nodiscard]] Result<std::optional<Plan>, blocks::Failure> plan(
       const std::vector<script::ScriptCommand>& commands, const Origin& origin) const;
 
@@ -79,5 +83,12 @@ class Preflight {
   std::optional<arm::ArmModel> arm_;
   std::optional<Queue> queue_;
 };
+
+/// Of a command that begins at `origin`, in the base `base`; no plan where either is not known, or the model
+/// is not. Refused when it needs the base and that is not known.
+[[nodiscard]] Result<std::optional<Plan>, blocks::Failure> planOfCommand(const blocks::Command& command,
+                                                                         const arm::ArmModel* arm,
+                                                                         const std::optional<arm::Pose>& base,
+                                                                         const std::optional<Origin>& origin);
 
 }  // namespace cobot_command::command

@@ -6,8 +6,6 @@
 
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
-#include "cobot_command/common/foreign_text.h"
-#include "cobot_command/common/host_name.h"
 #include "cobot_command/robot/diagnosis.h"
 
 namespace cobot_command::command {

@@ -8,6 +8,7 @@
 #include "cobot_command/ChangeBaseAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::ChangeBaseGoal toGoal(const cobot_command::ChangeBaseGoal& message, const Lookups& lookups) {
   blocks::ChangeBaseGoal goal;
   takeCommand(goal, message);

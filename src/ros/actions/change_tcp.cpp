@@ -8,6 +8,7 @@
 #include "cobot_command/ChangeTCPAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::ChangeTcpGoal toGoal(const cobot_command::ChangeTCPGoal& message, const Lookups& /*lookups*/) {
   blocks::ChangeTcpGoal goal;
   takeCommand(goal, message);

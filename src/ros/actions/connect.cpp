@@ -6,6 +6,7 @@
 #include "cobot_command/ConnectAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::ConnectGoal toGoal(const cobot_command::ConnectGoal& message, const Lookups& /*lookups*/) {
   blocks::ConnectGoal goal;
   goal.host = message.host;

@@ -6,6 +6,7 @@
 #include "cobot_command/ExitListenNodeAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::ExitListenNodeGoal toGoal(const cobot_command::ExitListenNodeGoal& message,
                                   const Lookups& /*lookups*/) {
   return {message.buffer_mode};

@@ -8,6 +8,7 @@
 #include "cobot_command/MoveAbsoluteAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::MoveAbsoluteGoal toGoal(const cobot_command::MoveAbsoluteGoal& message, const Lookups& lookups) {
   blocks::MoveAbsoluteGoal goal;
   takeMotion(goal, message);

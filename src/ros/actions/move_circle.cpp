@@ -8,6 +8,7 @@
 #include "cobot_command/MoveCircleAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::MoveCircleGoal toGoal(const cobot_command::MoveCircleGoal& message, const Lookups& lookups) {
   blocks::MoveCircleGoal goal;
   takeMotion(goal, message);

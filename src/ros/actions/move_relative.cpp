@@ -8,6 +8,7 @@
 #include "cobot_command/MoveRelativeAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::MoveRelativeGoal toGoal(const cobot_command::MoveRelativeGoal& message, const Lookups& /*lookups*/) {
   blocks::MoveRelativeGoal goal;
   takeMotion(goal, message);

@@ -6,6 +6,7 @@
 #include "cobot_command/ProgramControlAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::ProgramControlGoal toGoal(const cobot_command::ProgramControlGoal& message,
                                   const Lookups& /*lookups*/) {
   return {message.command_id, message.command};

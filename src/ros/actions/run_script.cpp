@@ -6,6 +6,7 @@
 #include "cobot_command/RunScriptAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::RunScriptGoal toGoal(const cobot_command::RunScriptGoal& message, const Lookups& /*lookups*/) {
   return {message.script, message.await_motion != 0, message.reply_timeout, message.buffer_mode};
 }

@@ -6,6 +6,7 @@
 #include "cobot_command/StopAction.h"
 
 namespace cobot_command::ros_adapter {
+
 blocks::StopGoal toGoal(const cobot_command::StopGoal& /*message*/, const Lookups& /*lookups*/) {
   return {};
 }

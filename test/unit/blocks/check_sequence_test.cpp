@@ -29,7 +29,7 @@ using Start = planning::ScriptPlanner::Start;
 
 Outcome checkSequence(const CheckSequenceGoal& goal, const std::optional<arm::ArmModel>& arm,
                       const std::optional<Start>& start) {
-  return plan(goal, {arm ? &*arm : nullptr, start});
+  return plan(goal, {arm ? &*arm : nullptr, start, {}});
 }
 
 Start at(const SixValues& joints_deg) {

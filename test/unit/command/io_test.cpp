@@ -62,6 +62,21 @@ TEST(SetOutputBlock, waitsItsTurnOtherwise) {
   EXPECT_EQ(rig.endingOf(output), Ending::Done);
 }
 
+TEST(SetOutputBlock, isRefusedWithoutALinkThatListensOrInAnEmergencyStop) {
+  {
+    CoreRig rig(std::nullopt, link::LinkSettings{});
+    rig.submit(CoreRig::robot());
+    rig.listening = false;
+    rig.open();
+    EXPECT_EQ(rig.outcome(rig.submit(kAtOnce))->error_id, own_error::kNotListening);
+    rig.discardSent();
+  }
+  Cell rig;
+  rig.status(inputs(false).emergencyStop());
+  EXPECT_EQ(rig.outcome(rig.submit(kAtOnce))->error_id, own_error::kEmergencyStop);
+  EXPECT_TRUE(rig.nothingSent());
+}
+
 TEST(SetOutputBlock, leavesTheMotionAloneWhenItIsNotAnswered) {
   Cell rig;
   const GoalId move = rig.submit(CoreRig::move());
@@ -95,10 +110,22 @@ TEST(WaitForInputBlock, isDoneWithTheFrameThatShowsTheInput) {
   EXPECT_GE(*rig.outcome(id)->actual, 2s);
 }
 
-TEST(WaitForInputBlock, isDoneAtOnceWhenTheInputIsThereAlready) {
+TEST(WaitForInputBlock, believesOnlyWhatIsSeenInItsTurn) {
   Cell rig;
   rig.status(inputs(true));
-  EXPECT_EQ(rig.endingOf(rig.wait()), Ending::Done);
+  rig.pass(10ms);
+  const GoalId id = rig.wait();
+  EXPECT_EQ(rig.outcome(id), nullptr) << "the frame may be older than what was done in front of it";
+  rig.pass(5ms);
+  rig.status(inputs(true));
+  EXPECT_EQ(rig.endingOf(id), Ending::Done);
+}
+
+TEST(WaitForInputBlock, saysThatNoFrameCame) {
+  Cell rig;
+  const GoalId id = rig.wait(0.2);
+  rig.pass(200ms);
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("no status frame came in 0.2 s"));
 }
 
 TEST(WaitForInputBlock, holdsBackWhatComesBehindIt) {
@@ -109,6 +136,7 @@ TEST(WaitForInputBlock, holdsBackWhatComesBehindIt) {
   move.buffer_mode = static_cast<int>(BufferMode::Buffered);
   rig.submit(move);
   EXPECT_TRUE(rig.nothingSent());
+  rig.pass(15ms);
   rig.status(inputs(true));
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
 }
@@ -205,6 +233,7 @@ TEST(CycleWithAnInput, goesOnWhenTheInputComes) {
   const GoalId id = untilTheInput(rig, gripping());
   EXPECT_EQ(rig.outcome(id), nullptr);
   EXPECT_THAT(rig.progress(id).back().text, HasSubstr("waits for input 3 of ControlBox to be on"));
+  rig.pass(15ms);
   rig.status(inputs(true));
   EXPECT_EQ(rig.endingOf(id), Ending::Done);
 }
@@ -233,6 +262,25 @@ TEST(CycleWithAnInput, endsInTheWaitWhenItIsCancelledOrTheLinkIsLost) {
   rig.close("gone");
   rig.pass(500ms);
   EXPECT_EQ(rig.outcome(id)->error_id, motion_error::kLinkDropped);
+}
+
+TEST(CycleWithAnInput, namesTheStepAtWhichTheLinkWasLostAndKeepsThatReason) {
+  Cell rig;
+  const GoalId id = untilTheInput(rig, gripping());
+  rig.close("gone");
+  rig.core.finish(FinishAfter::Move, rig.now);
+  rig.pump();
+  EXPECT_EQ(rig.outcome(id)->error_id, motion_error::kLinkDropped);
+  EXPECT_EQ(rig.outcome(id)->failed_step, 0);
+}
+
+TEST(CycleWithAnInput, endsInTheWaitWhenItIsToFinishBehindTheMove) {
+  Cell rig;
+  const GoalId id = untilTheInput(rig, gripping());
+  rig.core.finish(FinishAfter::Move, rig.now);
+  rig.pump();
+  EXPECT_EQ(rig.endingOf(id), Ending::CommandAborted);
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("while it waited for input 3"));
 }
 
 TEST(CycleWithAnInput, neitherBlendsNorLeavesTheNodeInFrontOfTheInput) {

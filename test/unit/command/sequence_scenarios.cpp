@@ -135,12 +135,35 @@ Scenarios pickAndPlaceScenarios() {
   };
 }
 
+/// What is planned beside the core, by somebody who never answers.
+Scenarios budgetScenarios() {
+  const auto checked_only = [](auto goal) {
+    goal.check_only = true;
+    return Goal(goal);
+  };
+  Scenarios scenarios;
+  for (const Goal& goal :
+       {checked_only(good<MoveAbsoluteGoal>()), checked_only(good<MoveRelativeGoal>()),
+        checked_only(good<MoveCircleGoal>()), Goal(good<PickAndPlaceGoal>()), Goal(sequence())}) {
+    scenarios[{static_cast<Block>(goal.index()), own_error::kPlanningBudget}] = [=] {
+      CoreRig rig(model(), link::LinkSettings{}, command::Planning::Beside);
+      rig.connect();
+      rig.status(StatusFrames());
+      const GoalId id = rig.submit(goal);
+      rig.pass(10s);
+      return *rig.outcome(id);
+    };
+  }
+  return scenarios;
+}
+
 }  // namespace
 
 Scenarios sequenceScenarios() {
   Scenarios all = checkSequenceScenarios();
   all.merge(pickAndPlaceParameterScenarios());
   all.merge(pickAndPlaceScenarios());
+  all.merge(budgetScenarios());
   return all;
 }
 

@@ -73,6 +73,7 @@ inline constexpr int kStartUnknown = 0x208;
 inline constexpr int kNoModel = 0x209;
 inline constexpr int kAmbiguousTurn = 0x20A;
 inline constexpr int kFrameMoved = 0x20B;
+inline constexpr int kPlanningBudget = 0x20C;
 // The parameters.
 inline constexpr int kBlendingRange = 0x210;
 inline constexpr int kMovementUnknown = 0x211;

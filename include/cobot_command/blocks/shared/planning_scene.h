@@ -1,6 +1,7 @@
 // Where a plan begins, for goals that are answered by planning.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "cobot_command/arm/arm_model.h"
@@ -8,10 +9,14 @@
 
 namespace cobot_command::blocks {
 
+/// Asked between two steps: true, when nobody waits for the plan any more; then any answer will do.
+using GiveUp = std::function<bool()>;
+
 struct PlanningScene {
   const arm::ArmModel* arm = nullptr;  ///< nullptr: no model is known
   /// The robot when the first command comes, as far as that is known; absent: nothing is.
   std::optional<planning::ScriptPlanner::Start> start;
+  GiveUp give_up;  ///< may be empty: never
 };
 
 }  // namespace cobot_command::blocks

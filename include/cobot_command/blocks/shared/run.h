@@ -33,6 +33,8 @@ class Run {
   [[nodiscard]] virtual bool isOneCommand() const { return false; }
   /// Its blended moves may go on behind a command of it that fails: they are to be stopped then.
   [[nodiscard]] virtual bool leavesMotions() const { return false; }
+  /// It moves nothing: what is planned behind it begins where the robot is.
+  [[nodiscard]] virtual bool leavesTheRobot() const { return false; }
   /// What has to be sent now; nothing while a command is under way, or when there is nothing to send.
   [[nodiscard]] virtual std::optional<Command> next() const { return std::nullopt; }
   /// Whether the exit_node of the command that is done now counts.
@@ -41,7 +43,9 @@ class Run {
   virtual void commandProgressed(const Progress& /*progress*/) {}
   virtual void commandEnded(const Outcome& /*outcome*/, Instant /*now*/) {}
   /// The command could not be sent.
-  virtual void commandRefused(const Failure& /*failure*/, Instant /*now*/) {}
+  virtual void commandRefused(const Failure& failure, Instant /*now*/) {
+    end(toOutcome(block(), Ending::Aborted, failure));
+  }
 
   /// When a command is under way that one is cancelled too; its end is this one's.
   virtual void cancel(const std::string& why, Instant now) = 0;

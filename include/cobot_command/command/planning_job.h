@@ -1,0 +1,30 @@
+// Planning beside the core: a piece of work that needs nothing of the core, and its answer.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "cobot_command/arm/types.h"
+#include "cobot_command/blocks/shared/outcome.h"
+
+namespace cobot_command::command {
+
+/// Counts up; 0: none.
+using PlanJobId = std::uint64_t;
+
+struct PlanAnswer {
+  blocks::Outcome outcome;           ///< Rejected, or what was found
+  std::vector<arm::Pose> tool_path;  ///< the TCP in the robot base, for people; may be empty
+};
+
+/// May be done on any thread, once. Ends early, with any answer, when nobody waits for it any more.
+using PlanWork = std::function<PlanAnswer()>;
+
+/// Who plans: the core itself, in the middle of the event; or the driver, which gets PlanAsked, and answers
+/// with planned().
+enum class Planning { AtOnce, Beside };
+
+}  // namespace cobot_command::command

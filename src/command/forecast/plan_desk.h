@@ -1,0 +1,63 @@
+// The plans that are asked for: one at a time, in their order, each with a budget.
+//
+// What is dropped is told to whoever works on it, and its answer, when it comes all the same, is for nobody.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cobot_command/blocks/shared/block.h"
+#include "cobot_command/blocks/shared/goal_values.h"
+#include "cobot_command/command/actions.h"
+#include "cobot_command/command/planning_job.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::command {
+
+class PlanDesk {
+ public:
+  /// True as soon as nobody waits for the plan any more; asked from any thread.
+  using Dropped = std::shared_ptr<const std::atomic<bool>>;
+  using MakeWork = std::function<PlanWork(const Dropped& dropped)>;
+
+  struct Job {
+    PlanJobId id = 0;
+    blocks::Block block{};
+    blocks::GoalId goal = 0;
+  };
+
+  PlanDesk(Duration budget, std::vector<Action>& actions) : budget_(budget), actions_(actions) {}
+
+  PlanJobId ask(blocks::Block block, blocks::GoalId goal, const MakeWork& make);
+  /// For who does it at once, instead of proceed(). Precondition: it has not begun.
+  [[nodiscard]] PlanWork takeWork(PlanJobId id);
+  /// Begins the next one when none is worked on. To be called behind each event.
+  void proceed(Instant now);
+  /// Whose answer that is; nothing: nobody waits for it (any more).
+  [[nodiscard]] std::optional<Job> answered(PlanJobId id);
+  /// The plan of a goal that has ended otherwise, if there is one.
+  [[nodiscard]] std::optional<Job> drop(blocks::GoalId goal);
+  [[nodiscard]] std::vector<Job> dropAll();
+  /// Those whose budget is over are dropped.
+  [[nodiscard]] std::vector<Job> takeOverdue(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+ private:
+  struct Open {
+    Job job;
+    PlanWork work;
+    std::shared_ptr<std::atomic<bool>> dropped;
+    std::optional<Instant> deadline;  ///< of the one that is worked on, the first
+  };
+  Job remove(std::deque<Open>::iterator open);
+
+  Duration budget_;
+  std::vector<Action>& actions_;
+  PlanJobId last_ = 0;
+  std::deque<Open> open_;
+};
+
+}  // namespace cobot_command::command
