@@ -1,10 +1,8 @@
 // Planning beside the core: a piece of work that needs nothing of the core, and its answer.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "cobot_command/arm/types.h"
