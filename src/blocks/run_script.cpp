@@ -180,7 +180,8 @@ GoalTraits traitsOf(const RunScriptGoal& goal) {
   GoalTraits traits;
   traits.buffer_mode = bufferModeOf(goal.buffer_mode);
   traits.awaits_motion = goal.await_motion;
-  traits.exits_node = endsWithScriptExit(split(goal.script));
+  // A longer one is refused, and not read.
+  traits.exits_node = goal.script.size() <= kMaxScript && endsWithScriptExit(split(goal.script));
   if (goal.reply_timeout > 0) traits.reply_timeout = fromSeconds(goal.reply_timeout);
   return traits;
 }

@@ -25,7 +25,7 @@ class InputWait final : public Run {
   InputWait(GoalId id, WaitForInputGoal goal, Instant now)
       : Run(kBlock<WaitForInputGoal>, id), goal_(std::move(goal)), began_at_(now) {
     if (goal_.timeout > 0) deadline_ = now + fromSeconds(goal_.timeout);
-    tell(Phase::Active, fmt::format("waits for {} to be {}", name(), goal_.value ? "on" : "off"));
+    tellWhatFor();
   }
 
   [[nodiscard]] bool leavesTheRobot() const override { return true; }
@@ -105,7 +105,7 @@ class InputWait final : public Run {
     } else if (!held && held_since_) {
       if (deadline_) *deadline_ += now - *held_since_;
       held_since_.reset();
-      tell(Phase::Active, "waits for " + name());
+      tellWhatFor();
     }
   }
 
@@ -151,6 +151,10 @@ class InputWait final : public Run {
   void endWith(Outcome outcome, Instant now) {
     outcome.actual = now - began_at_;
     end(std::move(outcome));
+  }
+
+  void tellWhatFor() {
+    tell(Phase::Active, fmt::format("waits for {} to be {}", name(), goal_.value ? "on" : "off"));
   }
 
   void tell(Phase phase, std::string text) {

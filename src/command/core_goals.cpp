@@ -127,7 +127,7 @@ void CommandCore::Impl::answerByPlan(blocks::GoalId id, const blocks::Goal& goal
     reject(id, goal, failures);
     return;
   }
-  static_cast<void>(askForPlan(id, goal, originBehindAll(now)));
+  static_cast<void>(askForPlan(id, goal, originBehindAll(now), PlanDesk::Haste::Check));
 }
 
 void CommandCore::Impl::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant now) {

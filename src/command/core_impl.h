@@ -106,7 +106,8 @@ class CommandCore::Impl : private link::Wire {
 
   // --- Plans that may take long (core_plans.cpp).
   /// Its answer comes to takePlan(), at once with Planning::AtOnce.
-  PlanJobId askForPlan(blocks::GoalId id, const blocks::Goal& goal, const std::optional<Origin>& origin);
+  PlanJobId askForPlan(blocks::GoalId id, const blocks::Goal& goal, const std::optional<Origin>& origin,
+                       PlanDesk::Haste haste);
   [[nodiscard]] PlanDesk::MakeWork planOf(const blocks::Goal& goal,
                                           const std::optional<Origin>& origin) const;
   void takePlan(const PlanDesk::Job& job, PlanAnswer answer);
@@ -158,6 +159,8 @@ class CommandCore::Impl : private link::Wire {
   /// The node is left once its motion is done: until then the controller takes a stop, and a pause.
   void leaveNode(const CommandRun& done, Instant now);
   void finishRun(Instant now);
+  /// The goal whose turn it is, and that is planned as a whole.
+  [[nodiscard]] bool plansTheNext() const { return !waiting_.empty() && waiting_.front().job != 0; }
   void tellPlaces();
   [[nodiscard]] std::string textOfPlace(int place) const;
 

@@ -28,8 +28,8 @@ blocks::Outcome outcomeOf(blocks::Block block, const Planned& planned, bool has_
 }  // namespace
 
 PlanJobId CommandCore::Impl::askForPlan(blocks::GoalId id, const blocks::Goal& goal,
-                                        const std::optional<Origin>& origin) {
-  const PlanJobId job = plans_.ask(blockOf(goal), id, planOf(goal, origin));
+                                        const std::optional<Origin>& origin, PlanDesk::Haste haste) {
+  const PlanJobId job = plans_.ask(blockOf(goal), id, haste, planOf(goal, origin));
   if (planning_ == Planning::AtOnce) {
     PlanAnswer answer = plans_.takeWork(job)();
     takePlan(*plans_.answered(job), std::move(answer));

@@ -146,7 +146,10 @@ bool CommandCore::Impl::beginNext(Instant now) {
   Waiting& first = waiting_.front();
   const Failures failures = objectionsTo(first);
   if (failures.empty() && !first.found && blocks::GoalRules(first.goal).isPlanned()) {
-    if (first.job == 0) first.job = askForPlan(first.id, first.goal, originNow(now));
+    if (first.job == 0) {
+      first.job = askForPlan(first.id, first.goal, originNow(now), PlanDesk::Haste::Turn);
+      first.told_place = 0;  // what it waits for is another thing now
+    }
     if (!first.found) return false;
   }
   const Waiting next = std::move(waiting_.front());
@@ -351,7 +354,7 @@ void CommandCore::Impl::finishRun(Instant now) {
 std::string CommandCore::Impl::textOfPlace(int place) const {
   if (place > 1) return "waits for its turn, others are in front of it";
   if (run_) return "waits for its turn, one is in front of it";
-  if (waiting_.front().job != 0) return "is planned as a whole, before its first move";
+  if (plansTheNext()) return "is planned as a whole, before its first move";
   return holdsBack() ? fmt::format("waits until the robot stands: {}", heldBackBy())
                      : "waits for its turn, until the robot stands";
 }

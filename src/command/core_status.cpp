@@ -69,8 +69,8 @@ void CommandCore::Impl::publishStatus() {
   status.status_diagnosis = status_.diagnosis();
   status.last_connected = connect_.lastConnected();
   status.last_lost = connect_.lastLost();
-  status.commands_under_way = run_ ? 1 : 0;
-  status.commands_waiting = static_cast<int>(waiting_.size());
+  status.commands_under_way = run_ || plansTheNext() ? 1 : 0;
+  status.commands_waiting = static_cast<int>(waiting_.size()) - (plansTheNext() ? 1 : 0);
   status.queue_depth = status.commands_under_way + status.commands_waiting;
   status.waiting_return = busyBlock().has_value();
   status.open_tags = tags_.openTags();

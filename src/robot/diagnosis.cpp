@@ -9,7 +9,7 @@ std::string diagnose(const link::ScriptLink& link, const RobotWatch& robot) {
     add("the emergency stop is pressed: release it and start the project again");
   } else if (robot.inError()) {
     const char* relief =
-        robot.tooMuch() ? "execute stop, then change_tcp with a lighter tool: " : "execute stop, then ";
+        robot.tooMuch() ? "execute stop, then change_tcp or change_load with less: " : "execute stop, then ";
     add("the controller is in error, " + robot.errorText() + ": " + relief +
         "the next motion clears it; if not, clear it on the controller");
   } else if (robot.showsError()) {

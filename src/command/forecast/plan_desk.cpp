@@ -5,28 +5,45 @@
 
 namespace cobot_command::command {
 
-PlanJobId PlanDesk::ask(blocks::Block block, blocks::GoalId goal, const MakeWork& make) {
-  auto dropped = std::make_shared<std::atomic<bool>>(false);
-  PlanWork work = make(dropped);
-  open_.push_back({{++last_, block, goal}, std::move(work), std::move(dropped), std::nullopt});
-  return last_;
+PlanJobId PlanDesk::ask(blocks::Block block, blocks::GoalId goal, Haste haste, MakeWork make) {
+  const PlanJobId id = ++last_;
+  const auto place =
+      haste == Haste::Check ? open_.end() : std::find_if(open_.begin(), open_.end(), [](const Open& open) {
+        return open.haste == Haste::Check;
+      });
+  if (place != open_.end() && place->deadline) {
+    drop(*place);
+    place->job.id = ++last_;  // what comes of its first beginning is for nobody
+    place->deadline.reset();
+  }
+  open_.insert(place, {{id, block, goal}, haste, std::move(make), nullptr, std::nullopt});
+  return id;
+}
+
+PlanWork PlanDesk::begin(Open& open) {
+  open.dropped = std::make_shared<std::atomic<bool>>(false);
+  return open.make(open.dropped);
+}
+
+void PlanDesk::drop(Open& open) {
+  if (open.dropped) *open.dropped = true;
 }
 
 PlanWork PlanDesk::takeWork(PlanJobId id) {
   const auto open = std::find_if(open_.begin(), open_.end(), [id](const Open& o) { return o.job.id == id; });
-  return std::move(open->work);
+  return begin(*open);
 }
 
 void PlanDesk::proceed(Instant now) {
   if (open_.empty() || open_.front().deadline) return;
   Open& first = open_.front();
   first.deadline = now + budget_;
-  actions_.emplace_back(PlanAsked{first.job.id, std::move(first.work)});
+  actions_.emplace_back(PlanAsked{first.job.id, begin(first)});
 }
 
 PlanDesk::Job PlanDesk::remove(std::deque<Open>::iterator open) {
   const Job job = open->job;
-  *open->dropped = true;
+  drop(*open);
   open_.erase(open);
   return job;
 }
@@ -44,10 +61,11 @@ std::optional<PlanDesk::Job> PlanDesk::drop(blocks::GoalId goal) {
 
 std::vector<PlanDesk::Job> PlanDesk::dropAll() {
   std::vector<Job> jobs;
-  for (const Open& open : std::exchange(open_, {})) {
-    *open.dropped = true;
+  for (Open& open : open_) {
+    drop(open);
     jobs.push_back(open.job);
   }
+  open_.clear();
   return jobs;
 }
 

@@ -1,4 +1,6 @@
-// The plans that are asked for: one at a time, in their order, each with a budget.
+// The plans that are asked for: one at a time, each with a budget. What is to move the robot comes before
+// checks, and takes the place of one that is worked on, which then begins anew; else they come in their
+// order.
 //
 // What is dropped is told to whoever works on it, and its answer, when it comes all the same, is for nobody.
 #pragma once
@@ -32,7 +34,8 @@ class PlanDesk {
 
   PlanDesk(Duration budget, std::vector<Action>& actions) : budget_(budget), actions_(actions) {}
 
-  PlanJobId ask(blocks::Block block, blocks::GoalId goal, const MakeWork& make);
+  enum class Haste { Check, Turn };
+  PlanJobId ask(blocks::Block block, blocks::GoalId goal, Haste haste, MakeWork make);
   /// For who does it at once, instead of proceed(). Precondition: it has not begun.
   [[nodiscard]] PlanWork takeWork(PlanJobId id);
   /// Begins the next one when none is worked on. To be called behind each event.
@@ -49,10 +52,13 @@ class PlanDesk {
  private:
   struct Open {
     Job job;
-    PlanWork work;
-    std::shared_ptr<std::atomic<bool>> dropped;
-    std::optional<Instant> deadline;  ///< of the one that is worked on, the first
+    Haste haste = Haste::Check;
+    MakeWork make;
+    std::shared_ptr<std::atomic<bool>> dropped;  ///< of the one that is worked on, the first
+    std::optional<Instant> deadline;             ///< the same
   };
+  [[nodiscard]] static PlanWork begin(Open& open);
+  static void drop(Open& open);
   Job remove(std::deque<Open>::iterator open);
 
   Duration budget_;

@@ -2,6 +2,7 @@
 //
 // What is sent in which event is the core's, and asserted with invented time in test/unit; here it only has
 // to come.
+#include <array>
 #include <thread>
 
 #include "figure.h"
@@ -100,13 +101,25 @@ blocks::GoalId queueHundredMoves(Asker& asker, ScriptPeer& peer, std::size_t rou
   return first;
 }
 
-enum class Reader { Calm, Flooded };
+/// The longest sequence that there may be: it is planned for many seconds.
+blocks::CheckSequenceGoal longSequence() {
+  blocks::CheckSequenceGoal goal;
+  for (std::size_t i = 0; i < blocks::CheckSequenceGoal::kMostSteps; ++i) {
+    goal.steps.emplace_back(moveLine(kStartJoints, {0, 0, i % 2 == 0 ? -300.0 : 0.0}, 1));
+  }
+  return goal;
+}
+
+enum class Reader { Calm, Flooded, Planning };
+
+std::string nameOf(const ::testing::TestParamInfo<Reader>& tested) {
+  constexpr std::array<const char*, 3> kNames{"a_calm_reader", "a_flooded_reader", "one_that_plans"};
+  return kNames.at(static_cast<std::size_t>(tested.param));
+}
 
 class StopPath : public ::testing::TestWithParam<Reader> {};
-INSTANTIATE_TEST_SUITE_P(Of, StopPath, ::testing::Values(Reader::Calm, Reader::Flooded),
-                         [](const auto& tested) {
-                           return tested.param == Reader::Calm ? "a_calm_reader" : "a_flooded_reader";
-                         });
+INSTANTIATE_TEST_SUITE_P(Of, StopPath, ::testing::Values(Reader::Calm, Reader::Flooded, Reader::Planning),
+                         nameOf);
 
 /// Asks for a stop behind a hundred moves, again and again.
 template <class Ask>
@@ -116,6 +129,7 @@ void measureStops(Reader reader, test::Figure& figure, const Ask& ask) {
   for (int i = 0; i < test::quickOrThorough(2, 100); ++i) {
     const auto round = static_cast<std::size_t>(i);
     const auto first = queueHundredMoves(asker, peer, round);
+    const auto check = reader == Reader::Planning ? asker.submit(longSequence()) : 0;
     if (reader == Reader::Flooded) {
       ASSERT_TRUE(peer.floods());
     }
@@ -125,12 +139,15 @@ void measureStops(Reader reader, test::Figure& figure, const Ask& ask) {
     peer.endFlood();
     ASSERT_TRUE(heard.has_value());
     figure.add(*heard - start);
+    asker.cancel(check);
     ASSERT_TRUE(asker.ends(first));
+    ASSERT_TRUE(reader != Reader::Planning || asker.ends(check));
   }
 }
 
 std::string underLoad(const std::string& what, Reader reader) {
-  return what + ", 100 moves queued" + (reader == Reader::Flooded ? ", both ports flooded" : "");
+  constexpr std::array<const char*, 3> kLoads{"", ", both ports flooded", ", 200 slow lines are checked"};
+  return what + ", 100 moves queued" + kLoads.at(static_cast<std::size_t>(reader));
 }
 
 TEST_P(StopPath, isOpenForAStop) {

@@ -72,15 +72,14 @@ TEST(Stop, waitsOnceForARobotThatDoesNotConfirmItHoweverOftenItIsAskedFor) {
   EXPECT_LT(again, kRetirement);
 }
 
-TEST(Stop, givesTheRobotItsTimeAlsoWhenItHadToWaitForAPlanning) {
+TEST(Stop, givesTheRobotItsTimeAndDropsWhatIsPlanned) {
   Session session;
   session.beReady();
   const auto move = session.move();
   const auto check = session.commander->submit(longPlanning());
-  const auto stopping = test::timeOf([&] { session.commander->stop(); });
-  ASSERT_GT(stopping, 2 * kRetirement) << "no longer a long planning";
+  session.commander->stop();
   const auto checked = session.commander->outcomeOf(check);
-  ASSERT_TRUE(checked && checked->ending == blocks::Ending::Done) << checked->error_description;
+  ASSERT_TRUE(checked && checked->ending == blocks::Ending::CommandAborted) << checked->error_description;
   const auto outcome = session.commander->outcomeOf(move);
   ASSERT_TRUE(outcome.has_value());
   EXPECT_EQ(outcome->error_description.find("may still move"), std::string::npos)
@@ -88,20 +87,14 @@ TEST(Stop, givesTheRobotItsTimeAlsoWhenItHadToWaitForAPlanning) {
   EXPECT_LT(speedOf(session), degToRad(0.1));
 }
 
-TEST(Stop, ofTheRobotIsOutWhenTheEndIsToldToHaveBegun) {
+TEST(Stop, ofTheRobotIsOutWhenTheEndIsToldToHaveBegunWhateverIsPlanned) {
   Session session;
   session.beReady();
   const auto move = session.move();
-  const auto check = session.commander->submit(longPlanning());
-  std::promise<bool> begun;
-  auto is_planned = begun.get_future();
-  session.commander->runtime().retire([&] {
-    const auto ended = session.commander->told<command::GoalEnded>();
-    begun.set_value(
-        std::any_of(ended.begin(), ended.end(), [&](const auto& goal) { return goal.goal == check; }));
-  });
-  EXPECT_EQ(is_planned.wait_for(kRetirement), std::future_status::timeout) << "it is planning";
-  EXPECT_TRUE(is_planned.get());
+  (void)session.commander->submit(longPlanning());
+  std::promise<void> begun;
+  session.commander->runtime().retire([&] { begun.set_value(); });
+  begun.get_future().get();
   EXPECT_TRUE(session.commander->outcomeOf(move).has_value());
   EXPECT_LT(speedOf(session), degToRad(0.1));
   session.commander->stop();
@@ -110,15 +103,16 @@ TEST(Stop, ofTheRobotIsOutWhenTheEndIsToldToHaveBegun) {
   EXPECT_TRUE(is_called);
 }
 
-TEST(Finish, isAnsweredBehindAPlanningOrNotAtAllOnceAllHasEnded) {
+TEST(Finish, isAnsweredBesideAPlanningAndNotAtAllOnceAllHasEnded) {
   Session session;
   session.beReady();
   const auto move = session.move();
-  (void)session.commander->submit(longPlanning());
+  const auto check = session.commander->submit(longPlanning());
   auto report = session.commander->runtime().finish(blocks::FinishAfter::Move);
   ASSERT_TRUE(report.has_value());
-  EXPECT_EQ(report->wait_for(std::chrono::milliseconds(0)), std::future_status::timeout);
   EXPECT_EQ(report->get().under_way, blocks::kBlock<blocks::MoveAbsoluteGoal>);
+  const auto ended = session.commander->told<command::GoalEnded>();
+  EXPECT_TRUE(std::none_of(ended.begin(), ended.end(), [&](const auto& goal) { return goal.goal == check; }));
   session.commander->cancel(move);
   session.commander->stop();
   EXPECT_FALSE(session.commander->runtime().finish(blocks::FinishAfter::Move).has_value());

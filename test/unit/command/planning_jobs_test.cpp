@@ -157,6 +157,38 @@ TEST(CycleThatIsPlanned, beginsWithItsPlan) {
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
 }
 
+TEST(CycleThatIsPlanned, comesBeforeChecksWhichBeginAnew) {
+  Planned rig;
+  const GoalId check = rig.submit(sequence());
+  const GoalId other = rig.submit(sequence());
+  const PlanAnswer late = rig.makePlan();
+  const GoalId id = rig.submit(cycle());
+  rig.answerPlan(late);  // of the check that has lost its place
+  EXPECT_EQ(rig.outcome(check), nullptr);
+  rig.finishPlan();
+  EXPECT_TRUE(rig.accepted(id));
+  rig.takeScript();
+  rig.finishPlan();
+  EXPECT_EQ(rig.endingOf(check), Ending::Done);
+  rig.finishPlan();
+  EXPECT_EQ(rig.endingOf(other), Ending::Done);
+}
+
+TEST(CycleThatIsPlanned, countsAsUnderWay) {
+  Planned rig;
+  const GoalId move = rig.submit(toJoints(40));
+  const auto script = rig.takeScript();
+  const GoalId id = rig.submit(cycle(BufferMode::Buffered));
+  EXPECT_THAT(rig.progress(id).back().text, HasSubstr("one is in front of it"));
+  rig.reply(script.id);
+  rig.tag(rig.latest().open_tags.at(0));
+  rig.status(StatusFrames().at({40, 0, 90, 0, 90, 0}));
+  EXPECT_EQ(rig.endingOf(move), Ending::Done);
+  EXPECT_THAT(rig.progress(id).back().text, HasSubstr("planned as a whole"));
+  EXPECT_EQ(rig.latest().commands_under_way, 1);
+  EXPECT_EQ(rig.latest().commands_waiting, 0);
+}
+
 TEST(CycleThatIsPlanned, isRefusedWithTheStepThatCannotBeMade) {
   Planned rig;
   PickAndPlaceGoal goal = cycle();
