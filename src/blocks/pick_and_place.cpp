@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pick_and_place_run.h"
+#include "shared/parameter_checks.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/check_sequence.h"
@@ -37,7 +38,7 @@ void checkStep(const PickAndPlaceGoal& goal, std::size_t index, std::vector<Fail
   if (const auto own = check(step.move); !own.empty()) {
     failures.push_back(stepRefused(index, goal.steps.size(), toRejection(kBlock<MoveAbsoluteGoal>, own)));
   }
-  if (!(step.dwell >= 0 && step.dwell <= kMaxDwell)) {
+  if (!isWithin(step.dwell, 0, kMaxDwell)) {
     failures.push_back(blame(own_error::kDwellRange,
                              fmt::format("the dwell of step {} is {} s", number, step.dwell), index));
   }
@@ -86,8 +87,7 @@ ErrorTable PickAndPlaceGoal::errors() {
       .shared({own_error::kStepRefused})
       .row(own_error::kStepFailed, "Step failed", kExecuteAgain,
            "a move of the cycle failed in execution, or its input did not come; the description tells its "
-           "error "
-           "and which step")
+           "error and which step")
       .row(own_error::kDwellRange, "Dwell range: 0~3600 s", kSetInRange,
            "the dwell of a step is negative, above 3600, or not a number")
       .row(own_error::kCycleRange, "Cycles range: 0~1000000", kSetInRange,
@@ -95,8 +95,7 @@ ErrorTable PickAndPlaceGoal::errors() {
       .shared(own_error::kOutputInvalid, "the output of a step is of another module, or has no such number")
       .shared(own_error::kOutputValue,
               "cannot occur through ROS, whose outputs are on or off: the value of a step's output is one "
-              "that it "
-              "cannot have")
+              "that it cannot have")
       .shared(own_error::kInputInvalid, "the input of a step is of another module, or has no such number")
       .shared(
           own_error::kWaitRange,
@@ -130,14 +129,11 @@ std::vector<Failure> check(const PickAndPlaceGoal& goal) {
     failures.push_back(
         {own_error::kStepCount, foundSteps(goal.steps.size(), PickAndPlaceGoal::kMostSteps), ""});
   }
-  if (goal.cycles < 0 || goal.cycles > kMaxCycles) {
-    failures.push_back({own_error::kCycleRange, fmt::format("cycles is {}", goal.cycles), ""});
-  }
-  if (goal.buffer_mode < static_cast<int>(BufferMode::Refuse) ||
-      goal.buffer_mode > static_cast<int>(BufferMode::Aborting)) {
-    failures.push_back(
-        {own_error::kBufferModeUnknown, fmt::format("buffer_mode is {}", goal.buffer_mode), ""});
-  }
+  ParameterChecks checks;
+  checks.bufferMode(goal.buffer_mode);
+  checks.require(goal.cycles >= 0 && goal.cycles <= kMaxCycles, own_error::kCycleRange,
+                 fmt::format("cycles is {}", goal.cycles));
+  for (Failure& failure : std::move(checks).violations()) failures.push_back(std::move(failure));
   for (std::size_t i = 0; i < goal.steps.size() && failures.empty(); ++i) {
     checkStep(goal, i, failures);
   }

@@ -66,7 +66,7 @@ void CommandCore::Impl::execute(blocks::GoalId id, const blocks::Goal& goal, Ins
       if (traits.check_only) {
         answerByPlan(id, goal, now);
       } else {
-        queueUp(id, goal, now);
+        queueUp(id, goal, traits.buffer_mode, now);
       }
       return;
   }
@@ -106,10 +106,9 @@ void CommandCore::Impl::reject(blocks::GoalId id, const blocks::Goal& goal, cons
   board_.reject(block, id, toRejection(block, failures));
 }
 
-void CommandCore::Impl::queueUp(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
-  const blocks::GoalRules rules(goal);
-  const blocks::BufferMode mode = rules.traits().buffer_mode;
-  Failures failures = rules.violations();
+void CommandCore::Impl::queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode,
+                                Instant now) {
+  Failures failures = blocks::GoalRules(goal).violations();
   append(failures, checkReadiness(mode));
   sortByTable(failures);
   if (failures.empty()) {
@@ -263,8 +262,8 @@ void CommandCore::Impl::retire(Instant now) {
   if (life_ != Life::Working) return;
   life_ = Life::Retiring;
   kept_.reset();
-  dropPlans(kShuttingDown);
   abortAll(kShuttingDown, newestGoal(), now);
+  endChecks(kShuttingDown);
   stopIfMoving(now);
   settle(now);
 }
@@ -281,8 +280,8 @@ void CommandCore::Impl::shutDown(Instant now) {
                                        : kShuttingDown;
   life_ = Life::Over;
   kept_.reset();
-  dropPlans(why);
   dropWaiting(why);
+  endChecks(why);
   if (run_) run_->cancel(why, now);
   if (on_wire_) on_wire_->abandon(why, now);
   stopIfMoving(now);

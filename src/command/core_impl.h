@@ -93,7 +93,7 @@ class CommandCore::Impl : private link::Wire {
   void connect(blocks::GoalId id, const blocks::Goal& goal, Instant now);
   void stopOnRequest(blocks::GoalId id, const blocks::Goal& goal, Instant now);
   void sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant now);
-  void queueUp(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
   /// Planned from where the robot will be, and answered.
   void answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now);
   /// Why nothing that the controller would take can be sent; empty: it can.
@@ -112,7 +112,8 @@ class CommandCore::Impl : private link::Wire {
                                           const std::optional<Origin>& origin) const;
   void takePlan(const PlanDesk::Job& job, PlanAnswer answer);
   void endOverduePlans(Instant now);
-  void dropPlans(const std::string& why);
+  /// Those that are planned. Precondition: nothing waits for its turn any more.
+  void endChecks(const std::string& why);
   void endUnplanned(const PlanDesk::Job& job, const std::string& why);
 
   // --- The queue (core_queue.cpp).

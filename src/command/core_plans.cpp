@@ -1,5 +1,6 @@
 // Plans that may take long: asked for by checks, and by what is planned as a whole when its turn has come.
 
+#include <cassert>
 #include <utility>
 
 #include "core_impl.h"
@@ -84,12 +85,9 @@ void CommandCore::Impl::endOverduePlans(Instant now) {
   }
 }
 
-void CommandCore::Impl::dropPlans(const std::string& why) {
-  for (const PlanDesk::Job& job : plans_.dropAll()) {
-    bool waits = false;
-    for (const Waiting& waiting : waiting_) waits = waits || waiting.id == job.goal;
-    if (!waits) endUnplanned(job, why);  // those fall with all that wait
-  }
+void CommandCore::Impl::endChecks(const std::string& why) {
+  assert(waiting_.empty());
+  for (const PlanDesk::Job& job : plans_.dropAll()) endUnplanned(job, why);
 }
 
 void CommandCore::Impl::endUnplanned(const PlanDesk::Job& job, const std::string& why) {

@@ -37,8 +37,7 @@ blocks::Outcome withMotion(const blocks::Outcome& exit, const blocks::Outcome& m
 
 std::optional<Origin> CommandCore::Impl::originBehindAll(Instant now) const {
   if (!waiting_.empty()) return waiting_.back().end;
-  if (!run_) return originNow(now);
-  if (run_->leavesTheRobot()) return originNow(now);
+  if (!run_ || run_->leavesTheRobot()) return originNow(now);
   const bool known = run_->isOneCommand() && on_wire_ && on_wire_->order().plan && !on_wire_->stopping();
   return known ? std::make_optional(on_wire_->order().plan->end) : std::nullopt;
 }

@@ -19,9 +19,6 @@ class SingleCommand final : public Run {
   void commandStarted() override { sent_ = true; }
   void commandProgressed(const Progress& progress) override { report(progress); }
   void commandEnded(const Outcome& outcome, Instant /*now*/) override { end(outcome); }
-  void commandRefused(const Failure& failure, Instant /*now*/) override {
-    end(toOutcome(block(), Ending::Rejected, failure));
-  }
   /// It is its command that is cancelled.
   void cancel(const std::string& /*why*/, Instant /*now*/) override {}
 

@@ -30,8 +30,11 @@ void PlanDesk::drop(Open& open) {
 }
 
 PlanWork PlanDesk::takeWork(PlanJobId id) {
-  const auto open = std::find_if(open_.begin(), open_.end(), [id](const Open& o) { return o.job.id == id; });
-  return begin(*open);
+  return begin(*find(id));
+}
+
+std::deque<PlanDesk::Open>::iterator PlanDesk::find(PlanJobId id) {
+  return std::find_if(open_.begin(), open_.end(), [id](const Open& open) { return open.job.id == id; });
 }
 
 void PlanDesk::proceed(Instant now) {
@@ -49,7 +52,7 @@ PlanDesk::Job PlanDesk::remove(std::deque<Open>::iterator open) {
 }
 
 std::optional<PlanDesk::Job> PlanDesk::answered(PlanJobId id) {
-  const auto open = std::find_if(open_.begin(), open_.end(), [id](const Open& o) { return o.job.id == id; });
+  const auto open = find(id);
   return open == open_.end() ? std::nullopt : std::make_optional(remove(open));
 }
 

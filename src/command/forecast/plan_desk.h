@@ -59,6 +59,7 @@ class PlanDesk {
   };
   [[nodiscard]] static PlanWork begin(Open& open);
   static void drop(Open& open);
+  [[nodiscard]] std::deque<Open>::iterator find(PlanJobId id);
   Job remove(std::deque<Open>::iterator open);
 
   Duration budget_;

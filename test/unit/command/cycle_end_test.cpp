@@ -10,7 +10,6 @@ namespace cobot_command::testing {
 namespace {
 
 using namespace blocks;
-using namespace command;
 using ::testing::HasSubstr;
 
 /// Two moves; the second has a dwell.
@@ -38,8 +37,8 @@ void runCycle(CoreRig& rig) {
   rig.pass(2s);
 }
 
-FinishReport finish(CoreRig& rig, FinishAfter after) {
-  const FinishReport found = rig.core.finish(after, rig.now);
+command::FinishReport finish(CoreRig& rig, FinishAfter after) {
+  const command::FinishReport found = rig.core.finish(after, rig.now);
   rig.pump();
   return found;
 }
@@ -115,7 +114,7 @@ TEST(Finish, changesNothingWhenNothingIsUnderWay) {
   CoreRig rig;
   EXPECT_FALSE(finish(rig, FinishAfter::Move).foundAny());
   rig.connect();
-  const FinishReport nothing = finish(rig, FinishAfter::Cycle);
+  const command::FinishReport nothing = finish(rig, FinishAfter::Cycle);
   EXPECT_FALSE(nothing.foundAny());
   EXPECT_EQ(toText(nothing), "nothing is under way");
   const GoalId goal = rig.submit(cycle(2));
@@ -131,7 +130,7 @@ TEST(Finish, tellsWhatItHasFound) {
   blended.blending_enable = true;
   rig.submit(blended);
   rig.reply(rig.takeScript().id);
-  const FinishReport loose = finish(rig, FinishAfter::Move);
+  const command::FinishReport loose = finish(rig, FinishAfter::Move);
   EXPECT_FALSE(loose.foundAny());
   EXPECT_THAT(toText(loose),
               HasSubstr("nothing is under way; motions whose goals have ended may still move"));
@@ -140,7 +139,7 @@ TEST(Finish, tellsWhatItHasFound) {
   MoveAbsoluteGoal behind = CoreRig::move();
   behind.buffer_mode = static_cast<int>(BufferMode::Buffered);
   rig.submit(behind);
-  const FinishReport one = finish(rig, FinishAfter::Move);
+  const command::FinishReport one = finish(rig, FinishAfter::Move);
   EXPECT_TRUE(one.foundAny());
   EXPECT_EQ(toText(one),
             "move_absolute comes to its end; its own result tells of it; one goal waited, and has ended");
