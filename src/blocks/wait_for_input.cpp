@@ -140,10 +140,7 @@ class InputWait final : public Run {
         endWith(toOutcome(block(), Ending::Aborted, failure_), now);
         return;
       case InputWaitAction::EndAborted:
-        Outcome outcome;
-        outcome.ending = Ending::CommandAborted;
-        outcome.error_description = words_;
-        endWith(std::move(outcome), now);
+        endWith(commandAborted(words_), now);
         return;
     }
   }

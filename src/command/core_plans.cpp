@@ -91,10 +91,7 @@ void CommandCore::Impl::endChecks(const std::string& why) {
 }
 
 void CommandCore::Impl::endUnplanned(const PlanDesk::Job& job, const std::string& why) {
-  blocks::Outcome outcome;
-  outcome.ending = blocks::Ending::CommandAborted;
-  outcome.error_description = why;
-  board_.reject(job.block, job.goal, std::move(outcome));
+  board_.reject(job.block, job.goal, blocks::commandAborted(why));
 }
 
 }  // namespace cobot_command::command

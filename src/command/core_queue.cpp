@@ -118,10 +118,7 @@ void CommandCore::Impl::abortRunning(const std::string& why, Instant now) {
 }
 
 void CommandCore::Impl::endAborted(blocks::Block block, blocks::GoalId id, const std::string& why) {
-  blocks::Outcome outcome;
-  outcome.ending = blocks::Ending::CommandAborted;
-  outcome.error_description = why;
-  board_.end(block, id, std::move(outcome));
+  board_.end(block, id, blocks::commandAborted(why));
 }
 
 // --- Whose turn it is.

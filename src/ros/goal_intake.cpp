@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/command/waiting_goals.h"
 
 namespace cobot_command::ros_adapter {
@@ -101,11 +102,9 @@ void GoalIntake::end(blocks::Block block, blocks::GoalId id, blocks::Outcome out
 }
 
 void GoalIntake::endCancelled(const Waiting& waiting, const std::string& why) {
-  blocks::Outcome outcome;
-  outcome.ending = blocks::Ending::CommandAborted;
-  outcome.error_description =
-      why + " while a frame or a file was looked up for it, or for one in front of it";
-  end(waiting.block, waiting.id, std::move(outcome));
+  end(waiting.block, waiting.id,
+      blocks::commandAborted(why +
+                             " while a frame or a file was looked up for it, or for one in front of it"));
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -1,6 +1,7 @@
 #include "cobot_command/blocks/shared/outcome.h"
 
 #include <cassert>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,6 +79,13 @@ Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
     outcome.steps.back().error_id = blame.error_id;
     outcome.steps.back().error_description = blame.error_description;
   }
+  return outcome;
+}
+
+Outcome commandAborted(std::string why) {
+  Outcome outcome;
+  outcome.ending = Ending::CommandAborted;
+  outcome.error_description = std::move(why);
   return outcome;
 }
 

@@ -44,7 +44,7 @@ void PlanDesk::proceed(Instant now) {
   actions_.emplace_back(PlanAsked{first.job.id, begin(first)});
 }
 
-PlanDesk::Job PlanDesk::remove(std::deque<Open>::iterator open) {
+PlanDesk::Job PlanDesk::remove(const std::deque<Open>::iterator& open) {
   const Job job = open->job;
   drop(*open);
   open_.erase(open);

@@ -60,7 +60,7 @@ class PlanDesk {
   [[nodiscard]] static PlanWork begin(Open& open);
   static void drop(Open& open);
   [[nodiscard]] std::deque<Open>::iterator find(PlanJobId id);
-  Job remove(std::deque<Open>::iterator open);
+  Job remove(const std::deque<Open>::iterator& open);
 
   Duration budget_;
   std::vector<Action>& actions_;

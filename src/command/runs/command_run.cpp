@@ -60,10 +60,7 @@ void CommandRun::abandon(const std::string& why, Instant now) {
 }
 
 void CommandRun::endAborted(const std::string& why, Instant now) {
-  blocks::Outcome outcome;
-  outcome.ending = blocks::Ending::CommandAborted;
-  outcome.error_description = why;
-  end(std::move(outcome), now);
+  end(blocks::commandAborted(why), now);
 }
 
 void CommandRun::tagCompleted(Instant now) {

@@ -94,10 +94,7 @@ void ConnectRun::motionsEnded(Instant now) {
 void ConnectRun::abandon(const std::string& why, Instant now) {
   if (!busy()) return;
   state_ = State::Idle;
-  blocks::Outcome outcome;
-  outcome.ending = blocks::Ending::CommandAborted;
-  outcome.error_description = why;
-  end(std::move(outcome), now);
+  end(blocks::commandAborted(why), now);
 }
 
 void ConnectRun::linkChanged(Instant now) {

@@ -335,7 +335,7 @@ TEST(CycleEnd, tellsTheFirstCancelWhileAnOutputIsUnderWayWhateverIsAskedBehindIt
 }
 
 TEST(CycleExit, isRefusedBeforeTheFirstMoveWhereItWouldBreakTheCycle) {
-  const std::vector<void (*)(PickAndPlaceGoal&)> kSpoilt = {
+  const std::vector<void (*)(PickAndPlaceGoal&)> spoilt = {
       [](PickAndPlaceGoal& g) { g.steps[0].move.exit_node = true; },
       [](PickAndPlaceGoal& g) {
         g.steps[1].move.exit_node = true;
@@ -346,7 +346,7 @@ TEST(CycleExit, isRefusedBeforeTheFirstMoveWhereItWouldBreakTheCycle) {
         g.steps[1].output = SetOutputGoal{0, "EndModule", 0, 1};
       },
   };
-  for (const auto& spoil : kSpoilt) {
+  for (const auto& spoil : spoilt) {
     CoreRig rig;
     rig.connect();
     PickAndPlaceGoal goal = cycle(1);

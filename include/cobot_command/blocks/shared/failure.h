@@ -41,4 +41,7 @@ struct Failure {
 /// The first failure decides the id; the description lists the others. Precondition: not empty.
 [[nodiscard]] Outcome toRejection(Block block, const std::vector<Failure>& failures);
 
+/// Taken away by a cancel, or by another command; `why`: for people.
+[[nodiscard]] Outcome commandAborted(std::string why);
+
 }  // namespace cobot_command::blocks
