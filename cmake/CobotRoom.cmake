@@ -64,7 +64,9 @@ endfunction()
 
 # cobot_add_test(<name> SOURCES <file>... USES <target>... [TIMEOUT <seconds>])
 # Makes one GoogleTest program; each of its tests is a CTest entry of its own, named <name>.<Suite>.<test>, that may take
-# 120 s or the time that is given, and under a sanitizer five times as long.
+# 120 s or the time that is given, and under a sanitizer five times as long. One that COBOT_TESTED_ELSEWHERE names is made
+# only when it is asked for.
+set(COBOT_TESTED_ELSEWHERE "" CACHE STRING "Test programs that another build makes and runs: names as in cobot_add_test")
 function(cobot_add_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;USES" ${ARGN})
   if(NOT TEST_TIMEOUT)
@@ -80,6 +82,10 @@ function(cobot_add_test name)
   target_link_libraries(test_${name} PRIVATE ${TEST_USES} cobot_source_tree GTest::gmock GTest::gtest_main cobot_warnings
                                              cobot_sanitizers)
   cobot_use_precompiled(test_${name} cobot_test_headers)
+  if(name IN_LIST COBOT_TESTED_ELSEWHERE)
+    set_target_properties(test_${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+    return()
+  endif()
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
                        PROPERTIES TIMEOUT ${TEST_TIMEOUT})
 endfunction()

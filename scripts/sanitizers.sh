@@ -1,8 +1,10 @@
 # Shared by the scripts beside it: builds with sanitizers, in folders of their own. To be sourced behind setup.sh.
 
-# The rooms that read what a peer sent, and those that decide what becomes of it: the quick form, run with every change.
-readonly core_tests=(test_protocol test_tm_script test_script test_link test_robot test_blocks test_command test_peers test_simulator fuzz_corpora)
-readonly core_tests_pattern='^(protocol|tm_script|script|link|robot|blocks|command|peers|simulator|fuzz)\.'
+# The rooms that read what a peer sent, and those that decide what becomes of it. Their tests run once with every change,
+# watched, in a build of their own; the build of everything leaves them out then.
+readonly core_tests=(protocol tm_script script link robot blocks command peers simulator)
+core_tests_pattern=$(IFS='|' && echo "^((${core_tests[*]})[.]|fuzz[.]|locale[.](${core_tests[*]})_)")
+readonly core_tests_pattern
 # Both nodes as processes: goals and cancels of four clients at once, connections made and lost, ends and kills.
 readonly node_tests_pattern='^rostest\.(load|ends)$'
 readonly threaded_targets=(test_transport test_runtime test_runtime_parts test_ros command_node simulated_controller_node
@@ -22,7 +24,7 @@ build_sanitized() {
 # What ROS and precompiled headers could hide shows here: the rooms of the core are built without both.
 build_core() {
   configure "$build/core" -DCOBOT_CORE_ONLY=ON -DCOBOT_PRECOMPILE=TESTS -DCOBOT_SANITIZE=address,undefined
-  ninja -C "$build/core" rooms_and_programs "${core_tests[@]}"
+  ninja -C "$build/core" rooms_and_programs fuzz_corpora cobot_german_locale cobot_german_locale_files "${core_tests[@]/#/test_}"
   watch
 }
 
