@@ -3,6 +3,8 @@
 #include "core_impl.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/deadline.h"
+
 namespace cobot_command::command {
 namespace {
 
@@ -18,8 +20,7 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
     : settings_(settings),
       frame_finder_(std::move(frame_finder)),
       newest_(std::move(newest)),
-      script_(settings_, *this),
-      status_(settings_, *this),
+      links_(settings_, actions_),
       tags_(settings_.first_tag),
       preflight_(std::move(arm)),
       arm_(preflight_.arm() ? std::make_shared<const arm::ArmModel>(*preflight_.arm()) : nullptr),
@@ -30,52 +31,27 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       stop_(settings_, script_, tags_, robot_, preflight_.arm()) {}
 
 void CommandCore::Impl::opened(link::ConnectionId id, Instant now) {
-  if (script_.owns(id)) {
-    script_.opened(now);
-  } else if (status_.owns(id)) {
-    status_.opened(now);
-  } else {
-    ++late_events_;
-  }
+  links_.opened(id, now);
   settle(now);
 }
 
 void CommandCore::Impl::openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now) {
-  if (script_.owns(id)) {
-    script_.openFailed(failure, now);
-  } else if (status_.owns(id)) {
-    status_.openFailed(failure, now);
-  } else {
-    ++late_events_;
-  }
+  links_.openFailed(id, failure, now);
   settle(now);
 }
 
 void CommandCore::Impl::received(link::ConnectionId id, std::string_view bytes, Instant now) {
-  if (script_.owns(id)) {
-    script_.received(bytes);
-  } else if (status_.owns(id)) {
-    status_.received(bytes);
-  } else {
-    ++late_events_;
-  }
+  links_.received(id, bytes);
   settle(now);
 }
 
 void CommandCore::Impl::closed(link::ConnectionId id, const std::string& reason, Instant now) {
-  if (script_.owns(id)) {
-    script_.closed(reason, now);
-  } else if (status_.owns(id)) {
-    status_.closed(reason, now);
-  } else {
-    ++late_events_;
-  }
+  links_.closed(id, reason, now);
   settle(now);
 }
 
 void CommandCore::Impl::advance(Instant now) {
-  script_.advance(now);
-  status_.advance(now);
+  links_.advance(now);
   settle(now);
   if (on_wire_) on_wire_->advance(now);
   for (CommandRun& run : direct_) run.advance(now);
@@ -87,18 +63,11 @@ void CommandCore::Impl::advance(Instant now) {
 }
 
 std::optional<Instant> CommandCore::Impl::nextDeadline() const {
-  std::optional<Instant> next;
-  const auto consider = [&](const std::optional<Instant>& candidate) {
-    if (candidate && (!next || *candidate < *next)) next = candidate;
-  };
-  for (const auto& candidate :
-       {script_.nextDeadline(), status_.nextDeadline(), connect_.nextDeadline(), stop_.nextDeadline()}) {
-    consider(candidate);
-  }
-  if (on_wire_) consider(on_wire_->nextDeadline());
-  if (run_) consider(run_->nextDeadline());
-  consider(plans_.nextDeadline());
-  for (const CommandRun& run : direct_) consider(run.nextDeadline());
+  std::optional<Instant> next = earlier(links_.nextDeadline(), connect_.nextDeadline());
+  next = earlier(next, earlier(stop_.nextDeadline(), plans_.nextDeadline()));
+  if (on_wire_) next = earlier(next, on_wire_->nextDeadline());
+  if (run_) next = earlier(next, run_->nextDeadline());
+  for (const CommandRun& run : direct_) next = earlier(next, run.nextDeadline());
   return next;
 }
 

@@ -17,6 +17,7 @@
 #include "board/output_board.h"
 #include "forecast/plan_desk.h"
 #include "forecast/preflight.h"
+#include "links/links.h"
 #include "runs/command_order.h"
 #include "runs/command_run.h"
 #include "runs/connect_run.h"
@@ -25,8 +26,6 @@
 #include "cobot_command/blocks/goal_rules.h"
 #include "cobot_command/command/command_core.h"
 #include "cobot_command/command/waiting_goals.h"
-#include "cobot_command/link/script_link.h"
-#include "cobot_command/link/status_link.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/robot/burden.h"
 #include "cobot_command/robot/frame_watch.h"
@@ -37,7 +36,7 @@
 
 namespace cobot_command::command {
 
-class CommandCore::Impl : private link::Wire {
+class CommandCore::Impl {
  public:
   Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, blocks::FrameFinder frame_finder,
        NewestGoal newest, Planning planning);
@@ -77,14 +76,6 @@ class CommandCore::Impl : private link::Wire {
   enum class Life { Working, Retiring, Over };
   using Failures = std::vector<blocks::Failure>;
   static constexpr blocks::Block kStop = blocks::kBlock<blocks::StopGoal>;
-
-  // --- Wire, for the links (core_status.cpp).
-  link::ConnectionId open(link::Channel channel, const std::string& host, int port,
-                          Duration timeout) override;
-  void close(link::ConnectionId id) override;
-  void send(link::ConnectionId id, std::string bytes) override;
-  void trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,
-             std::string meaning) override;
 
   // --- Goals: checked, refused or taken (core_goals.cpp).
   void abortAsItComes(blocks::Block block, blocks::GoalId id, const std::string& why);
@@ -220,9 +211,9 @@ class CommandCore::Impl : private link::Wire {
   blocks::GoalId newest_submitted_ = 0;
   CommandsFell fell_{0, ""};  ///< the last that fell
   std::vector<Action> actions_;
-  link::ConnectionId last_connection_ = 0;
-  link::ScriptLink script_;
-  link::StatusLink status_;
+  Links links_;
+  link::ScriptLink& script_ = links_.script();
+  link::StatusLink& status_ = links_.status();
   link::TagLedger tags_;
   robot::RobotWatch robot_;
   robot::FrameWatch frames_;
@@ -248,7 +239,6 @@ class CommandCore::Impl : private link::Wire {
   bool kept_no_more_ = false;  ///< a connect goal was cancelled, and no other came: who disconnects means it
   std::optional<blocks::ConnectGoal> left_moving_;  ///< the link to it was lost with a motion under way
   Life life_ = Life::Working;
-  std::uint64_t late_events_ = 0;
   CommandStatus published_;
   robot::ActiveFrames published_frames_;
 };

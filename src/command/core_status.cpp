@@ -74,7 +74,7 @@ void CommandCore::Impl::publishStatus() {
   status.queue_depth = status.commands_under_way + status.commands_waiting;
   status.waiting_return = busyBlock().has_value();
   status.open_tags = tags_.openTags();
-  status.late_replies = script_.lateReplies() + tags_.staleReports() + late_events_;
+  status.late_replies = script_.lateReplies() + tags_.staleReports() + links_.lateEvents();
   status.decode_faults = script_.decodeFaults() + status_.decodeFaults();
   status.blocks = board_.outputs();
   if (status == published_) return;
@@ -105,28 +105,6 @@ void CommandCore::Impl::tellPath(blocks::GoalId goal, const Plan& plan) {
 
 void CommandCore::Impl::log(Severity severity, std::string text) {
   actions_.emplace_back(LogMessage{severity, std::move(text)});
-}
-
-// --- Wire.
-
-link::ConnectionId CommandCore::Impl::open(link::Channel channel, const std::string& host, int port,
-                                           Duration timeout) {
-  const link::ConnectionId id = ++last_connection_;
-  actions_.emplace_back(OpenConnection{id, channel, host, port, timeout});
-  return id;
-}
-
-void CommandCore::Impl::close(link::ConnectionId id) {
-  actions_.emplace_back(CloseConnection{id});
-}
-
-void CommandCore::Impl::send(link::ConnectionId id, std::string bytes) {
-  actions_.emplace_back(SendBytes{id, std::move(bytes)});
-}
-
-void CommandCore::Impl::trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,
-                              std::string meaning) {
-  actions_.emplace_back(FrameTraced{now, channel, sent, std::string(bytes), std::move(meaning)});
 }
 
 }  // namespace cobot_command::command

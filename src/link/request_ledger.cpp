@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cobot_command/common/deadline.h"
+
 namespace cobot_command::link {
 
 template <class Predicate>
@@ -65,8 +67,7 @@ std::optional<Instant> RequestLedger::nextDeadline() const {
   std::optional<Instant> next;
   for (const Request& request : open_) {
     if (!request.patience || request.given_up) continue;
-    const Instant due = request.deadline.value_or(request.handed_over);
-    if (!next || due < *next) next = due;
+    next = earlier(next, request.deadline.value_or(request.handed_over));
   }
   return next;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/deadline.h"
+
 namespace cobot_command::link {
 
 using Event = ScriptLinkEvent;
@@ -97,11 +99,7 @@ void ScriptLink::advance(Instant now) {
 }
 
 std::optional<Instant> ScriptLink::nextDeadline() const {
-  std::optional<Instant> next = ledger_.nextDeadline();
-  for (const auto& candidate : {retry_at_, lifesign_at_}) {
-    if (candidate && (!next || *candidate < *next)) next = candidate;
-  }
-  return next;
+  return earlier(ledger_.nextDeadline(), earlier(retry_at_, lifesign_at_));
 }
 
 std::string ScriptLink::sendScript(const std::string& script, Instant now,

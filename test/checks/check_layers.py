@@ -25,6 +25,7 @@ WINGS = {
     "blocks/shared": set(),
     "command/board": {"actions.h"},
     "command/forecast": {"actions.h", "planning_job.h"},
+    "command/links": {"actions.h"},
     "command/runs": {"board", "forecast"},
 }
 # Folders of headers that the core may include. What is not here is refused: nobody can list all packages of ROS.

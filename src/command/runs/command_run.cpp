@@ -7,6 +7,7 @@
 
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
+#include "cobot_command/common/deadline.h"
 
 namespace cobot_command::command {
 
@@ -84,10 +85,7 @@ void CommandRun::advance(Instant now) {
 
 std::optional<Instant> CommandRun::nextDeadline() const {
   if (held_since_) return std::nullopt;
-  if (phase_ == blocks::Phase::Queued && active_at_ && (!deadline_ || *active_at_ < *deadline_)) {
-    return active_at_;
-  }
-  return deadline_;
+  return phase_ == blocks::Phase::Queued ? earlier(active_at_, deadline_) : deadline_;
 }
 
 void CommandRun::robotChanged(Instant now) {

@@ -1,11 +1,10 @@
 #include "runs/connect_run.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
+#include "cobot_command/common/deadline.h"
 #include "cobot_command/robot/diagnosis.h"
 
 namespace cobot_command::command {
@@ -152,8 +151,7 @@ void ConnectRun::linkLost(const std::string& reason, Instant now) {
 }
 
 std::optional<Instant> ConnectRun::nextDeadline() const {
-  if (deadline_ && first_frame_by_) return std::min(*deadline_, *first_frame_by_);
-  return deadline_ ? deadline_ : first_frame_by_;
+  return earlier(deadline_, first_frame_by_);
 }
 
 void ConnectRun::advance(Instant now) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/deadline.h"
 #include "cobot_command/script/script_command.h"
 
 namespace cobot_command::command {
@@ -179,7 +180,7 @@ void StopRun::settle() {
 std::optional<Instant> StopRun::nextDeadline() const {
   std::optional<Instant> next;
   for (const Stop& stop : stops_) {
-    if (stop.deadline && (!next || *stop.deadline < *next)) next = stop.deadline;
+    next = earlier(next, stop.deadline);
   }
   return next;
 }

@@ -1,0 +1,89 @@
+#include "links/links.h"
+
+#include <gtest/gtest.h>
+
+namespace cobot_command::command {
+namespace {
+
+using namespace std::chrono_literals;
+
+class LinksTest : public ::testing::Test {
+ protected:
+  /// What was asked for since the last call, of one kind.
+  template <typename Kind>
+  std::vector<Kind> take() {
+    std::vector<Kind> found;
+    for (const Action& action : actions_) {
+      if (const auto* one = std::get_if<Kind>(&action)) found.push_back(*one);
+    }
+    actions_.clear();
+    return found;
+  }
+
+  link::LinkSettings settings_;
+  std::vector<Action> actions_;
+  Links links_{settings_, actions_};
+  Instant now_{};
+};
+
+TEST_F(LinksTest, asksForAConnectionOfItsOwnForEachLink) {
+  links_.script().start("robot", 5890, now_);
+  links_.status().start("robot", 5891, now_);
+
+  const auto opened = take<OpenConnection>();
+  ASSERT_EQ(opened.size(), 2U);
+  EXPECT_EQ(opened[0].channel, link::Channel::Script);
+  EXPECT_EQ(opened[0].port, 5890);
+  EXPECT_EQ(opened[1].channel, link::Channel::Status);
+  EXPECT_EQ(opened[1].port, 5891);
+  EXPECT_NE(opened[0].id, opened[1].id);
+}
+
+TEST_F(LinksTest, handsTheEventsOfAConnectionToItsLink) {
+  links_.script().start("robot", 5890, now_);
+  links_.status().start("robot", 5891, now_);
+  const auto opened = take<OpenConnection>();
+  ASSERT_EQ(opened.size(), 2U);
+
+  links_.opened(opened[0].id, now_);
+
+  EXPECT_TRUE(links_.script().connected());
+  EXPECT_EQ(links_.lateEvents(), 0U);
+  const auto sent = take<SendBytes>();
+  ASSERT_FALSE(sent.empty());
+  EXPECT_EQ(sent.front().id, opened[0].id);
+
+  links_.closed(opened[0].id, "reset by peer", now_);
+  EXPECT_FALSE(links_.script().connected());
+}
+
+TEST_F(LinksTest, countsWhatComesOfAConnectionThatNobodyOwnsAnyMore) {
+  links_.script().start("robot", 5890, now_);
+  const auto opened = take<OpenConnection>();
+  ASSERT_EQ(opened.size(), 1U);
+  const link::ConnectionId gone = opened[0].id + 7;
+
+  links_.opened(gone, now_);
+  links_.received(gone, "$TMSCT,4,1,OK,*5C\r\n");
+  links_.openFailed(gone, {link::OpenFailure::Kind::Refused, "refused"}, now_);
+  links_.closed(gone, "closed", now_);
+
+  EXPECT_EQ(links_.lateEvents(), 4U);
+  EXPECT_FALSE(links_.script().connected());
+  EXPECT_TRUE(take<SendBytes>().empty());
+}
+
+TEST_F(LinksTest, wakesForTheLinkThatIsDueFirst) {
+  EXPECT_FALSE(links_.nextDeadline());
+  links_.script().start("robot", 5890, now_);
+  const auto opened = take<OpenConnection>();
+  links_.openFailed(opened.at(0).id, {link::OpenFailure::Kind::Refused, "refused"}, now_);
+
+  ASSERT_TRUE(links_.nextDeadline());
+  links_.advance(*links_.nextDeadline());
+
+  EXPECT_EQ(take<OpenConnection>().size(), 1U) << "it tries again";
+}
+
+}  // namespace
+}  // namespace cobot_command::command
