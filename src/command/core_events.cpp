@@ -22,13 +22,12 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       newest_(std::move(newest)),
       links_(settings_, actions_),
       tags_(settings_.first_tag),
-      preflight_(std::move(arm)),
-      arm_(preflight_.arm() ? std::make_shared<const arm::ArmModel>(*preflight_.arm()) : nullptr),
+      forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_, actions_),
       planning_(planning),
       plans_(settings_.planning_budget, actions_),
       board_(actions_),
       connect_(settings_, script_, status_, robot_, board_),
-      stop_(settings_, script_, tags_, robot_, preflight_.arm()) {}
+      stop_(settings_, script_, tags_, robot_, forecast_.arm()) {}
 
 void CommandCore::Impl::opened(link::ConnectionId id, Instant now) {
   links_.opened(id, now);
@@ -106,7 +105,7 @@ void CommandCore::Impl::settle(Instant now) {
       more = true;
     }
   }
-  if (!on_wire_ && !loose_.mayMove() && !stop_.busy()) burden_.queueDone();
+  if (!on_wire_ && !forecast_.loose().mayMove() && !stop_.busy()) forecast_.queueDone();
   plans_.proceed(now);
   tellPlaces();
   publishFrames();
@@ -120,11 +119,7 @@ void CommandCore::Impl::tellOfClosedConnection(Instant now) {
   if (stop_.busy()) stop_.linkLost(script_.diagnosis());
   for (CommandRun& run : direct_) run.linkLost(script_.diagnosis(), now);
   finish(now);
-  loose_.end();  // whether it moves on is for the next connection to find (orphan_watch.h)
-  // Behind the next connection there may be another robot, or a project that has begun anew.
-  preflight_.forget();
-  frames_.forget();
-  burden_.forget();
+  forecast_.disconnected();
 }
 
 /// A motion of before this connection: whoever commands now has to know of it, and must not queue behind it.
@@ -143,7 +138,8 @@ void CommandCore::Impl::watchOrphan(Instant now) {
 
 void CommandCore::Impl::watchStrangers(Instant now) {
   if (!script_.connected()) strangers_.forget();
-  const bool ours = !connect_.ready() || on_wire_ || loose_.mayMove() || stop_.busy() || orphan_.mayMove();
+  const bool ours =
+      !connect_.ready() || on_wire_ || forecast_.loose().mayMove() || stop_.busy() || orphan_.mayMove();
   strangers_.see(robot_, ours, now);
 }
 
@@ -159,7 +155,7 @@ void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) 
 
 void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   log(Severity::Warning, "link lost: " + event.reason);
-  const bool moved = loose_.mayMove() || (on_wire_ && mayMove(on_wire_->order()));
+  const bool moved = forecast_.loose().mayMove() || (on_wire_ && mayMove(on_wire_->order()));
   if (moved) left_moving_ = connect_.target();
   dropWaiting("the link was lost: " + event.reason);
   if (on_wire_) on_wire_->linkLost(event.reason, now);
@@ -179,41 +175,7 @@ void CommandCore::Impl::handle(const link::ScriptAnswered& event, Instant now) {
   if (!on_wire_) return;
   const bool before = on_wire_->accepted();
   on_wire_->answered(event, now);
-  if (!before && on_wire_->accepted()) commandAccepted(on_wire_->order(), now);
-}
-
-robot::LooseMotion::End CommandCore::Impl::endOf(const CommandOrder& order) {
-  const bool known = order.plan && order.plan->end.start.joints;
-  return known ? robot::LooseMotion::End::Planned : robot::LooseMotion::End::Unknown;
-}
-
-void CommandCore::Impl::commandAccepted(const CommandOrder& order, Instant now) {
-  if (!order.commands) {
-    frames_.forget();
-    preflight_.forget();
-    burden_.forget();
-  } else {
-    const bool behind_motion = loose_.mayMove() || order.moves;
-    for (const auto& command : *order.commands) {
-      frames_.accepted(command, behind_motion, now);
-      takeBurden(command, behind_motion);
-    }
-  }
-  if (order.moves && !order.tag) loose_.begin(order.target, endOf(order), now);
-}
-
-/// A controller may take a tool that the arm cannot carry, and fail in the first motion (FB section 5).
-void CommandCore::Impl::takeBurden(const script::ScriptCommand& command, bool behind_motion) {
-  if (!burden_.accepted(command, behind_motion)) return;
-  weigh();
-  if (!robot_.tooMuch()) return;
-  log(Severity::Warning,
-      robot_.tooMuch()->text + ": motions will fail; check weight of change_tcp and change_load");
-}
-
-void CommandCore::Impl::weigh() {
-  if (!preflight_.arm()) return;
-  robot_.carries(burden_.tooMuchFor(*preflight_.arm(), frames_.frames()));
+  if (!before && on_wire_->accepted()) forecast_.accepted(on_wire_->order(), now);
 }
 
 void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
@@ -228,9 +190,7 @@ void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
   if (event.state == protocol::TagState::Complete) {
     const bool open = tags_.complete(event.tag);
     if (!open) return;
-    preflight_.arrive(on_wire_->order().plan, now);
-    loose_.end();  // tags complete in the order of the queue
-    if (!on_wire_->order().stands_at_end) loose_.begin(std::nullopt, robot::LooseMotion::End::Unknown, now);
+    forecast_.arrived(on_wire_->order(), now);
     on_wire_->tagCompleted(now);
   } else if (event.asked) {
     on_wire_->tagIncomplete(event.state, now);
@@ -252,10 +212,7 @@ void CommandCore::Impl::handle(const link::RobotStatus& status, Instant now) {
 }
 
 void CommandCore::Impl::robotChanged(Instant now) {
-  frames_.robotChanged(robot_, now);
-  weigh();
-  loose_.see(robot_, now);
-  preflight_.see(robot_, settings_.evidence_timeout, now);
+  forecast_.robotChanged(settings_.evidence_timeout, now);
   if (on_wire_) on_wire_->robotChanged(now);
   for (CommandRun& run : direct_) run.robotChanged(now);
   if (run_) run_->robotChanged(robot_, now);

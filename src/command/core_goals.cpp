@@ -77,7 +77,7 @@ void CommandCore::Impl::connect(blocks::GoalId id, const blocks::Goal& wanted, I
   Failures failures = check(goal);
   const auto busy = connect_.busy() ? busyBlock() : std::nullopt;
   const bool leaves_a_motion =
-      connect_.busy() && !connect_.isSameController(goal) && (loose_.mayMove() || stop_.busy());
+      connect_.busy() && !connect_.isSameController(goal) && (forecast_.loose().mayMove() || stop_.busy());
   const auto target = fmt::format("{}:{}", connect_.target().host, connect_.target().port);
   if (!connect_.mayExecute()) {
     failures.push_back(
@@ -244,7 +244,7 @@ FinishReport CommandCore::Impl::finish(blocks::FinishAfter after, Instant now,
                                        std::optional<blocks::GoalId> newest) {
   FinishReport found;
   found.dropped = static_cast<int>(waiting_.size());
-  found.moves_on = loose_.mayMove();
+  found.moves_on = forecast_.loose().mayMove();
   dropWaiting(kNothingBehindFinish, newest.value_or(newestGoal()));
   found.under_way = busyBlock();
   if (run_) run_->finish(after, now);

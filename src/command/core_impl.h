@@ -15,10 +15,9 @@
 #include <vector>
 
 #include "board/output_board.h"
+#include "forecast/forecast.h"
 #include "forecast/plan_desk.h"
-#include "forecast/preflight.h"
 #include "links/links.h"
-#include "runs/command_order.h"
 #include "runs/command_run.h"
 #include "runs/connect_run.h"
 #include "runs/stop_run.h"
@@ -27,9 +26,6 @@
 #include "cobot_command/command/command_core.h"
 #include "cobot_command/command/waiting_goals.h"
 #include "cobot_command/link/tag_ledger.h"
-#include "cobot_command/robot/burden.h"
-#include "cobot_command/robot/frame_watch.h"
-#include "cobot_command/robot/loose_motion.h"
 #include "cobot_command/robot/orphan_watch.h"
 #include "cobot_command/robot/robot_watch.h"
 #include "cobot_command/robot/stranger_watch.h"
@@ -99,8 +95,6 @@ class CommandCore::Impl {
   /// Its answer comes to takePlan(), at once with Planning::AtOnce.
   PlanJobId askForPlan(blocks::GoalId id, const blocks::Goal& goal, const std::optional<Origin>& origin,
                        PlanDesk::Haste haste);
-  [[nodiscard]] PlanDesk::MakeWork planOf(const blocks::Goal& goal,
-                                          const std::optional<Origin>& origin) const;
   void takePlan(const PlanDesk::Job& job, PlanAnswer answer);
   void endOverduePlans(Instant now);
   /// Those that are planned. Precondition: nothing waits for its turn any more.
@@ -108,14 +102,8 @@ class CommandCore::Impl {
   void endUnplanned(const PlanDesk::Job& job, const std::string& why);
 
   // --- The queue (core_queue.cpp).
-  /// Where a command starts that is sent now.
-  [[nodiscard]] Origin originNow(Instant now) const {
-    return preflight_.origin(robot_, frames_, loose_, now);
-  }
   /// Where a command starts that comes behind all that is on the wire and waits; nothing when nobody knows.
   [[nodiscard]] std::optional<Origin> originBehindAll(Instant now) const;
-  [[nodiscard]] Result<std::optional<Plan>, blocks::Failure> planFor(
-      const blocks::Command& command, const std::optional<Origin>& origin) const;
   void forgetForecasts();
   void enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
   /// With all that came until now, as nobody can know yet what makes them fall.
@@ -146,7 +134,7 @@ class CommandCore::Impl {
   void finishCommand(Instant now);
   void finishDirectRuns(Instant now);
   [[nodiscard]] RunContext contextOfRuns() {
-    return {settings_, script_, tags_, robot_, stop_, preflight_.arm()};
+    return {settings_, script_, tags_, robot_, stop_, forecast_.arm()};
   }
   /// The node is left once its motion is done: until then the controller takes a stop, and a pause.
   void leaveNode(const CommandRun& done, Instant now);
@@ -166,14 +154,13 @@ class CommandCore::Impl {
   /// client's. Nobody can tell that of a robot that is not seen to stand.
   [[nodiscard]] bool mayMoveOtherwise() const;
   /// The robot may move, and no goal answers for it: nothing may queue behind that unseen.
-  [[nodiscard]] bool holdsBack() const { return orphan_.mayMove() || loose_.holdsBack(); }
+  [[nodiscard]] bool holdsBack() const { return orphan_.mayMove() || forecast_.loose().holdsBack(); }
   [[nodiscard]] std::string heldBackBy() const;
   void finishStops(Instant now);
   void endStopGoals(const StopRun::Result& result);
   [[nodiscard]] std::vector<StopWish>::const_iterator wishFor(const StopRun::Result& result) const;
   void stopConfirmed(const StopRun::Result& result);
   void stopFailed(const StopRun::Result& result, Instant now);
-  void dropQueuedChanges();
 
   // --- Events (core_events.cpp).
   void settle(Instant now);
@@ -188,9 +175,6 @@ class CommandCore::Impl {
   void handle(const link::TagQueryFailed& event, Instant now);
   void handle(const link::RobotStatus& status, Instant now);
   void commandAccepted(const CommandOrder& order, Instant now);
-  [[nodiscard]] static robot::LooseMotion::End endOf(const CommandOrder& order);
-  void takeBurden(const script::ScriptCommand& command, bool behind_motion);
-  void weigh();
   void robotChanged(Instant now);
 
   // --- What everyone may know (core_status.cpp).
@@ -201,8 +185,6 @@ class CommandCore::Impl {
   [[nodiscard]] std::string linkDiagnosis() const;
   void publishStatus();
   void publishFrames();
-  void tellPath(blocks::GoalId goal, const Plan& plan);
-  [[nodiscard]] static std::vector<arm::Pose> toolPathOf(const Plan& plan, const arm::ArmModel& arm);
   void log(Severity severity, std::string text);
 
   link::LinkSettings settings_;
@@ -216,12 +198,9 @@ class CommandCore::Impl {
   link::StatusLink& status_ = links_.status();
   link::TagLedger tags_;
   robot::RobotWatch robot_;
-  robot::FrameWatch frames_;
-  robot::Burden burden_;
+  Forecast forecast_;
   robot::OrphanWatch orphan_;
   robot::StrangerWatch strangers_;
-  Preflight preflight_;
-  std::shared_ptr<const arm::ArmModel> arm_;  ///< the same, for plans beside the core
   Planning planning_;
   PlanDesk plans_;
   OutputBoard board_;
@@ -234,7 +213,6 @@ class CommandCore::Impl {
       before_exit_;               ///< of a motion that is done, while the ScriptExit() behind it is under way
   std::list<CommandRun> direct_;  ///< beside whatever else is on the wire
   std::deque<Waiting> waiting_;
-  robot::LooseMotion loose_;
   std::optional<blocks::ConnectGoal> kept_;  ///< the link to keep while no connect goal is Busy
   bool kept_no_more_ = false;  ///< a connect goal was cancelled, and no other came: who disconnects means it
   std::optional<blocks::ConnectGoal> left_moving_;  ///< the link to it was lost with a motion under way

@@ -6,57 +6,16 @@
 #include "core_impl.h"
 
 #include "cobot_command/blocks/shared/error_ids.h"
-#include "cobot_command/blocks/shared/joint_path.h"
 
 namespace cobot_command::command {
-namespace {
-
-using Planned = Result<std::optional<Plan>, blocks::Failure>;
-
-/// What one command, planned, is answered with.
-blocks::Outcome outcomeOf(blocks::Block block, const Planned& planned, bool has_model) {
-  if (!planned) return toRejection(block, {planned.error()});
-  if (!*planned) {
-    const int id = has_model ? blocks::own_error::kStartUnknown : blocks::own_error::kNoModel;
-    return toRejection(block, {{id, "", ""}});
-  }
-  blocks::Outcome outcome;
-  outcome.planned = (*planned)->duration;
-  outcome.joint_path = blocks::jointPath((*planned)->motions);
-  return outcome;
-}
-
-}  // namespace
-
 PlanJobId CommandCore::Impl::askForPlan(blocks::GoalId id, const blocks::Goal& goal,
                                         const std::optional<Origin>& origin, PlanDesk::Haste haste) {
-  const PlanJobId job = plans_.ask(blockOf(goal), id, haste, planOf(goal, origin));
+  const PlanJobId job = plans_.ask(blockOf(goal), id, haste, forecast_.workFor(goal, origin));
   if (planning_ == Planning::AtOnce) {
     PlanAnswer answer = plans_.takeWork(job)();
     takePlan(*plans_.answered(job), std::move(answer));
   }
   return job;
-}
-
-/// With copies of all that it needs, as it may be done on another thread.
-PlanDesk::MakeWork CommandCore::Impl::planOf(const blocks::Goal& goal,
-                                             const std::optional<Origin>& origin) const {
-  const auto base = origin ? origin->start.base : frames_.frames().base;
-  return [=, arm = arm_](const PlanDesk::Dropped& dropped) -> PlanWork {
-    return [=]() -> PlanAnswer {
-      const blocks::GoalRules rules(goal);
-      blocks::PlanningScene scene;
-      scene.arm = arm.get();
-      if (origin) scene.start = origin->start;
-      scene.give_up = [dropped] { return dropped->load(); };
-      if (auto whole = rules.plan(scene)) return {std::move(*whole), {}};
-      const blocks::Command command = *rules.command();
-      const Planned plan = planOfCommand(command, arm.get(), base, origin);
-      PlanAnswer answer{outcomeOf(command.block, plan, arm != nullptr), {}};
-      if (plan && *plan) answer.tool_path = toolPathOf(**plan, *arm);
-      return answer;
-    };
-  };
 }
 
 /// Of one that waits for its turn, or of a check, whose end it is.

@@ -37,15 +37,9 @@ blocks::Outcome withMotion(const blocks::Outcome& exit, const blocks::Outcome& m
 
 std::optional<Origin> CommandCore::Impl::originBehindAll(Instant now) const {
   if (!waiting_.empty()) return waiting_.back().end;
-  if (!run_ || run_->leavesTheRobot()) return originNow(now);
+  if (!run_ || run_->leavesTheRobot()) return forecast_.origin(now);
   const bool known = run_->isOneCommand() && on_wire_ && on_wire_->order().plan && !on_wire_->stopping();
   return known ? std::make_optional(on_wire_->order().plan->end) : std::nullopt;
-}
-
-Result<std::optional<Plan>, blocks::Failure> CommandCore::Impl::planFor(
-    const blocks::Command& command, const std::optional<Origin>& origin) const {
-  const auto base = origin ? origin->start.base : frames_.frames().base;
-  return planOfCommand(command, arm_.get(), base, origin);
 }
 
 /// What was foreseen for those that wait stands on what was in front of them.
@@ -68,7 +62,7 @@ void CommandCore::Impl::enqueue(blocks::GoalId id, const blocks::Goal& goal, blo
   waiting.takes_over = mode == blocks::BufferMode::Aborting && stop_.busy();
   if (busyBlock()) {
     if (const auto command = blocks::GoalRules(goal).command()) {
-      const auto planned = planFor(*command, originBehindAll(now));
+      const auto planned = forecast_.plan(*command, originBehindAll(now));
       if (!planned) {
         reject(id, goal, {planned.error()});
         return;
@@ -112,7 +106,7 @@ void CommandCore::Impl::abortAll(const std::string& why, blocks::GoalId newest, 
 }
 
 void CommandCore::Impl::abortRunning(const std::string& why, Instant now) {
-  if (!run_ || on_wire_) preflight_.forget();  // else it stays as it is
+  if (!run_ || on_wire_) forecast_.forgetPath();  // else it stays as it is
   if (run_) run_->cancel(why, now);
   if (on_wire_) on_wire_->cancel(why, now);
 }
@@ -143,7 +137,7 @@ bool CommandCore::Impl::beginNext(Instant now) {
   const Failures failures = objectionsTo(first);
   if (failures.empty() && !first.found && blocks::GoalRules(first.goal).isPlanned()) {
     if (first.job == 0) {
-      first.job = askForPlan(first.id, first.goal, originNow(now), PlanDesk::Haste::Turn);
+      first.job = askForPlan(first.id, first.goal, forecast_.origin(now), PlanDesk::Haste::Turn);
       first.told_place = 0;  // what it waits for is another thing now
     }
     if (!first.found) return false;
@@ -210,19 +204,9 @@ void CommandCore::Impl::refuseTurn(const Waiting& next, blocks::Outcome refusal)
 Result<CommandOrder, blocks::Failure> CommandCore::Impl::prepare(const blocks::Command& command,
                                                                  Instant now) {
   const blocks::GoalTraits& traits = command.traits;
-  const robot::ActiveFrames frames = frames_.frames();
-  if (traits.needs_base && !frames.base) {
-    return refuse(blocks::Failure{blocks::own_error::kBaseUnknown, "", ""});
-  }
-  CommandOrder order;
-  static_cast<blocks::Order&>(order) = command.order(frames.base.value_or(arm::Pose::Identity()));
-  order.block = command.block;
-  if (order.commands) {
-    auto plan = preflight_.plan(*order.commands, originNow(now));
-    if (!plan) return refuse(plan.error());
-    order.plan = std::move(*plan);
-    order.target = order.plan ? order.plan->target : robot::jointTargetOf(*order.commands);
-  }
+  auto prepared = forecast_.order(command, now);
+  if (!prepared) return refuse(prepared.error());
+  CommandOrder order = std::move(*prepared);
   // A tag is opened last, for what will be sent.
   if (traits.awaits_motion) {
     order.tag = tags_.open(traits.command_id);
@@ -231,7 +215,6 @@ Result<CommandOrder, blocks::Failure> CommandCore::Impl::prepare(const blocks::C
   order.command_id_ack = traits.command_id != 0 ? traits.command_id : order.tag.value_or(0);
   order.exits_node = traits.exits_node && !order.tag;
   order.exits_afterwards = traits.exits_node && order.tag;
-  order.reply_timeout = traits.reply_timeout;
   addLastLines(order);
   return order;
 }
@@ -243,14 +226,7 @@ void CommandCore::Impl::startNext(CommandOrder order, Instant now) {
 }
 
 void CommandCore::Impl::start(CommandOrder order, Instant now) {
-  if (order.moves) {
-    if (order.tag) {
-      preflight_.forget();
-    } else {
-      preflight_.queue(order.plan, now);
-    }
-  }
-  if (order.plan) tellPath(order.goal, *order.plan);
+  forecast_.sent(order, now);
   orphan_.fire(robot::OrphanEvent::Commanded);
   on_wire_.emplace(std::move(order), contextOfRuns(), now);
 }
@@ -325,7 +301,7 @@ void CommandCore::Impl::finishCommand(Instant now) {
   const blocks::Outcome outcome = before_exit ? withMotion(done.outcome(), *before_exit) : done.outcome();
   if (outcome.ending == blocks::Ending::Aborted) {
     robot_.takeBackAcknowledgement();
-    preflight_.forget();
+    forecast_.forgetPath();
   }
   run_->commandEnded(outcome, now);
   run_->robotChanged(robot_, now);

@@ -5,14 +5,10 @@
 #include "core_impl.h"
 #include <fmt/format.h>
 
-#include "cobot_command/planning/sampling.h"
 #include "cobot_command/robot/diagnosis.h"
 
 namespace cobot_command::command {
 namespace {
-
-/// Of one motion, for a marker.
-constexpr std::size_t kPathPoints = 60;
 
 CommandStatus::LinkState toLinkState(link::ScriptLinkState state) {
   switch (state) {
@@ -60,7 +56,7 @@ void CommandCore::Impl::publishStatus() {
   if (automaticLinkEnded()) status.diagnosis = linkDiagnosis();
   if (orphan_.mayMove()) status.diagnosis += fmt::format("; {}", orphan_.text());
   if (const std::string text = strangers_.text(); !text.empty()) status.diagnosis += "; " + text;
-  if (!loose_.text().empty()) status.diagnosis += "; " + loose_.text();
+  if (!forecast_.loose().text().empty()) status.diagnosis += "; " + forecast_.loose().text();
   if (left_moving_) status.diagnosis += "; " + textOfTheRobotLeft();
   status.host = connect_.target().host;
   status.port = connect_.target().port;
@@ -83,24 +79,10 @@ void CommandCore::Impl::publishStatus() {
 }
 
 void CommandCore::Impl::publishFrames() {
-  robot::ActiveFrames frames = frames_.frames();
+  robot::ActiveFrames frames = forecast_.frames();
   if (frames == published_frames_) return;
   published_frames_ = frames;
   actions_.emplace_back(ActiveFramesChanged{std::move(frames)});
-}
-
-std::vector<arm::Pose> CommandCore::Impl::toolPathOf(const Plan& plan, const arm::ArmModel& arm) {
-  std::vector<arm::Pose> path;
-  for (const auto& motion : plan.motions) {
-    const auto poses = planning::toolPath(arm, *motion, plan.tcp, kPathPoints);
-    path.insert(path.end(), poses.begin(), poses.end());
-  }
-  return path;
-}
-
-void CommandCore::Impl::tellPath(blocks::GoalId goal, const Plan& plan) {
-  PathPlanned path{goal, toolPathOf(plan, *arm_)};
-  if (!path.tool_path.empty()) actions_.emplace_back(std::move(path));
 }
 
 void CommandCore::Impl::log(Severity severity, std::string text) {

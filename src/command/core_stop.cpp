@@ -9,7 +9,7 @@
 namespace cobot_command::command {
 
 void CommandCore::Impl::askForStop(Instant now) {
-  stop_.ask(on_wire_ && on_wire_->order().moves ? on_wire_->order().target : loose_.target(), now);
+  stop_.ask(on_wire_ && on_wire_->order().moves ? on_wire_->order().target : forecast_.loose().target(), now);
 }
 
 void CommandCore::Impl::stopAll(const std::string& why, blocks::GoalId newest, Instant now) {
@@ -19,16 +19,16 @@ void CommandCore::Impl::stopAll(const std::string& why, blocks::GoalId newest, I
 }
 
 void CommandCore::Impl::stopIfMoving(Instant now) {
-  if (loose_.mayMove() && !stop_.busy()) askForStop(now);
+  if (forecast_.loose().mayMove() && !stop_.busy()) askForStop(now);
 }
 
 bool CommandCore::Impl::mayMoveOtherwise() const {
   const bool seen_to_stand = robot_.moving() == false && !robot_.held();  // what is held may have to go on
-  return loose_.mayMove() || orphan_.mayMove() || !seen_to_stand;
+  return forecast_.loose().mayMove() || orphan_.mayMove() || !seen_to_stand;
 }
 
 std::string CommandCore::Impl::heldBackBy() const {
-  return orphan_.mayMove() ? orphan_.text() : loose_.text();
+  return orphan_.mayMove() ? orphan_.text() : forecast_.loose().text();
 }
 
 void CommandCore::Impl::finishStops(Instant now) {
@@ -64,9 +64,7 @@ std::vector<CommandCore::Impl::StopWish>::const_iterator CommandCore::Impl::wish
 }
 
 void CommandCore::Impl::stopConfirmed(const StopRun::Result& result) {
-  loose_.end();
-  preflight_.forget();
-  dropQueuedChanges();
+  forecast_.stopped();
   orphan_.fire(robot::OrphanEvent::Stopped);
   // Who executes the stop block answers for the robot; a cancel, or a stop of the layer's own, does not.
   if (wishFor(result) != stop_goals_.end()) robot_.acknowledgeError();
@@ -74,18 +72,10 @@ void CommandCore::Impl::stopConfirmed(const StopRun::Result& result) {
 
 /// Who asked may be gone by now: so it is told to everybody, and the next reason to stop sends a stop again.
 void CommandCore::Impl::stopFailed(const StopRun::Result& result, Instant now) {
-  preflight_.forget();
-  if (result.end != StopEnd::Refused) dropQueuedChanges();
-  loose_.stopFailed(result.failure.found, result.target, now);
+  if (result.end != StopEnd::Refused) forecast_.queueMayBeEmptied();
+  forecast_.stopFailed(result.failure.found, result.target, now);
   log(Severity::Warning, fmt::format("a stop was not confirmed, {}: {}", robot::LooseMotion::kMayStillMove,
                                      result.failure.found));
-}
-
-/// What waited behind a motion in the controller will not come.
-void CommandCore::Impl::dropQueuedChanges() {
-  frames_.stopped();
-  burden_.stopped();
-  weigh();
 }
 
 }  // namespace cobot_command::command

@@ -119,10 +119,10 @@ std::optional<Target> jointTargetOf(const std::vector<script::ScriptCommand>& co
   return last;
 }
 
-std::optional<Gap> gapTo(const Target& target, const link::RobotStatus& status,
-                         const std::optional<arm::ArmModel>& arm, const ArrivalLimits& limits) {
+std::optional<Gap> gapTo(const Target& target, const link::RobotStatus& status, const arm::ArmModel* arm,
+                         const ArrivalLimits& limits) {
   if (target.kind != TargetKind::Joints) {
-    return arm ? toolGap(target, status, *arm, limits) : std::nullopt;
+    return arm != nullptr ? toolGap(target, status, *arm, limits) : std::nullopt;
   }
   if (!status.joints) return std::nullopt;
   return jointGap(target.joints, *status.joints, limits.angle);

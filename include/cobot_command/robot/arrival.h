@@ -46,8 +46,9 @@ struct Gap {
   std::string text;     ///< "J3 is 12.3 deg from its target"
 };
 
-/// How far the robot is from the target; nothing when the frame does not tell it. Only joints need no model.
+/// How far the robot is from the target; nothing when the frame does not tell it. Only joints need no model
+/// (`arm`: nullptr).
 [[nodiscard]] std::optional<Gap> gapTo(const Target& target, const link::RobotStatus& status,
-                                       const std::optional<arm::ArmModel>& arm, const ArrivalLimits& limits);
+                                       const arm::ArmModel* arm, const ArrivalLimits& limits);
 
 }  // namespace cobot_command::robot

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runs/command_order.h"
+#include "forecast/command_order.h"
 #include "runs/command_run_states.h"
 #include "runs/stop_run.h"
 
@@ -28,7 +28,7 @@ struct RunContext {
   link::TagLedger& tags;
   const robot::RobotWatch& robot;
   StopRun& stop;
-  const std::optional<arm::ArmModel>& arm;
+  const arm::ArmModel* arm;  ///< nullptr: no model
 };
 
 class CommandRun {

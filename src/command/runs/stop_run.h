@@ -45,7 +45,7 @@ class StopRun {
   };
 
   StopRun(const link::LinkSettings& settings, link::ScriptLink& link, link::TagLedger& tags,
-          const robot::RobotWatch& robot, const std::optional<arm::ArmModel>& arm)
+          const robot::RobotWatch& robot, const arm::ArmModel* arm)
       : settings_(settings), link_(link), tags_(tags), robot_(robot), arm_(arm) {}
 
   /// Whatever the state of the link: a stop is worth a try. Does nothing without a connection: then nobody
@@ -91,7 +91,7 @@ class StopRun {
   link::ScriptLink& link_;
   link::TagLedger& tags_;
   const robot::RobotWatch& robot_;
-  const std::optional<arm::ArmModel>& arm_;
+  const arm::ArmModel* arm_;  ///< nullptr: no model
   Number last_ = 0;
   std::deque<Stop> stops_;  ///< that have not ended, in the order of sending
   std::deque<Result> results_;

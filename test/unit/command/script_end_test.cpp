@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "decode_events.h"
-#include "runs/command_order.h"
+#include "forecast/command_order.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "runs/command_order.h"
+#include "forecast/command_order.h"
 
 namespace cobot_command::command {
 

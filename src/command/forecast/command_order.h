@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "forecast/preflight.h"
+#include "forecast/plan.h"
 
 #include "cobot_command/blocks/shared/block.h"
 #include "cobot_command/blocks/shared/goal_values.h"

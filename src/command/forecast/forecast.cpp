@@ -1,0 +1,179 @@
+#include "forecast/forecast.h"
+
+#include <utility>
+
+#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/joint_path.h"
+
+namespace cobot_command::command {
+namespace {
+
+/// What one command, planned, is answered with.
+blocks::Outcome outcomeOf(blocks::Block block, const Planned& planned, bool has_model) {
+  if (!planned) return toRejection(block, {planned.error()});
+  if (!*planned) {
+    const int id = has_model ? blocks::own_error::kStartUnknown : blocks::own_error::kNoModel;
+    return toRejection(block, {{id, "", ""}});
+  }
+  blocks::Outcome outcome;
+  outcome.planned = (*planned)->duration;
+  outcome.joint_path = blocks::jointPath((*planned)->motions);
+  return outcome;
+}
+
+PlanAnswer planGoal(const blocks::Goal& goal, const arm::ArmModel* arm, const std::optional<arm::Pose>& base,
+                    const std::optional<Origin>& origin, const PlanDesk::Dropped& dropped) {
+  const blocks::GoalRules rules(goal);
+  blocks::PlanningScene scene;
+  scene.arm = arm;
+  if (origin) scene.start = origin->start;
+  scene.give_up = [dropped] { return dropped->load(); };
+  if (auto whole = rules.plan(scene)) return {std::move(*whole), {}};
+  const blocks::Command command = *rules.command();
+  const Planned plan = planFor(arm, command, base, origin);
+  PlanAnswer answer{outcomeOf(command.block, plan, arm != nullptr), {}};
+  if (plan && *plan) answer.tool_path = toolPathOf(**plan, *arm);
+  return answer;
+}
+
+/// Where blended motions leave the robot.
+robot::LooseMotion::End endOf(const CommandOrder& order) {
+  const bool known = order.plan && order.plan->end.start.joints;
+  return known ? robot::LooseMotion::End::Planned : robot::LooseMotion::End::Unknown;
+}
+
+}  // namespace
+
+Forecast::Forecast(std::shared_ptr<const arm::ArmModel> arm, robot::RobotWatch& robot,
+                   std::vector<Action>& actions)
+    : arm_(std::move(arm)), robot_(robot), actions_(actions) {}
+
+// --- Plans.
+
+Origin Forecast::origin(Instant now) const {
+  Origin origin;
+  // Unknown are only frames of a name whose value the stream has not told yet. Where it tells nothing at all,
+  // robot base and flange are what a project starts with.
+  const robot::ActiveFrames active = frames();
+  origin.start.base = active.base;
+  if (!active.base && active.base_name.empty()) origin.start.base = arm::Pose::Identity();
+  origin.start.tcp = active.tcp;
+  if (!active.tcp && active.tcp_name.empty()) origin.start.tcp = arm::Pose::Identity();
+  origin.frames_told = active.base && active.tcp;
+  origin.start.speed_override = robot_.speedOverride();
+  if (queue_.isUnderWay(robot_, now)) return queue_.endFrom(std::move(origin), now);
+  // The stream shows a motion a little after its acceptance.
+  const bool moves_to_unknown_place = robot_.moving().value_or(false) || loose_.endsUnknown();
+  if (!moves_to_unknown_place) origin.start.joints = robot_.joints();
+  return origin;
+}
+
+Planned Forecast::plan(const blocks::Command& command, const std::optional<Origin>& origin) const {
+  return planFor(arm(), command, origin ? origin->start.base : frames().base, origin);
+}
+
+PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const std::optional<Origin>& origin) const {
+  const auto base = origin ? origin->start.base : frames().base;
+  return [=, arm = arm_](const PlanDesk::Dropped& dropped) -> PlanWork {
+    return [=]() -> PlanAnswer { return planGoal(goal, arm.get(), base, origin, dropped); };
+  };
+}
+
+Result<CommandOrder, blocks::Failure> Forecast::order(const blocks::Command& command, Instant now) const {
+  auto lines = linesOf(command, frames().base);
+  if (!lines) return refuse(lines.error());
+  CommandOrder order;
+  static_cast<blocks::Order&>(order) = std::move(*lines);
+  order.block = command.block;
+  order.reply_timeout = command.traits.reply_timeout;
+  if (!order.commands) return order;
+  auto planned = planFor(arm(), *order.commands, origin(now));
+  if (!planned) return refuse(planned.error());
+  order.plan = std::move(*planned);
+  order.target = order.plan ? order.plan->target : robot::jointTargetOf(*order.commands);
+  return order;
+}
+
+// --- What went out, and what became of it.
+
+void Forecast::sent(const CommandOrder& order, Instant now) {
+  if (order.moves && order.tag) queue_.forget();
+  if (order.moves && !order.tag) queue_.queue(order.plan, now);
+  tellPath(order);
+}
+
+void Forecast::accepted(const CommandOrder& order, Instant now) {
+  if (order.commands) {
+    const bool behind_motion = loose_.mayMove() || order.moves;
+    for (const auto& command : *order.commands) {
+      frames_.accepted(command, behind_motion, now);
+      takeBurden(command, behind_motion);
+    }
+  } else {
+    queue_.forget();
+    frames_.forget();
+    burden_.forget();
+  }
+  if (order.moves && !order.tag) loose_.begin(order.target, endOf(order), now);
+}
+
+void Forecast::arrived(const CommandOrder& order, Instant now) {
+  queue_.arrive(order.plan, arm(), now);
+  loose_.end();  // tags complete in the order of the queue
+  if (!order.stands_at_end) loose_.begin(std::nullopt, robot::LooseMotion::End::Unknown, now);
+}
+
+void Forecast::robotChanged(Duration patience, Instant now) {
+  frames_.robotChanged(robot_, now);
+  weigh();
+  loose_.see(robot_, now);
+  queue_.see(robot_, patience, now);
+}
+
+void Forecast::stopped() {
+  loose_.end();
+  queue_.forget();
+  queueMayBeEmptied();
+}
+
+void Forecast::stopFailed(const std::string& found, const std::optional<robot::Target>& target, Instant now) {
+  queue_.forget();
+  loose_.stopFailed(found, target, now);
+}
+
+/// What waited behind a motion in the controller will not come.
+void Forecast::queueMayBeEmptied() {
+  frames_.stopped();
+  burden_.stopped();
+  weigh();
+}
+
+void Forecast::disconnected() {
+  loose_.end();  // whether it moves on is for the next connection to find (orphan_watch.h)
+  queue_.forget();
+  frames_.forget();
+  burden_.forget();
+}
+
+/// A controller may take a tool that the arm cannot carry, and fail in the first motion (FB section 5).
+void Forecast::takeBurden(const script::ScriptCommand& command, bool behind_motion) {
+  if (!burden_.accepted(command, behind_motion)) return;
+  weigh();
+  if (!robot_.tooMuch()) return;
+  actions_.emplace_back(
+      LogMessage{Severity::Warning,
+                 robot_.tooMuch()->text + ": motions will fail; check weight of change_tcp and change_load"});
+}
+
+void Forecast::weigh() {
+  if (arm_) robot_.carries(burden_.tooMuchFor(*arm_, frames()));
+}
+
+void Forecast::tellPath(const CommandOrder& order) {
+  if (!order.plan) return;
+  PathPlanned path{order.goal, toolPathOf(*order.plan, *arm_)};
+  if (!path.tool_path.empty()) actions_.emplace_back(std::move(path));
+}
+
+}  // namespace cobot_command::command

@@ -1,0 +1,85 @@
+// What is known of the robot ahead of time: where a command starts that is sent now or behind others, in
+// which base, with which TCP and load, and what moves on though no goal waits for it any more.
+//
+// It is told what goes out and what becomes of it, plans each command from there, and says at once what
+// speaks against one.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forecast/command_order.h"
+#include "forecast/plan.h"
+#include "forecast/plan_desk.h"
+#include "forecast/planned_queue.h"
+
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/command/actions.h"
+#include "cobot_command/robot/burden.h"
+#include "cobot_command/robot/frame_watch.h"
+#include "cobot_command/robot/loose_motion.h"
+#include "cobot_command/robot/robot_watch.h"
+
+namespace cobot_command::command {
+
+class Forecast {
+ public:
+  /// `arm`: nothing without a model; then nothing is planned. `robot`, `actions`: have to live longer.
+  Forecast(std::shared_ptr<const arm::ArmModel> arm, robot::RobotWatch& robot, std::vector<Action>& actions);
+
+  [[nodiscard]] const arm::ArmModel* arm() const { return arm_.get(); }
+  /// That the next command will be taken in.
+  [[nodiscard]] robot::ActiveFrames frames() const { return frames_.frames(); }
+  /// Motions that no goal waits for.
+  [[nodiscard]] const robot::LooseMotion& loose() const { return loose_; }
+
+  // --- Plans.
+  /// Where a command starts that is sent now.
+  [[nodiscard]] Origin origin(Instant now) const;
+  /// Of a command of a goal that waits; no plan where its origin is not known.
+  [[nodiscard]] Planned plan(const blocks::Command& command, const std::optional<Origin>& origin) const;
+  /// The same of a whole goal, as work that may be done on another thread: with copies of all it needs.
+  [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Goal& goal,
+                                           const std::optional<Origin>& origin) const;
+  /// The command as it goes out now, without a tag; else what speaks against it.
+  [[nodiscard]] Result<CommandOrder, blocks::Failure> order(const blocks::Command& command,
+                                                            Instant now) const;
+
+  // --- What went out, and what became of it.
+  void sent(const CommandOrder& order, Instant now);
+  void accepted(const CommandOrder& order, Instant now);
+  /// Its tag is complete.
+  void arrived(const CommandOrder& order, Instant now);
+  /// A status frame came, or the stream stopped. `patience`: for a robot that stands on its way.
+  void robotChanged(Duration patience, Instant now);
+  /// The robot stands, and its queue is empty.
+  void stopped();
+  /// Nobody can tell whether it does; `found`: why, `target`: of what was to be stopped.
+  void stopFailed(const std::string& found, const std::optional<robot::Target>& target, Instant now);
+  /// A stop went out that may have emptied the queue, or not.
+  void queueMayBeEmptied();
+  /// Where it goes is not known any more.
+  void forgetPath() { queue_.forget(); }
+  /// Nothing of ours is in the controller's queue.
+  void queueDone() { burden_.queueDone(); }
+  /// Behind the next connection there may be another robot, or a project that has begun anew.
+  void disconnected();
+
+ private:
+  void takeBurden(const script::ScriptCommand& command, bool behind_motion);
+  void weigh();
+  /// For a marker.
+  void tellPath(const CommandOrder& order);
+
+  std::shared_ptr<const arm::ArmModel> arm_;
+  robot::RobotWatch& robot_;
+  std::vector<Action>& actions_;
+  PlannedQueue queue_;
+  robot::FrameWatch frames_;
+  robot::Burden burden_;
+  robot::LooseMotion loose_;
+};
+
+}  // namespace cobot_command::command

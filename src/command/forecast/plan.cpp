@@ -1,0 +1,80 @@
+#include "forecast/plan.h"
+
+#include <algorithm>
+
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/refusal_failure.h"
+#include "cobot_command/common/units.h"
+#include "cobot_command/planning/sampling.h"
+
+namespace cobot_command::command {
+namespace {
+
+/// A motion that is no longer than this in any joint ends next to where it began.
+constexpr double kNextTo = degToRad(0.5);  // [rad]
+/// Of one motion, for a marker.
+constexpr std::size_t kPathPoints = 60;
+
+std::optional<robot::Target> targetOf(const std::vector<script::ScriptCommand>& commands, const Plan& plan) {
+  const auto kind = robot::targetKindOf(commands);
+  const auto& end = plan.end.start;
+  if (!kind || plan.motions.empty() || !end.joints) return std::nullopt;
+  if (*kind != robot::TargetKind::Joints && !(plan.end.frames_told && end.tcp)) return std::nullopt;
+  const arm::JointVector begin = plan.motions.front()->at(Duration::zero()).position;
+  const double way = (*end.joints - begin).cwiseAbs().maxCoeff();
+  return robot::Target{*kind, *end.joints, end.tcp.value_or(arm::Pose::Identity()), way <= kNextTo};
+}
+
+}  // namespace
+
+Planned planFor(const arm::ArmModel* arm, const std::vector<script::ScriptCommand>& commands,
+                const Origin& origin) {
+  if (arm == nullptr) return std::optional<Plan>();
+  planning::ScriptPlanner planner = origin.behind.value_or(planning::ScriptPlanner(*arm, origin.start));
+  Plan plan;
+  plan.tcp = origin.start.tcp.value_or(arm::Pose::Identity());
+  plan.arrival = origin.arrival;
+  std::optional<Duration> begin;
+  for (const script::ScriptCommand& command : commands) {
+    const auto step = planner.append(command, origin.arrival);
+    if (!step) return refuse(blocks::toFailure(step.error()));
+    if (!step->planned) return std::optional<Plan>();
+    if (!step->trajectory) continue;
+    if (!begin) begin = step->start;
+    plan.motions.push_back(step->trajectory);
+  }
+  if (begin) {
+    plan.start_delay = std::max(Duration::zero(), *begin - origin.arrival);
+    plan.duration = planner.duration() - *begin;
+  }
+  plan.end = {planner.end(), planner, Duration::zero(), origin.frames_told};
+  plan.target = targetOf(commands, plan);
+  return std::optional<Plan>(std::move(plan));
+}
+
+Result<blocks::Order, blocks::Failure> linesOf(const blocks::Command& command,
+                                               const std::optional<arm::Pose>& base) {
+  if (command.traits.needs_base && !base) {
+    return refuse(blocks::Failure{blocks::own_error::kBaseUnknown, "", ""});
+  }
+  return command.order(base.value_or(arm::Pose::Identity()));
+}
+
+Planned planFor(const arm::ArmModel* arm, const blocks::Command& command,
+                const std::optional<arm::Pose>& base, const std::optional<Origin>& origin) {
+  const auto order = linesOf(command, base);
+  if (!order) return refuse(order.error());
+  if (!origin || !order->commands) return std::optional<Plan>();
+  return planFor(arm, *order->commands, *origin);
+}
+
+std::vector<arm::Pose> toolPathOf(const Plan& plan, const arm::ArmModel& arm) {
+  std::vector<arm::Pose> path;
+  for (const auto& motion : plan.motions) {
+    const auto poses = planning::toolPath(arm, *motion, plan.tcp, kPathPoints);
+    path.insert(path.end(), poses.begin(), poses.end());
+  }
+  return path;
+}
+
+}  // namespace cobot_command::command
