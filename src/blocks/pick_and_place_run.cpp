@@ -45,13 +45,17 @@ bool PickAndPlaceRun::isLast() const {
   return step_ + 1 == goal_.steps.size() && goal_.cycles != 0 && cycle_ >= goal_.cycles;
 }
 
-void PickAndPlaceRun::commandProgressed(const Progress& progress) {
+void PickAndPlaceRun::commandProgressed(CommandKey /*key*/, const Progress& progress) {
   Progress mine = progress;
   mine.fraction = (static_cast<double>(step_) + progress.fraction) / static_cast<double>(goal_.steps.size());
   tell(std::move(mine));
 }
 
-void PickAndPlaceRun::commandEnded(const Outcome& outcome, Instant now) {
+void PickAndPlaceRun::commandEnded(CommandKey /*key*/, const Outcome& outcome, Instant now) {
+  endPart(outcome, now);
+}
+
+void PickAndPlaceRun::endPart(const Outcome& outcome, Instant now) {
   under_way_ = false;
   if (outcome.ending == Ending::Aborted || outcome.ending == Ending::Rejected) {
     if (outcome.error_id == motion_error::kLinkDropped) {
@@ -91,7 +95,7 @@ void PickAndPlaceRun::goOn(Instant now) {
   }
 }
 
-void PickAndPlaceRun::commandRefused(const Failure& failure, Instant now) {
+void PickAndPlaceRun::commandRefused(CommandKey /*key*/, const Failure& failure, Instant now) {
   const bool sets = state_ == State::Setting;
   const Outcome refusal =
       toOutcome(sets ? kBlock<SetOutputGoal> : kBlock<MoveAbsoluteGoal>, Ending::Rejected, failure);
@@ -253,7 +257,7 @@ void PickAndPlaceRun::followWait(Instant now) {
   }
   if (!wait_->outcome()) return;
   const auto done = std::exchange(wait_, nullptr);
-  commandEnded(*done->outcome(), now);
+  endPart(*done->outcome(), now);
 }
 
 void PickAndPlaceRun::startDwell(Instant now) {

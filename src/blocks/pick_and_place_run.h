@@ -34,10 +34,10 @@ class PickAndPlaceRun final : public Run {
   [[nodiscard]] std::optional<Command> next() const override;
   /// Which cycle is the last, finish() may change until the move is done.
   [[nodiscard]] bool leavesNode() const override;
-  void commandStarted() override { under_way_ = true; }
-  void commandProgressed(const Progress& progress) override;
-  void commandEnded(const Outcome& outcome, Instant now) override;
-  void commandRefused(const Failure& failure, Instant now) override;
+  void commandStarted(CommandKey /*key*/) override { under_way_ = true; }
+  void commandProgressed(CommandKey key, const Progress& progress) override;
+  void commandEnded(CommandKey key, const Outcome& outcome, Instant now) override;
+  void commandRefused(CommandKey key, const Failure& failure, Instant now) override;
 
   /// A link that was lost already stays the reason.
   void cancel(const std::string& why, Instant now) override;
@@ -54,6 +54,8 @@ class PickAndPlaceRun final : public Run {
   using Event = PickAndPlaceEvent;
 
   void fire(Event event, Instant now);
+  /// Of the step: a command, or the wait for an input.
+  void endPart(const Outcome& outcome, Instant now);
   /// Behind a part of the step that is over.
   void goOn(Instant now);
   void startWait(Instant now);

@@ -1,9 +1,8 @@
-// What everyone may know: the latched status, the active frames, planned paths, the flight recorder.
+// What everyone may know: the latched status and the active frames.
 
 #include <utility>
 
 #include "core_impl.h"
-#include <fmt/format.h>
 
 #include "cobot_command/robot/diagnosis.h"
 
@@ -30,52 +29,50 @@ CommandStatus::LinkState toLinkState(link::ScriptLinkState state) {
 
 }  // namespace
 
-std::string CommandCore::Impl::linkDiagnosis() const {
-  std::string text = script_.diagnosis();
-  if (automaticLinkEnded()) {
-    text += text.empty() ? "" : "; ";
-    text +=
-        "the connect goal that was cancelled has ended the automatic link (auto_connect): send a connect "
-        "goal, or start the node again";
+std::string CommandCore::Impl::diagnosis() const {
+  std::string text = keeper_.endedByCancel() ? keeper_.diagnosis() : robot::diagnose(links_.script(), robot_);
+  const robot::OrphanWatch& orphan = arbiter_.stops().orphan();
+  const std::string orphan_text = orphan.mayMove() ? orphan.text() : "";
+  for (const std::string& more :
+       {orphan_text, strangers_.text(), forecast_.loose().text(), keeper_.textOfTheRobotLeft()}) {
+    if (!more.empty()) text += "; " + more;
   }
   return text;
 }
 
-std::string CommandCore::Impl::textOfTheRobotLeft() const {
-  return fmt::format("the link to {}:{} was lost with a motion under way: {}", left_moving_->host,
-                     left_moving_->port, robot::LooseMotion::kMayStillMove);
+CommandStatus CommandCore::Impl::status() const {
+  const link::ScriptLink& script = links_.script();
+  const ConnectRun& connect = keeper_.run();
+  const bool next_is_planned = arbiter_.queue().plansTheNext();
+  CommandStatus status;
+  status.link = toLinkState(script.state());
+  if (status.link == CommandStatus::LinkState::Ready && !connect.ready()) {
+    status.link = CommandStatus::LinkState::Probing;
+  }
+  status.diagnosis = diagnosis();
+  status.host = connect.target().host;
+  status.port = connect.target().port;
+  status.listen_node = script.listenNode();
+  status.status_stream = links_.status().streaming();
+  status.status_diagnosis = links_.status().diagnosis();
+  status.last_connected = connect.lastConnected();
+  status.last_lost = connect.lastLost();
+  status.commands_under_way = arbiter_.turns().run() != nullptr || next_is_planned ? 1 : 0;
+  status.commands_waiting = static_cast<int>(arbiter_.queue().size()) - (next_is_planned ? 1 : 0);
+  status.queue_depth = status.commands_under_way + status.commands_waiting;
+  status.waiting_return = arbiter_.turns().busyWith().has_value();
+  status.open_tags = tags_.openTags();
+  status.late_replies = script.lateReplies() + tags_.staleReports() + links_.lateEvents();
+  status.decode_faults = script.decodeFaults() + links_.status().decodeFaults();
+  status.blocks = board_.outputs();
+  return status;
 }
 
 void CommandCore::Impl::publishStatus() {
-  CommandStatus status;
-  status.link = toLinkState(script_.state());
-  if (status.link == CommandStatus::LinkState::Ready && !connect_.ready()) {
-    status.link = CommandStatus::LinkState::Probing;
-  }
-  status.diagnosis = robot::diagnose(script_, robot_);
-  if (automaticLinkEnded()) status.diagnosis = linkDiagnosis();
-  if (orphan_.mayMove()) status.diagnosis += fmt::format("; {}", orphan_.text());
-  if (const std::string text = strangers_.text(); !text.empty()) status.diagnosis += "; " + text;
-  if (!forecast_.loose().text().empty()) status.diagnosis += "; " + forecast_.loose().text();
-  if (left_moving_) status.diagnosis += "; " + textOfTheRobotLeft();
-  status.host = connect_.target().host;
-  status.port = connect_.target().port;
-  status.listen_node = script_.listenNode();
-  status.status_stream = status_.streaming();
-  status.status_diagnosis = status_.diagnosis();
-  status.last_connected = connect_.lastConnected();
-  status.last_lost = connect_.lastLost();
-  status.commands_under_way = run_ || plansTheNext() ? 1 : 0;
-  status.commands_waiting = static_cast<int>(waiting_.size()) - (plansTheNext() ? 1 : 0);
-  status.queue_depth = status.commands_under_way + status.commands_waiting;
-  status.waiting_return = busyBlock().has_value();
-  status.open_tags = tags_.openTags();
-  status.late_replies = script_.lateReplies() + tags_.staleReports() + links_.lateEvents();
-  status.decode_faults = script_.decodeFaults() + status_.decodeFaults();
-  status.blocks = board_.outputs();
-  if (status == published_) return;
-  published_ = status;
-  actions_.emplace_back(StatusChanged{std::move(status)});
+  CommandStatus now = status();
+  if (now == published_) return;
+  published_ = now;
+  actions_.emplace_back(StatusChanged{std::move(now)});
 }
 
 void CommandCore::Impl::publishFrames() {
@@ -85,8 +82,8 @@ void CommandCore::Impl::publishFrames() {
   actions_.emplace_back(ActiveFramesChanged{std::move(frames)});
 }
 
-void CommandCore::Impl::log(Severity severity, std::string text) {
-  actions_.emplace_back(LogMessage{severity, std::move(text)});
+void CommandCore::Impl::warn(std::string text) {
+  actions_.emplace_back(LogMessage{Severity::Warning, std::move(text)});
 }
 
 }  // namespace cobot_command::command

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,14 +19,11 @@
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/finish.h"
 #include "cobot_command/command/planning_job.h"
+#include "cobot_command/command/waiting_goals.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
 
 namespace cobot_command::command {
-
-/// The newest goal that has come anywhere, also where goals wait before they are submitted. Goals count up
-/// in the order in which they came.
-using NewestGoal = std::function<blocks::GoalId()>;
 
 class CommandCore {
  public:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/outcome.h"
@@ -11,6 +12,10 @@ namespace cobot_command::command {
 
 /// In each of the places where they wait.
 inline constexpr std::size_t kMostWaiting = 64;
+
+/// The newest goal that has come anywhere, also where goals wait before they are submitted. Goals count up
+/// in the order in which they came.
+using NewestGoal = std::function<blocks::GoalId()>;
 
 /// Whether it ends with a command in front of it that fails or is cancelled. What begins nothing at the robot
 /// does not, nor what halts it or makes its connection.

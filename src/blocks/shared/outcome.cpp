@@ -1,5 +1,6 @@
 #include "cobot_command/blocks/shared/outcome.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -87,6 +88,11 @@ Outcome commandAborted(std::string why) {
   outcome.ending = Ending::CommandAborted;
   outcome.error_description = std::move(why);
   return outcome;
+}
+
+void sortByTable(std::vector<Failure>& failures) {
+  std::stable_sort(failures.begin(), failures.end(),
+                   [](const Failure& a, const Failure& b) { return a.error_id < b.error_id; });
 }
 
 Outcome toRejection(Block block, const std::vector<Failure>& failures) {

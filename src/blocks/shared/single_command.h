@@ -16,9 +16,9 @@ class SingleCommand final : public Run {
   [[nodiscard]] std::optional<Command> next() const override {
     return sent_ ? std::nullopt : std::make_optional(command_);
   }
-  void commandStarted() override { sent_ = true; }
-  void commandProgressed(const Progress& progress) override { report(progress); }
-  void commandEnded(const Outcome& outcome, Instant /*now*/) override { end(outcome); }
+  void commandStarted(CommandKey /*key*/) override { sent_ = true; }
+  void commandProgressed(CommandKey /*key*/, const Progress& progress) override { report(progress); }
+  void commandEnded(CommandKey /*key*/, const Outcome& outcome, Instant /*now*/) override { end(outcome); }
   /// It is its command that is cancelled.
   void cancel(const std::string& /*why*/, Instant /*now*/) override {}
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/failure.h"
 
 namespace cobot_command::command {
 namespace {
@@ -52,6 +53,11 @@ void OutputBoard::open(blocks::Block block, blocks::GoalId goal) {
 void OutputBoard::reject(blocks::Block block, blocks::GoalId goal, blocks::Outcome outcome) {
   if (!of(block).busy) of(block) = ended(block, outcome);
   actions_.push_back(GoalEnded{block, goal, std::move(outcome)});
+}
+
+void OutputBoard::abortAsItComes(blocks::Block block, blocks::GoalId goal, const std::string& why) {
+  wait(block, goal);
+  end(block, goal, blocks::commandAborted(why));
 }
 
 void OutputBoard::answer(blocks::Block block, blocks::GoalId goal, blocks::Outcome outcome) {

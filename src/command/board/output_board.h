@@ -1,6 +1,7 @@
 // The PLCopen outputs of all blocks, and the actions that tell of them: the one place that ends goals.
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,8 @@ class OutputBoard {
   void answer(blocks::Block block, blocks::GoalId goal, blocks::Outcome outcome);
   /// The goal waits for its turn: Busy, and not accepted yet.
   void wait(blocks::Block block, blocks::GoalId goal);
+  /// Of a goal that may not even wait.
+  void abortAsItComes(blocks::Block block, blocks::GoalId goal, const std::string& why);
   void accept(blocks::Block block, blocks::GoalId goal, int command_id_ack);
   void progress(blocks::Block block, blocks::GoalId goal, blocks::Progress progress);
   /// Of a goal that waited or was accepted. With another goal of the same block still open, the block stays

@@ -6,6 +6,7 @@
 #include "forecast/plan.h"
 
 #include "cobot_command/blocks/shared/block.h"
+#include "cobot_command/blocks/shared/command.h"
 #include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/blocks/shared/order.h"
 #include "cobot_command/common/time.h"
@@ -16,6 +17,7 @@ namespace cobot_command::command {
 struct CommandOrder : blocks::Order {
   blocks::Block block{};
   blocks::GoalId goal = 0;
+  blocks::CommandKey key = 0;
   int command_id_ack = 0;
   std::optional<int> tag;         ///< open in the ledger; none: done as soon as it is accepted
   bool exits_node = false;        ///< ScriptExit() is to stand behind its lines

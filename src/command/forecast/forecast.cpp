@@ -86,6 +86,7 @@ Result<CommandOrder, blocks::Failure> Forecast::order(const blocks::Command& com
   CommandOrder order;
   static_cast<blocks::Order&>(order) = std::move(*lines);
   order.block = command.block;
+  order.key = command.key;
   order.reply_timeout = command.traits.reply_timeout;
   if (!order.commands) return order;
   auto planned = planFor(arm(), *order.commands, origin(now));

@@ -1,6 +1,7 @@
 // One script that a run wants sent, with all that has to be known of it; the same for every block.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -13,7 +14,11 @@
 
 namespace cobot_command::blocks {
 
+/// By which a run tells its commands apart; of its own choosing.
+using CommandKey = std::uint64_t;
+
 struct Command {
+  CommandKey key = 0;
   Block block{};  ///< whose errors it fails with
   GoalTraits traits;
   /// Its lines, when the active base is `base` in the robot base.

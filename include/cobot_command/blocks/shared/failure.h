@@ -38,6 +38,9 @@ struct Failure {
 /// Precondition: the block's catalogue has the id.
 [[nodiscard]] Outcome toOutcome(Block block, Ending ending, const Failure& failure);
 
+/// As the tables of the blocks have them; those of one id keep their order.
+void sortByTable(std::vector<Failure>& failures);
+
 /// The first failure decides the id; the description lists the others. Precondition: not empty.
 [[nodiscard]] Outcome toRejection(Block block, const std::vector<Failure>& failures);
 

@@ -1,0 +1,102 @@
+// The arbiter: which goal is refused, which waits, which one's turn it is, and what falls with whom. It knows
+// no block but those that make and end everything else: connect and stop.
+//
+// What goes out beside all others, and the stop, have paths of their own to the wire.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "arbiter/core_parts.h"
+#include "arbiter/goal_plans.h"
+#include "arbiter/goal_queue.h"
+#include "arbiter/stop_desk.h"
+#include "arbiter/turns.h"
+#include "forecast/plan_desk.h"
+#include "runs/command_window.h"
+#include "runs/stop_run.h"
+
+#include "cobot_command/command/finish.h"
+#include "cobot_command/command/planning_job.h"
+
+namespace cobot_command::command {
+
+class Arbiter {
+ public:
+  /// `frames`, `newest`, `planning`: see CommandCore.
+  Arbiter(const CoreParts& parts, blocks::FrameFinder frames, NewestGoal newest, Planning planning);
+  Arbiter(const Arbiter&) = delete;
+  Arbiter& operator=(const Arbiter&) = delete;
+
+  // --- Goals.
+  /// Executes it, has it wait, or ends it.
+  void take(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest);
+  FinishReport finish(blocks::FinishAfter after, Instant now, std::optional<blocks::GoalId> newest);
+  /// All are to end as CommandAborted; a robot that moves is told to stop.
+  void retire(const std::string& why, Instant now);
+  /// All end now, as CommandAborted.
+  void shutDown(const std::string& why, Instant now);
+  void planned(PlanJobId id, PlanAnswer answer) { plans_.answered(id, std::move(answer)); }
+
+  // --- Events.
+  void linkLost(const std::string& reason, Instant now);
+  /// There is no connection, for whatever reason: what needs none but for a try ends, too.
+  void disconnected(const std::string& reason, Instant now);
+  void answered(const link::ScriptAnswered& event, Instant now);
+  /// False when nobody waits for that tag.
+  bool tagReported(const link::TagReported& event, Instant now) { return window_.tagReported(event, now); }
+  void tagQueryFailed(const link::TagQueryFailed& event, Instant now) { window_.tagQueryFailed(event, now); }
+  void robotChanged(Instant now);
+  void advance(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  // --- What follows from an event, to be called behind it until nothing changes.
+  /// Ends what has ended.
+  void settle(Instant now);
+  void watchOrphan(Instant now) { stops_.watchOrphan(now); }
+  void dispatch(Instant now) { turns_.dispatch(now); }
+  /// Once, at the end: the next plan, and what those that wait are told.
+  void proceed(Instant now);
+
+  // --- What is there.
+  /// Nothing of any goal is at the controller.
+  [[nodiscard]] bool idle() const;
+  [[nodiscard]] bool stopping() const { return stops_.busy(); }
+  /// Of what has been sent, something may still move the robot.
+  [[nodiscard]] bool mayMove() const;
+  /// Whatever moves may be moved by this layer.
+  [[nodiscard]] bool mayBeMovedByUs() const;
+  [[nodiscard]] const Turns& turns() const { return turns_; }
+  [[nodiscard]] const GoalQueue& queue() const { return queue_; }
+  [[nodiscard]] const StopDesk& stops() const { return stops_; }
+
+ private:
+  void connect(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void stopOnRequest(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  /// Planned from where the robot will be, and answered.
+  void answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
+  void enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
+  /// True when there are any: then it has ended with them.
+  bool rejected(blocks::GoalId id, const blocks::Goal& goal, std::vector<blocks::Failure> failures);
+  /// Everything that is Busy is to end as CommandAborted, with a stop when it moves; `newest`: see
+  /// GoalQueue::dropAll().
+  void abortAll(const std::string& why, blocks::GoalId newest, Instant now);
+  /// The same, with a stop whatever there is.
+  void stopAll(const std::string& why, blocks::GoalId newest, Instant now);
+  void settleStops(Instant now);
+  void settleBeside(Instant now);
+
+  CoreParts parts_;
+  PlanDesk desk_;
+  GoalQueue queue_;
+  StopRun stop_;
+  CommandWindow window_;
+  StopDesk stops_;
+  GoalPlans plans_;
+  Turns turns_;
+};
+
+}  // namespace cobot_command::command

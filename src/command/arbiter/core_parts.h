@@ -1,0 +1,29 @@
+// What the parts of the arbiter use of the core.
+#pragma once
+
+#include <vector>
+
+#include "board/output_board.h"
+#include "forecast/forecast.h"
+#include "runs/link_keeper.h"
+
+#include "cobot_command/command/actions.h"
+#include "cobot_command/link/script_link.h"
+#include "cobot_command/link/tag_ledger.h"
+#include "cobot_command/robot/robot_watch.h"
+
+namespace cobot_command::command {
+
+/// All of them live longer than who has this.
+struct CoreParts {
+  const link::LinkSettings& settings;
+  link::ScriptLink& script;
+  link::TagLedger& tags;
+  robot::RobotWatch& robot;
+  LinkKeeper& keeper;
+  Forecast& forecast;
+  OutputBoard& board;
+  std::vector<Action>& actions;
+};
+
+}  // namespace cobot_command::command

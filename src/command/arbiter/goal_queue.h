@@ -1,0 +1,85 @@
+// The goals that wait for their turn, in their order, and what falls with whom.
+//
+// They wait here, not in the controller: there, nothing could be taken out of the queue again.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "board/output_board.h"
+#include "forecast/plan.h"
+#include "forecast/plan_desk.h"
+
+#include "cobot_command/command/actions.h"
+#include "cobot_command/command/waiting_goals.h"
+
+namespace cobot_command::command {
+
+/// A goal that was checked, and is not on the wire yet.
+struct Waiting {
+  blocks::GoalId id = 0;
+  blocks::Goal goal;
+  bool takes_over = false;               ///< once the stop that is under way for it is confirmed
+  int told_place = 0;                    ///< in the queue, as last reported; 0: not yet
+  std::optional<Origin> end;             ///< where it will leave the robot, as far as that can be foreseen
+  PlanJobId job = 0;                     ///< that plans it as a whole, when its turn has come
+  std::optional<blocks::Outcome> found;  ///< by that
+};
+
+class GoalQueue {
+ public:
+  /// All have to live longer. `newest`: see CommandCore; may be empty.
+  GoalQueue(OutputBoard& board, PlanDesk& plans, std::vector<Action>& actions, NewestGoal newest)
+      : board_(board), plans_(plans), actions_(actions), newest_(std::move(newest)) {}
+
+  /// A goal was submitted, of whatever kind.
+  void came(blocks::GoalId id) { newest_submitted_ = std::max(newest_submitted_, id); }
+  /// The newest that has come anywhere.
+  [[nodiscard]] blocks::GoalId newest() const { return newest_ ? newest_() : newest_submitted_; }
+
+  [[nodiscard]] bool empty() const { return waiting_.empty(); }
+  [[nodiscard]] std::size_t size() const { return waiting_.size(); }
+  /// Precondition of all three: not empty.
+  [[nodiscard]] Waiting& front() { return waiting_.front(); }
+  [[nodiscard]] const Waiting& front() const { return waiting_.front(); }
+  [[nodiscard]] const Waiting& back() const { return waiting_.back(); }
+  [[nodiscard]] Waiting* find(blocks::GoalId id);
+  /// The first one is planned as a whole, as its turn has come.
+  [[nodiscard]] bool plansTheNext() const { return !empty() && front().job != 0; }
+
+  void push(Waiting waiting);
+  /// It is its turn. Precondition: not empty.
+  [[nodiscard]] Waiting take();
+  /// When it waits: one goal, that was cancelled.
+  bool drop(blocks::GoalId id, const std::string& why);
+  /// All, and those that wait in front of the core: up to `newest`, the last that had come when `why` did.
+  void dropAll(const std::string& why, blocks::GoalId newest);
+  /// With all that came until now, as nobody can know yet what makes them fall.
+  void dropAll(const std::string& why) { dropAll(why, newest()); }
+  /// Behind a stop that was not confirmed: all, and a take-over, which waited for it, fails.
+  void dropUnstopped(const std::string& why);
+  /// Why a goal that comes now fell before it came; nothing: it did not.
+  [[nodiscard]] std::optional<std::string> fell(blocks::GoalId id, const blocks::Goal& goal) const;
+  /// Of a goal that was taken out.
+  void forgetPlan(blocks::GoalId id) { static_cast<void>(plans_.drop(id)); }
+  /// What was foreseen for those that wait stands on what was in front of them.
+  void forgetForecasts();
+  /// To each whose place is another one; `text`: for people.
+  void tellPlaces(const std::function<std::string(int place)>& text);
+
+ private:
+  OutputBoard& board_;
+  PlanDesk& plans_;
+  std::vector<Action>& actions_;
+  std::deque<Waiting> waiting_;
+  NewestGoal newest_;
+  blocks::GoalId newest_submitted_ = 0;
+  CommandsFell fell_{0, ""};  ///< the last that fell
+};
+
+}  // namespace cobot_command::command

@@ -1,0 +1,268 @@
+#include "arbiter/turns.h"
+
+#include <cassert>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/robot_failure.h"
+#include "cobot_command/common/deadline.h"
+
+namespace cobot_command::command {
+namespace {
+
+/// Nothing is known that speaks against it; it is only not known enough.
+bool couldNotBePlanned(const blocks::Outcome& found) {
+  return found.error_id == blocks::own_error::kStartUnknown ||
+         found.error_id == blocks::own_error::kNoModel || found.error_id == blocks::own_error::kBaseUnknown;
+}
+
+}  // namespace
+
+Turns::Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder frames)
+    : parts_(parts), desks_(desks), frames_(std::move(frames)) {}
+
+// --- What is there.
+
+std::optional<blocks::Block> Turns::busyWith() const {
+  if (desks_.stops.executes()) return StopGoals::kBlock;
+  if (run_) return run_->block();
+  if (!desks_.queue.empty()) return blockOf(desks_.queue.front().goal);
+  return std::nullopt;
+}
+
+std::vector<blocks::Failure> Turns::objectionsToAny(blocks::BufferMode mode) const {
+  Failures failures = parts_.keeper.objectionsToCommands();
+  if (failures.empty() && !parts_.keeper.run().ready()) {
+    return {{blocks::motion_error::kNotConnected, "the first status frame is still awaited", "Wait for it"}};
+  }
+  if (!failures.empty() && failures.front().error_id == blocks::motion_error::kNotConnected) return failures;
+  const auto busy = busyWith();
+  if (mode == blocks::BufferMode::Refuse && busy) {
+    failures.push_back({blocks::motion_error::kOtherBlockBusy, toString(*busy), ""});
+  }
+  if (mode == blocks::BufferMode::Buffered && desks_.queue.size() >= kMostWaiting) {
+    failures.push_back(blocks::tooManyWait(desks_.queue.size()));
+  }
+  if (parts_.robot.emergencyStop()) failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
+  if (parts_.robot.inError()) failures.push_back(blocks::robotError(parts_.robot));
+  if (mode == blocks::BufferMode::Refuse && desks_.stops.holdsBack() && !desks_.stops.busy()) {
+    failures.push_back({blocks::own_error::kOrphanMoves, desks_.stops.heldBackBy(), ""});
+  }
+  return failures;
+}
+
+std::optional<Origin> Turns::originBehindAll(Instant now) const {
+  if (!desks_.queue.empty()) return desks_.queue.back().end;
+  if (!run_ || run_->leavesTheRobot()) return parts_.forecast.origin(now);
+  return run_->isOneCommand() ? desks_.window.end() : std::nullopt;
+}
+
+// --- Begins.
+
+void Turns::dispatch(Instant now) {
+  while (hasRoom() && !desks_.stops.busy() && !desks_.stops.holdsBack()) {
+    if (run_) {
+      if (!continueRun(now)) return;
+    } else if (!desks_.queue.empty()) {
+      if (!beginNext(now)) return;
+    } else {
+      return;
+    }
+    settle(now);
+  }
+}
+
+/// Nothing (false) as long as it is planned as a whole.
+bool Turns::beginNext(Instant now) {
+  Waiting& first = desks_.queue.front();
+  const Failures failures = objectionsTo(first);
+  if (failures.empty() && !first.found && blocks::GoalRules(first.goal).isPlanned()) {
+    if (first.job == 0) {
+      first.job = desks_.plans.ask(first.id, first.goal, parts_.forecast.origin(now), PlanDesk::Haste::Turn);
+      first.told_place = 0;  // what it waits for is another thing now
+    }
+    if (!first.found) return false;
+  }
+  const Waiting next = desks_.queue.take();
+  if (failures.empty()) {
+    begin(next, now);
+  } else {
+    refuseTurn(next, toRejection(blockOf(next.goal), failures));
+  }
+  return true;
+}
+
+Turns::Failures Turns::objectionsTo(const Waiting& next) const {
+  Failures failures = objectionsToAny(blocks::BufferMode::Aborting);
+  const bool has_waited = next.told_place > 0;
+  if (failures.empty() && has_waited) {
+    if (auto moved = blocks::GoalRules(next.goal).findMovedFrame(frames_)) {
+      failures.push_back(std::move(*moved));
+    }
+  }
+  return failures;
+}
+
+void Turns::begin(const Waiting& next, Instant now) {
+  blocks::Outcome found = next.found.value_or(blocks::Outcome());
+  if (found.ending == blocks::Ending::Rejected && !couldNotBePlanned(found)) {
+    refuseTurn(next, std::move(found));
+    return;
+  }
+  auto run = blocks::GoalRules(next.goal).run(next.id, found, now);
+  if (run->isOneCommand()) {
+    beginCommand(next, std::move(run), now);
+  } else {
+    parts_.board.accept(run->block(), next.id, 0);
+    run_ = std::move(run);
+    run_->robotChanged(parts_.robot, now);
+  }
+}
+
+void Turns::beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now) {
+  auto order = desks_.window.prepare(*run->next(), now);
+  if (!order) {
+    refuseTurn(next, toRejection(run->block(), {order.error()}));
+    return;
+  }
+  parts_.board.accept(run->block(), next.id, order->command_id_ack);
+  run_ = std::move(run);
+  send(std::move(*order), now);
+}
+
+/// What waits behind it stands on where it would have left the robot. When it has not waited itself, nothing
+/// waits behind it: it is refused as it comes, like a goal that is wrong by itself, and takes none with it.
+void Turns::refuseTurn(const Waiting& next, blocks::Outcome refusal) {
+  const blocks::Block block = blocks::blockOf(next.goal);
+  desks_.queue.forgetPlan(next.id);
+  if (next.told_place > 0) {
+    desks_.queue.dropAll(fmt::format("the command in front of it, {}, was refused", toString(block)));
+  }
+  parts_.board.end(block, next.id, std::move(refusal));
+}
+
+/// Nothing (false) as long as the run has nothing to send.
+bool Turns::continueRun(Instant now) {
+  const auto command = run_->next();
+  if (!command) return false;
+  if (command->leaves_only && !parts_.keeper.objectionsToCommands().empty()) {
+    run_->commandEnded(command->key, {}, now);  // the flow has left the node by itself
+    return true;
+  }
+  auto order = prepareNext(*command, now);
+  if (order) {
+    send(std::move(*order), now);
+  } else {
+    run_->commandRefused(command->key, order.error(), now);
+  }
+  return true;
+}
+
+Result<CommandOrder, blocks::Failure> Turns::prepareNext(const blocks::Command& command, Instant now) {
+  const Failures failures = objectionsToAny(blocks::BufferMode::Aborting);
+  if (!failures.empty()) return refuse(failures.front());
+  if (command.find_moved_frame) {
+    if (auto moved = command.find_moved_frame(frames_)) return refuse(std::move(*moved));
+  }
+  return desks_.window.prepare(command, now);
+}
+
+void Turns::send(CommandOrder order, Instant now) {
+  order.goal = run_->goal();
+  run_->commandStarted(order.key);
+  desks_.stops.commanded();
+  desks_.window.send(std::move(order), now);
+}
+
+// --- Ends.
+
+void Turns::settle(Instant now) {
+  for (const auto& [key, progress] : desks_.window.takeProgress()) run_->commandProgressed(key, progress);
+  while (auto ended = desks_.window.takeEnded()) endCommand(std::move(*ended), now);
+  endRun(now);
+}
+
+void Turns::endCommand(CommandWindow::Ended ended, Instant now) {
+  if (ended.leaves_node && run_->leavesNode() && parts_.keeper.objectionsToCommands().empty()) {
+    desks_.stops.commanded();
+    desks_.window.leaveNode(std::move(ended), now);
+    return;
+  }
+  if (ended.outcome.ending == blocks::Ending::Aborted) parts_.robot.takeBackAcknowledgement();
+  run_->commandEnded(ended.order.key, ended.outcome, now);
+  run_->robotChanged(parts_.robot, now);
+}
+
+void Turns::endRun(Instant now) {
+  if (!run_) return;
+  for (blocks::Progress& progress : run_->takeProgress()) {
+    parts_.board.progress(run_->block(), run_->goal(), std::move(progress));
+  }
+  if (!run_->outcome()) return;
+  assert(desks_.window.empty());
+  const auto done = std::exchange(run_, nullptr);
+  if (done->outcome()->ending == blocks::Ending::Aborted) {
+    if (done->leavesMotions()) desks_.stops.askIfMoving(now);
+    // Before the end of the goal itself: its error is what the block shows then.
+    desks_.queue.dropAll(fmt::format("the command in front of it, {}, failed", toString(done->block())));
+  }
+  parts_.board.end(done->block(), done->goal(), *done->outcome());
+}
+
+void Turns::cancel(const std::string& why, Instant now) {
+  if (!run_ || !desks_.window.empty()) parts_.forecast.forgetPath();  // else it stays as it is
+  if (run_) run_->cancel(why, now);
+  desks_.window.cancel(why, now);
+}
+
+void Turns::abandon(const std::string& why, Instant now) {
+  if (run_) run_->cancel(why, now);
+  desks_.window.abandon(why, now);
+}
+
+void Turns::finish(blocks::FinishAfter after, Instant now) {
+  if (run_) run_->finish(after, now);
+}
+
+// --- Events.
+
+void Turns::linkLost(const std::string& reason, Instant now) {
+  desks_.window.linkLost(reason, now);
+  const auto patience =
+      parts_.robot.status() ? std::optional(parts_.settings.evidence_timeout) : std::nullopt;
+  if (run_) run_->linkLost(reason, patience, now);
+}
+
+void Turns::robotChanged(Instant now) {
+  desks_.window.robotChanged(now);
+  if (run_) run_->robotChanged(parts_.robot, now);
+}
+
+void Turns::advance(Instant now) {
+  desks_.window.advance(now);
+  if (run_) run_->advance(now);
+}
+
+std::optional<Instant> Turns::nextDeadline() const {
+  const auto next = desks_.window.nextDeadline();
+  return run_ ? earlier(next, run_->nextDeadline()) : next;
+}
+
+// --- What the goals that wait are told.
+
+void Turns::tellPlaces() {
+  desks_.queue.tellPlaces([this](int place) { return textOfPlace(place); });
+}
+
+std::string Turns::textOfPlace(int place) const {
+  if (place > 1) return "waits for its turn, others are in front of it";
+  if (run_) return "waits for its turn, one is in front of it";
+  if (desks_.queue.plansTheNext()) return "is planned as a whole, before its first move";
+  return desks_.stops.holdsBack() ? fmt::format("waits until the robot stands: {}", desks_.stops.heldBackBy())
+                                  : "waits for its turn, until the robot stands";
+}
+
+}  // namespace cobot_command::command

@@ -1,0 +1,82 @@
+// Whose turn it is: one goal at a time is under way, and as many commands of it at the controller as it may
+// have there. Blended motions end with their acceptance, so the next one goes out while they still run.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arbiter/core_parts.h"
+#include "arbiter/goal_plans.h"
+#include "arbiter/goal_queue.h"
+#include "arbiter/stop_desk.h"
+#include "runs/command_window.h"
+
+#include "cobot_command/blocks/shared/finish_after.h"
+#include "cobot_command/blocks/shared/frame_finder.h"
+#include "cobot_command/blocks/shared/run.h"
+
+namespace cobot_command::command {
+
+class Turns {
+ public:
+  /// What the arbiter is made of besides.
+  struct Desks {
+    GoalQueue& queue;
+    GoalPlans& plans;
+    StopDesk& stops;
+    CommandWindow& window;
+  };
+  /// All have to live longer. `frames`: see CommandCore.
+  Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder frames);
+
+  /// The goal whose turn it is; nullptr: none.
+  [[nodiscard]] const blocks::Run* run() const { return run_.get(); }
+  /// What a command would have to wait for; nothing: it would not.
+  [[nodiscard]] std::optional<blocks::Block> busyWith() const;
+  /// Why no command may be taken now, whatever it is; in table order.
+  [[nodiscard]] std::vector<blocks::Failure> objectionsToAny(blocks::BufferMode mode) const;
+  /// Where a command starts that comes behind all that is on the wire and waits; nothing when nobody knows.
+  [[nodiscard]] std::optional<Origin> originBehindAll(Instant now) const;
+
+  /// Begins what can begin.
+  void dispatch(Instant now);
+  /// Tells the goal what became of its commands, and ends it when it has ended.
+  void settle(Instant now);
+  /// Ends as CommandAborted, with a stop when it moves.
+  void cancel(const std::string& why, Instant now);
+  /// The same, now.
+  void abandon(const std::string& why, Instant now);
+  void finish(blocks::FinishAfter after, Instant now);
+  void tellPlaces();
+
+  void linkLost(const std::string& reason, Instant now);
+  void robotChanged(Instant now);
+  void advance(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+ private:
+  using Failures = std::vector<blocks::Failure>;
+
+  [[nodiscard]] bool hasRoom() const { return desks_.window.size() < (run_ ? run_->window() : 1); }
+  bool beginNext(Instant now);
+  [[nodiscard]] Failures objectionsTo(const Waiting& next) const;
+  void begin(const Waiting& next, Instant now);
+  void beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now);
+  void refuseTurn(const Waiting& next, blocks::Outcome refusal);
+  bool continueRun(Instant now);
+  [[nodiscard]] Result<CommandOrder, blocks::Failure> prepareNext(const blocks::Command& command,
+                                                                  Instant now);
+  void send(CommandOrder order, Instant now);
+  void endCommand(CommandWindow::Ended ended, Instant now);
+  void endRun(Instant now);
+  [[nodiscard]] std::string textOfPlace(int place) const;
+
+  CoreParts parts_;
+  Desks desks_;
+  blocks::FrameFinder frames_;
+  std::unique_ptr<blocks::Run> run_;
+};
+
+}  // namespace cobot_command::command

@@ -1,0 +1,214 @@
+#include "runs/command_window.h"
+
+#include <algorithm>
+
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/deadline.h"
+
+namespace cobot_command::command {
+namespace {
+
+/// A raw script may, unless it was planned and has no motion.
+bool mayMoveBy(const CommandOrder& order) {
+  return order.moves && !(order.plan && order.plan->motions.empty());
+}
+
+/// How the ScriptExit() behind a motion ended, with what is to be told of the motion.
+blocks::Outcome withMotion(const blocks::Outcome& exit, const blocks::Outcome& motion) {
+  blocks::Outcome outcome = motion;
+  outcome.ending = exit.ending;
+  outcome.error_id = exit.error_id;
+  outcome.remedy = exit.remedy;
+  if (exit.ending != blocks::Ending::Done) {
+    outcome.error_description =
+        exit.error_description + " (the motion was done, the Listen node was to be left)";
+  }
+  return outcome;
+}
+
+}  // namespace
+
+// --- In.
+
+Result<CommandOrder, blocks::Failure> CommandWindow::prepare(const blocks::Command& command, Instant now) {
+  auto order = forecast_.order(command, now);
+  if (!order) return order;
+  const blocks::GoalTraits& traits = command.traits;
+  // A tag is opened last, for what will be sent.
+  if (traits.awaits_motion) {
+    order->tag = context_.tags.open(traits.command_id);
+    if (!order->tag) return refuse(blocks::Failure{blocks::own_error::kNoFreeTag, "", ""});
+  }
+  order->command_id_ack = traits.command_id != 0 ? traits.command_id : order->tag.value_or(0);
+  order->exits_node = traits.exits_node && !order->tag;
+  order->exits_afterwards = traits.exits_node && order->tag;
+  addLastLines(*order);
+  return order;
+}
+
+void CommandWindow::send(CommandOrder order, Instant now) {
+  forecast_.sent(order, now);
+  ordered_.push_back({CommandRun(std::move(order), context_, now), {}});
+}
+
+void CommandWindow::sendBeside(const blocks::Command& command, blocks::GoalId goal, Instant now) {
+  CommandOrder order;
+  static_cast<blocks::Order&>(order) = command.order(arm::Pose::Identity());
+  order.block = command.block;
+  order.goal = goal;
+  order.command_id_ack = command.traits.command_id;
+  order.beside = true;
+  beside_.emplace_back(std::move(order), context_, now);
+}
+
+void CommandWindow::leaveNode(Ended done, Instant now) {
+  CommandOrder exit;
+  exit.block = done.order.block;
+  exit.goal = done.order.goal;
+  exit.key = done.order.key;
+  exit.command_id_ack = done.order.command_id_ack;
+  exit.commands.emplace();
+  exit.exits_node = true;
+  addLastLines(exit);
+  ordered_.push_back({CommandRun(std::move(exit), context_, now), std::move(done.outcome)});
+}
+
+// --- What is there.
+
+std::optional<Origin> CommandWindow::end() const {
+  if (ordered_.empty()) return std::nullopt;
+  const CommandRun& last = ordered_.back().run;
+  return last.order().plan && !last.stopping() ? std::make_optional(last.order().plan->end) : std::nullopt;
+}
+
+bool CommandWindow::mayMove() const {
+  return std::any_of(ordered_.begin(), ordered_.end(),
+                     [](const Sent& sent) { return mayMoveBy(sent.run.order()); });
+}
+
+bool CommandWindow::moves() const {
+  return std::any_of(ordered_.begin(), ordered_.end(),
+                     [](const Sent& sent) { return sent.run.order().moves; });
+}
+
+bool CommandWindow::stopsWithACancel() const {
+  return std::any_of(ordered_.begin(), ordered_.end(),
+                     [](const Sent& sent) { return sent.run.order().moves && sent.run.mayBeCancelled(); });
+}
+
+std::optional<robot::Target> CommandWindow::target() const {
+  const auto last = std::find_if(ordered_.rbegin(), ordered_.rend(),
+                                 [](const Sent& sent) { return sent.run.order().moves; });
+  return last == ordered_.rend() ? std::nullopt : last->run.order().target;
+}
+
+// --- Events.
+
+void CommandWindow::cancel(const std::string& why, Instant now) {
+  for (Sent& sent : ordered_) sent.run.cancel(why, now);
+}
+
+void CommandWindow::abandon(const std::string& why, Instant now) {
+  for (Sent& sent : ordered_) sent.run.abandon(why, now);
+}
+
+void CommandWindow::abandonBeside(const std::string& why, Instant now) {
+  for (CommandRun& run : beside_) run.abandon(why, now);
+}
+
+void CommandWindow::answered(const link::ScriptAnswered& event, Instant now) {
+  for (CommandRun& run : beside_) run.answered(event, now);
+  for (Sent& sent : ordered_) {
+    const bool before = sent.run.accepted();
+    sent.run.answered(event, now);
+    if (!before && sent.run.accepted()) forecast_.accepted(sent.run.order(), now);
+  }
+}
+
+bool CommandWindow::tagReported(const link::TagReported& event, Instant now) {
+  const auto sent = std::find_if(ordered_.begin(), ordered_.end(),
+                                 [&](const Sent& s) { return s.run.order().tag == event.tag; });
+  if (sent == ordered_.end() || !context_.tags.isOpen(event.tag)) return false;
+  CommandRun& run = sent->run;
+  if (event.state == protocol::TagState::Complete) {
+    if (!context_.tags.complete(event.tag)) return true;
+    forecast_.arrived(run.order(), now);
+    run.tagCompleted(now);
+  } else if (event.asked) {
+    run.tagIncomplete(event.state, now);
+  } else if (event.state == protocol::TagState::Incomplete) {
+    run.tagFailed(now);
+  }
+  return true;
+}
+
+void CommandWindow::tagQueryFailed(const link::TagQueryFailed& event, Instant now) {
+  for (Sent& sent : ordered_) {
+    if (sent.run.order().tag == event.tag) sent.run.tagQueryFailed(event.reason, now);
+  }
+}
+
+void CommandWindow::stopEnded(const StopRun::Result& result, Instant now) {
+  for (Sent& sent : ordered_) sent.run.stopEnded(result, now);
+}
+
+void CommandWindow::linkLost(const std::string& reason, Instant now) {
+  for (Sent& sent : ordered_) sent.run.linkLost(reason, now);
+}
+
+void CommandWindow::besideLinkLost(const std::string& reason, Instant now) {
+  for (CommandRun& run : beside_) run.linkLost(reason, now);
+}
+
+void CommandWindow::robotChanged(Instant now) {
+  for (Sent& sent : ordered_) sent.run.robotChanged(now);
+  for (CommandRun& run : beside_) run.robotChanged(now);
+}
+
+void CommandWindow::advance(Instant now) {
+  for (Sent& sent : ordered_) sent.run.advance(now);
+  for (CommandRun& run : beside_) run.advance(now);
+}
+
+std::optional<Instant> CommandWindow::nextDeadline() const {
+  std::optional<Instant> next;
+  for (const Sent& sent : ordered_) next = earlier(next, sent.run.nextDeadline());
+  for (const CommandRun& run : beside_) next = earlier(next, run.nextDeadline());
+  return next;
+}
+
+// --- Out.
+
+std::vector<std::pair<blocks::CommandKey, blocks::Progress>> CommandWindow::takeProgress() {
+  std::vector<std::pair<blocks::CommandKey, blocks::Progress>> all;
+  for (Sent& sent : ordered_) {
+    for (blocks::Progress& progress : sent.run.takeProgress()) {
+      all.emplace_back(sent.run.order().key, std::move(progress));
+    }
+  }
+  return all;
+}
+
+std::optional<CommandWindow::Ended> CommandWindow::takeEnded() {
+  const auto first =
+      std::find_if(ordered_.begin(), ordered_.end(), [](const Sent& sent) { return sent.run.ended(); });
+  if (first == ordered_.end()) return std::nullopt;
+  const Sent sent = std::move(*first);
+  ordered_.erase(first);
+  Ended ended{sent.run.order(), sent.run.outcome(), false};
+  if (sent.motion) ended.outcome = withMotion(ended.outcome, *sent.motion);
+  ended.leaves_node = ended.order.exits_afterwards && ended.outcome.ending == blocks::Ending::Done;
+  if (ended.outcome.ending == blocks::Ending::Aborted) forecast_.forgetPath();
+  return ended;
+}
+
+std::vector<CommandWindow::Ended> CommandWindow::takeEndedBeside() {
+  std::vector<Ended> ended;
+  for (const CommandRun& run : beside_) {
+    if (run.ended()) ended.push_back({run.order(), run.outcome(), false});
+  }
+  beside_.remove_if([](const CommandRun& run) { return run.ended(); });
+  return ended;
+}
+
+}  // namespace cobot_command::command

@@ -1,0 +1,90 @@
+// The commands that the controller has and that have not ended: those of the goal whose turn it is, in the
+// order of sending, and those that go out beside all others.
+//
+// A goal decides how many of its own may be under way (Run::window()); each is told by its key.
+#pragma once
+
+#include <list>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "forecast/command_order.h"
+#include "forecast/forecast.h"
+#include "runs/command_run.h"
+#include "runs/stop_run.h"
+
+#include "cobot_command/blocks/shared/command.h"
+#include "cobot_command/common/result.h"
+
+namespace cobot_command::command {
+
+class CommandWindow {
+ public:
+  struct Ended {
+    CommandOrder order;
+    blocks::Outcome outcome;
+    bool leaves_node = false;  ///< the node is to be left behind it, with a script of its own
+  };
+
+  /// `forecast`: has to live longer, and so has what the context refers to.
+  CommandWindow(const RunContext& context, Forecast& forecast) : context_(context), forecast_(forecast) {}
+
+  // --- In.
+  /// As it goes out now, with its tag; else what speaks against it.
+  [[nodiscard]] Result<CommandOrder, blocks::Failure> prepare(const blocks::Command& command, Instant now);
+  void send(CommandOrder order, Instant now);
+  /// Beside all others, whatever state the robot is in; nothing is planned or foreseen for it.
+  void sendBeside(const blocks::Command& command, blocks::GoalId goal, Instant now);
+  /// Behind a motion that is done: until then the controller takes a stop, and a pause. It ends as that one.
+  void leaveNode(Ended done, Instant now);
+
+  // --- What is there.
+  [[nodiscard]] std::size_t size() const { return ordered_.size(); }
+  [[nodiscard]] bool empty() const { return ordered_.empty(); }
+  [[nodiscard]] bool nothingBeside() const { return beside_.empty(); }
+  /// Where the last one will leave the robot, when that is planned and it is not being stopped.
+  [[nodiscard]] std::optional<Origin> end() const;
+  /// The controller may be moving the robot for one of them.
+  [[nodiscard]] bool mayMove() const;
+  /// A cancel of them all sends a stop.
+  [[nodiscard]] bool stopsWithACancel() const;
+  /// Of the last one that moves; nothing: none does, or it is not known.
+  [[nodiscard]] std::optional<robot::Target> target() const;
+  [[nodiscard]] bool moves() const;
+
+  // --- Events.
+  void cancel(const std::string& why, Instant now);
+  void abandon(const std::string& why, Instant now);
+  void abandonBeside(const std::string& why, Instant now);
+  void answered(const link::ScriptAnswered& event, Instant now);
+  /// False when none of them waits for that tag.
+  bool tagReported(const link::TagReported& event, Instant now);
+  void tagQueryFailed(const link::TagQueryFailed& event, Instant now);
+  void stopEnded(const StopRun::Result& result, Instant now);
+  void linkLost(const std::string& reason, Instant now);
+  void besideLinkLost(const std::string& reason, Instant now);
+  void robotChanged(Instant now);
+  void advance(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  // --- Out: what is new since the last call.
+  [[nodiscard]] std::vector<std::pair<blocks::CommandKey, blocks::Progress>> takeProgress();
+  /// The first that has ended.
+  [[nodiscard]] std::optional<Ended> takeEnded();
+  [[nodiscard]] std::vector<Ended> takeEndedBeside();
+
+ private:
+  struct Sent {
+    CommandRun run;
+    std::optional<blocks::Outcome> motion;  ///< of an exit: how the motion in front of it ended
+  };
+
+  RunContext context_;
+  Forecast& forecast_;
+  std::list<Sent> ordered_;
+  std::list<CommandRun> beside_;
+};
+
+}  // namespace cobot_command::command
