@@ -4,10 +4,9 @@
 
 namespace cobot_command::command {
 
-CommandCore::CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings,
-                         blocks::FrameFinder frames, NewestGoal newest, Planning planning)
-    : impl_(
-          std::make_unique<Impl>(std::move(arm), settings, std::move(frames), std::move(newest), planning)) {}
+CommandCore::CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, CorePorts ports,
+                         Planning planning)
+    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(ports), planning)) {}
 CommandCore::~CommandCore() = default;
 CommandCore::CommandCore(CommandCore&&) noexcept = default;
 CommandCore& CommandCore::operator=(CommandCore&&) noexcept = default;
@@ -39,6 +38,10 @@ bool CommandCore::retired() const {
 
 void CommandCore::shutDown(Instant now) {
   impl_->shutDown(now);
+}
+
+void CommandCore::useSettings(const link::LinkSettings& settings, Instant now) {
+  impl_->useSettings(settings, now);
 }
 
 void CommandCore::opened(link::ConnectionId id, Instant now) {

@@ -16,8 +16,8 @@ constexpr const char* kShuttingDown = "the command layer is shutting down";
 
 }  // namespace
 
-CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
-                        blocks::FrameFinder frames, NewestGoal newest, Planning planning)
+CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, CorePorts ports,
+                        Planning planning)
     : settings_(settings),
       links_(settings_, actions_),
       tags_(settings_.first_tag),
@@ -25,7 +25,7 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       keeper_(settings_, links_, robot_, board_),
       forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_, actions_),
       arbiter_({settings_, links_.script(), tags_, robot_, keeper_, forecast_, board_, actions_},
-               std::move(frames), std::move(newest), planning) {}
+               std::move(ports), planning) {}
 
 // --- Goals.
 
@@ -89,6 +89,12 @@ void CommandCore::Impl::planned(PlanJobId id, PlanAnswer answer, Instant now) {
 }
 
 // --- Connections and time.
+
+void CommandCore::Impl::useSettings(const link::LinkSettings& settings, Instant now) {
+  settings_ = settings;
+  links_.script().settingsChanged(now);
+  settle(now);
+}
 
 void CommandCore::Impl::opened(link::ConnectionId id, Instant now) {
   links_.opened(id, now);

@@ -21,8 +21,8 @@ namespace cobot_command::command {
 
 class CommandCore::Impl {
  public:
-  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, blocks::FrameFinder frames,
-       NewestGoal newest, Planning planning);
+  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, CorePorts ports,
+       Planning planning);
 
   void submit(blocks::GoalId id, const blocks::Goal& goal, Instant now);
   void cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest);
@@ -31,6 +31,7 @@ class CommandCore::Impl {
   void retire(Instant now);
   [[nodiscard]] bool retired() const;
   void shutDown(Instant now);
+  void useSettings(const link::LinkSettings& settings, Instant now);
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);

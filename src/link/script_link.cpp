@@ -1,5 +1,7 @@
 #include "cobot_command/link/script_link.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "cobot_command/common/deadline.h"
@@ -132,6 +134,11 @@ void ScriptLink::transmit(const protocol::ClientMessage& message, Request reques
   std::string bytes = protocol::encode(message);
   wire_.trace(now, Channel::Script, true, bytes, protocol::describe(message));
   wire_.send(*connection_, std::move(bytes));
+}
+
+void ScriptLink::settingsChanged(Instant now) {
+  if (!lifesign_at_ || state_ == State::Probing) return;
+  lifesign_at_ = std::min(*lifesign_at_, now + settings_.supervision_period);
 }
 
 void ScriptLink::askForNode(Instant now) {

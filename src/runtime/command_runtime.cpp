@@ -49,7 +49,7 @@ class CommandRuntime::Impl {
        blocks::FrameFinder frames, const command::NewestGoal& newest)
       : observer_(std::move(observer)),
         newest_(newest),
-        core_(std::move(arm), settings, std::move(frames), newest, command::Planning::Beside),
+        core_(std::move(arm), settings, {std::move(frames), newest, {}}, command::Planning::Beside),
         start_(Clock::now()),
         timer_(thread_.context()) {
     thread_.post([this] { advance(); });

@@ -88,6 +88,7 @@ class CoreRig {
   [[nodiscard]] const command::BlockOutputs& outputs(blocks::Block block) const;
   [[nodiscard]] bool connectionOpen(link::Channel channel) const { return connections_.count(channel) != 0; }
 
+  command::Gate gate;  ///< empty: open
   command::CommandCore core;
   Instant now{1000s};
   bool answers_lifesigns = true;

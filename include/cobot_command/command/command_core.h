@@ -14,12 +14,11 @@
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/goal.h"
-#include "cobot_command/blocks/shared/frame_finder.h"
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/command/actions.h"
+#include "cobot_command/command/core_ports.h"
 #include "cobot_command/command/finish.h"
 #include "cobot_command/command/planning_job.h"
-#include "cobot_command/command/waiting_goals.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
 
@@ -27,12 +26,10 @@ namespace cobot_command::command {
 
 class CommandCore {
  public:
-  /// `arm`: the model for planning and checks; without one, moves are sent unplanned. See CoreSettings for
-  /// the rest. `frames`: asked when a goal with a target in a frame has waited; without one, targets stay
-  /// where they were. `newest`: asked when commands fall by what happens, not by a goal; without one it is
-  /// the newest that was submitted. `planning`: who plans what may take long.
-  CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, blocks::FrameFinder frames = {},
-              NewestGoal newest = {}, Planning planning = Planning::AtOnce);
+  /// `arm`: the model for planning and checks; without one, moves are sent unplanned. `planning`: who plans
+  /// what may take long.
+  CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, CorePorts ports = {},
+              Planning planning = Planning::AtOnce);
   ~CommandCore();
   CommandCore(CommandCore&&) noexcept;
   CommandCore& operator=(CommandCore&&) noexcept;
@@ -61,6 +58,11 @@ class CommandCore {
   /// Ends everything: open goals as CommandAborted, connections closed. Nothing is sent to the robot
   /// afterwards. Call retire() first, and wait a little, so that the stop is heard.
   void shutDown(Instant now);
+
+  /// Other deadlines, periods and tolerances from now on, also while connected; what was begun keeps those
+  /// that it began with, but for the lifesign, which comes as the new period says. `first_tag` and
+  /// `planning_budget` stay as they were.
+  void useSettings(const link::LinkSettings& settings, Instant now);
 
   // --- Connections.
   void opened(link::ConnectionId id, Instant now);

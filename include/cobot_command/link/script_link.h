@@ -70,6 +70,8 @@ class ScriptLink {
   ScriptLink(const LinkSettings& settings, Wire& wire);
 
   void start(const std::string& host, int port, Instant now);
+  /// The settings that it refers to are others: the next lifesign comes as the new period says.
+  void settingsChanged(Instant now);
   void stop(Instant now);
 
   // --- Events of the connection for which owns() is true.

@@ -20,16 +20,16 @@ void append(Failures& failures, const Failures& more) {
 
 }  // namespace
 
-Arbiter::Arbiter(const CoreParts& parts, blocks::FrameFinder frames, NewestGoal newest, Planning planning)
+Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
     : parts_(parts),
       desk_(parts.settings.planning_budget, parts.actions),
-      queue_(parts.board, desk_, parts.actions, std::move(newest)),
+      queue_(parts.board, desk_, parts.actions, std::move(ports.newest)),
       stop_(parts.settings, parts.script, parts.tags, parts.robot, parts.forecast.arm()),
       window_({parts.settings, parts.script, parts.tags, parts.robot, stop_, parts.forecast.arm()},
-              parts.forecast),
+              parts.forecast, std::move(ports.gate)),
       stops_(parts, stop_, window_),
       plans_(parts, planning, desk_, queue_),
-      turns_(parts, {queue_, plans_, stops_, window_}, std::move(frames)) {}
+      turns_(parts, {queue_, plans_, stops_, window_}, std::move(ports.frames)) {}
 
 // --- Goals: checked, then refused or taken.
 

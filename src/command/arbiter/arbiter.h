@@ -16,6 +16,7 @@
 #include "runs/command_window.h"
 #include "runs/stop_run.h"
 
+#include "cobot_command/command/core_ports.h"
 #include "cobot_command/command/finish.h"
 #include "cobot_command/command/planning_job.h"
 
@@ -23,8 +24,7 @@ namespace cobot_command::command {
 
 class Arbiter {
  public:
-  /// `frames`, `newest`, `planning`: see CommandCore.
-  Arbiter(const CoreParts& parts, blocks::FrameFinder frames, NewestGoal newest, Planning planning);
+  Arbiter(const CoreParts& parts, CorePorts ports, Planning planning);
   Arbiter(const Arbiter&) = delete;
   Arbiter& operator=(const Arbiter&) = delete;
 

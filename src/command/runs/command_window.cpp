@@ -33,6 +33,7 @@ blocks::Outcome withMotion(const blocks::Outcome& exit, const blocks::Outcome& m
 Result<CommandOrder, blocks::Failure> CommandWindow::prepare(const blocks::Command& command, Instant now) {
   auto order = forecast_.order(command, now);
   if (!order) return order;
+  if (auto closed = objectionTo(*order, now)) return refuse(std::move(*closed));
   const blocks::GoalTraits& traits = command.traits;
   // A tag is opened last, for what will be sent.
   if (traits.awaits_motion) {
@@ -44,6 +45,19 @@ Result<CommandOrder, blocks::Failure> CommandWindow::prepare(const blocks::Comma
   order->exits_afterwards = traits.exits_node && order->tag;
   addLastLines(*order);
   return order;
+}
+
+std::optional<blocks::Failure> CommandWindow::objectionTo(const CommandOrder& order, Instant now) const {
+  if (!gate_ || !mayMoveBy(order)) return std::nullopt;
+  Departure departure;
+  departure.block = order.block;
+  departure.lines = order.lines;
+  departure.planned = order.plan.has_value();
+  if (order.plan) {
+    departure.motions = order.plan->motions;
+    departure.tcp = order.plan->tcp;
+  }
+  return gate_(departure, now);
 }
 
 void CommandWindow::send(CommandOrder order, Instant now) {

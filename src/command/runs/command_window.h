@@ -16,6 +16,7 @@
 #include "runs/stop_run.h"
 
 #include "cobot_command/blocks/shared/command.h"
+#include "cobot_command/command/gate.h"
 #include "cobot_command/common/result.h"
 
 namespace cobot_command::command {
@@ -28,8 +29,9 @@ class CommandWindow {
     bool leaves_node = false;  ///< the node is to be left behind it, with a script of its own
   };
 
-  /// `forecast`: has to live longer, and so has what the context refers to.
-  CommandWindow(const RunContext& context, Forecast& forecast) : context_(context), forecast_(forecast) {}
+  /// `forecast`: has to live longer, and so has what the context refers to. `gate`: may be empty.
+  CommandWindow(const RunContext& context, Forecast& forecast, Gate gate)
+      : context_(context), forecast_(forecast), gate_(std::move(gate)) {}
 
   // --- In.
   /// As it goes out now, with its tag; else what speaks against it.
@@ -81,8 +83,12 @@ class CommandWindow {
     std::optional<blocks::Outcome> motion;  ///< of an exit: how the motion in front of it ended
   };
 
+  /// By the gate.
+  [[nodiscard]] std::optional<blocks::Failure> objectionTo(const CommandOrder& order, Instant now) const;
+
   RunContext context_;
   Forecast& forecast_;
+  Gate gate_;
   std::list<Sent> ordered_;
   std::list<CommandRun> beside_;
 };

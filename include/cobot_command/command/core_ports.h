@@ -1,0 +1,20 @@
+// Whom the core of a robot asks, in the middle of an event.
+#pragma once
+
+#include "cobot_command/blocks/shared/frame_finder.h"
+#include "cobot_command/command/gate.h"
+#include "cobot_command/command/waiting_goals.h"
+
+namespace cobot_command::command {
+
+/// Each may be empty.
+struct CorePorts {
+  /// When a goal with a target in a frame has waited; without it, targets stay where they were.
+  blocks::FrameFinder frames;
+  /// When commands fall by what happens, not by a goal; without it, it is the newest that was submitted.
+  NewestGoal newest;
+  /// Before a frame leaves that may move the robot; without it, all may.
+  Gate gate;
+};
+
+}  // namespace cobot_command::command
