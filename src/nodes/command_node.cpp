@@ -1,11 +1,11 @@
 // The ROS node that commands one robot. Exit status: 0 at the end, 2 when a parameter
 // or an argument cannot be used.
-#include "cobot_command/ros/command_node.h"
+#include "cobot_command/ros/command/command_node.h"
 
 #include "node_arguments.h"
 #include <ros/ros.h>
 
-#include "cobot_command/ros/node_end.h"
+#include "cobot_command/ros/shared/node_end.h"
 
 int main(int argc, char** argv) {
   namespace ros_adapter = cobot_command::ros_adapter;

@@ -1,11 +1,11 @@
 // The simulated controller as a ROS node. Exit status: 0 at the end, 1 when a port cannot be had, 2 when a
 // parameter or an argument cannot be used.
-#include "cobot_command/ros/simulated_controller_node.h"
+#include "cobot_command/ros/simulation/simulated_controller_node.h"
 
 #include "node_arguments.h"
 #include <ros/ros.h>
 
-#include "cobot_command/ros/node_end.h"
+#include "cobot_command/ros/shared/node_end.h"
 
 int main(int argc, char** argv) {
   using cobot_command::runtime::SimulatorError;

@@ -43,6 +43,20 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(faults_of('#include "runs/stop_run.h"', "command"), [])
         self.assertEqual(faults_of('#include "cobot_command/command/actions.h"', "command", "board"), [])
 
+    def test_finds_the_simulator_beside_the_command_layer(self):
+        for place in (("runtime", "command"), ("ros", "command"), ("ros", "actions"), ("ros", "shared")):
+            for header in ("simulator/settings.h", "runtime/simulation/simulator_runtime.h"):
+                self.assertIn("may not use", "".join(faults_of(f'#include "cobot_command/{header}"', *place)), (place, header))
+        self.assertIn("ros/simulation/ may not use runtime/command/ (allowed: arm",
+                      "".join(faults_of('#include "cobot_command/runtime/command/command_runtime.h"', "ros", "simulation")))
+        for line in ('#include "simulation/simulated_clock.h"', '#include "cobot_command/runtime/simulation/simulator_setup.h"'):
+            self.assertIn("the wing runtime/command may not use", "".join(faults_of(line, "runtime", "command")))
+
+    def test_leaves_what_each_of_both_sides_uses(self):
+        for room, wing, header in (("runtime", "command", "runtime/shared/end_signals.h"), ("ros", "simulation", "simulator/settings.h"),
+                                   ("ros", "command", "runtime/command/command_runtime.h"), ("ros", "actions", "RobotPose.h")):
+            self.assertEqual(faults_of(f'#include "cobot_command/{header}"', room, wing), [])
+
     def test_finds_nothing_else(self):
         for header in CORE:
             for line in (f"#include <{header}>", f'#include "{header}"', f"// as in {header}"):

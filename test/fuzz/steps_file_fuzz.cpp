@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "pick_and_place_file.h"
+#include "command/pick_and_place_file.h"
 #include "require.h"
 
 #include "cobot_command/common/foreign_text.h"

@@ -8,8 +8,8 @@
 #include <geometry_msgs/PoseStamped.h>
 
 #include "cobot_command/blocks/shared/goal_values.h"
-#include "cobot_command/ros/conversions.h"
-#include "cobot_command/ros/goal_lookups.h"
+#include "cobot_command/ros/command/goal_lookups.h"
+#include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
 

@@ -4,8 +4,10 @@
 
 #include <cstdint>
 
+#include "command/plan_messages.h"
+
 #include "cobot_command/blocks/shared/outcome.h"
-#include "cobot_command/ros/conversions.h"
+#include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
 

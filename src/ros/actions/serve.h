@@ -2,7 +2,7 @@
 // of result and feedback, which are looked up by the messages; then it instantiates serve().
 #pragma once
 
-#include "action_servers.h"
+#include "command/action_servers.h"
 
 namespace cobot_command::ros_adapter {
 

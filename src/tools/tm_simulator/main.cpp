@@ -20,9 +20,9 @@
 #include <unistd.h>
 
 #include "cobot_command/arm/arm_model.h"
-#include "cobot_command/runtime/end_signals.h"
-#include "cobot_command/runtime/simulator_runtime.h"
-#include "cobot_command/runtime/simulator_setup.h"
+#include "cobot_command/runtime/shared/end_signals.h"
+#include "cobot_command/runtime/simulation/simulator_runtime.h"
+#include "cobot_command/runtime/simulation/simulator_setup.h"
 #include "cobot_command/simulator/control_line.h"
 
 namespace {

@@ -14,8 +14,8 @@
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
-#include "cobot_command/runtime/command_runtime.h"
-#include "cobot_command/runtime/simulator_runtime.h"
+#include "cobot_command/runtime/command/command_runtime.h"
+#include "cobot_command/runtime/simulation/simulator_runtime.h"
 
 namespace cobot_command::runtime {
 

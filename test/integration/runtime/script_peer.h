@@ -18,7 +18,7 @@
 
 #include "cobot_command/protocol/frame_decoder.h"
 #include "cobot_command/protocol/message.h"
-#include "cobot_command/runtime/simulator_runtime.h"
+#include "cobot_command/runtime/simulation/simulator_runtime.h"
 #include "cobot_command/script/script_command.h"
 #include "cobot_command/transport/tcp_server.h"
 

@@ -1,4 +1,4 @@
-#include "cobot_command/runtime/simulator_runtime.h"
+#include "cobot_command/runtime/simulation/simulator_runtime.h"
 
 #include <future>
 #include <limits>

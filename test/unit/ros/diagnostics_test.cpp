@@ -1,4 +1,4 @@
-#include "cobot_command/ros/diagnostics.h"
+#include "cobot_command/ros/command/diagnostics.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "cobot_command/ros/goal_intake.h"
+#include "cobot_command/ros/command/goal_intake.h"
 
 #include <chrono>
 #include <set>

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "block_messages.h"
-#include "pick_and_place_file.h"
+#include "command/pick_and_place_file.h"
 #include "source_tree.h"
 #include <gmock/gmock.h>
 

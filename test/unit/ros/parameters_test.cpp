@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 
 #include "cobot_command/arm/urdf_prefix.h"
-#include "cobot_command/ros/command_parameters.h"
-#include "cobot_command/ros/simulator_parameters.h"
+#include "cobot_command/ros/command/command_parameters.h"
+#include "cobot_command/ros/simulation/simulator_parameters.h"
 
 namespace cobot_command::ros_adapter {
 namespace {

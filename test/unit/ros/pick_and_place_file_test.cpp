@@ -1,4 +1,4 @@
-#include "pick_and_place_file.h"
+#include "command/pick_and_place_file.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,8 @@
-#include "status_messages.h"
+#include "command/status_messages.h"
 
 #include <chrono>
 
+#include "shared/robot_status_message.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::ros_adapter {

@@ -1,5 +1,5 @@
 // Threads, but no waiting: what is read is released by the test.
-#include "cobot_command/ros/steps_files.h"
+#include "cobot_command/ros/command/steps_files.h"
 
 #include <atomic>
 #include <chrono>

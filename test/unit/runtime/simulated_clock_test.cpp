@@ -1,4 +1,4 @@
-#include "simulated_clock.h"
+#include "simulation/simulated_clock.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The one table of the simulated controller: what its programs can be told, and what does not fit together.
-#include "cobot_command/runtime/simulator_setup.h"
+#include "cobot_command/runtime/simulation/simulator_setup.h"
 
 #include <limits>
 #include <set>

@@ -1,0 +1,156 @@
+// One function block as an action server: goals go to the core, what becomes of them comes back here.
+//
+// A goal is PENDING until it is its turn, and may end before. A cancel of all goals (empty GoalID) comes in
+// as one cancel for each.
+//
+// Threads: ROS calls in on its spinner, the core's thread calls accepted(), progressed() and ended(); both at
+// once is fine. The bridge never holds its own lock while it calls the action server, whose lock is held in
+// ROS callbacks.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/outcome.h"
+#include "cobot_command/ros/command/goal_intake.h"
+#include "cobot_command/ros/command/tidy_action_server.h"
+#include "cobot_command/ros/shared/conversions.h"
+
+namespace cobot_command::ros_adapter {
+
+/// Where goals go.
+struct GoalSink {
+  std::function<blocks::GoalId()> new_id;
+  std::function<void(blocks::GoalId, GoalReader)> submit;
+  std::function<void(blocks::GoalId)> cancel;
+};
+
+/// What results and feedback need besides what they tell of.
+struct FillSite {
+  const JointNames& joint_names;  ///< of planned motions
+  const ClockPair& clocks;
+};
+
+/// What the core tells of the goals of one block. A goal that is not known (any more) is left alone.
+class GoalListener {
+ public:
+  virtual ~GoalListener() = default;
+  virtual void accepted(blocks::GoalId id) = 0;
+  virtual void progressed(blocks::GoalId id, const blocks::Progress& progress, const ClockPair& clocks) = 0;
+  virtual void ended(blocks::GoalId id, const blocks::Outcome& outcome, const ClockPair& clocks) = 0;
+};
+
+template <class Action>
+class ActionBridge : public GoalListener {
+ public:
+  /// Serves the action `name`, relative to `node`, until it is destroyed. `joint_names`: of planned motions.
+  ActionBridge(const ros::NodeHandle& node, const std::string& name, JointNames joint_names, GoalSink sink)
+      : joint_names_(std::move(joint_names)),
+        sink_(std::move(sink)),
+        server_(
+            node, name, [this](Handle handle) { onGoal(handle); },
+            [this](Handle handle) { onCancel(handle); }) {
+    server_.start();
+  }
+
+  void accepted(blocks::GoalId id) override {
+    Handle handle;
+    if (find(id, handle)) handle.setAccepted();
+  }
+
+  void progressed(blocks::GoalId id, const blocks::Progress& progress, const ClockPair& clocks) override {
+    Handle handle;
+    if (!find(id, handle)) return;
+    Feedback feedback;
+    fill(feedback, progress, FillSite{joint_names_, clocks});
+    handle.publishFeedback(feedback);
+  }
+
+  void ended(blocks::GoalId id, const blocks::Outcome& outcome, const ClockPair& clocks) override {
+    Handle handle;
+    if (!take(id, handle)) return;
+    Result result;
+    fill(result, outcome, FillSite{joint_names_, clocks});
+    const bool ran = outcome.ending == blocks::Ending::Done || outcome.ending == blocks::Ending::Aborted;
+    if (ran && isPending(handle)) handle.setAccepted();  // actionlib knows no way past ACTIVE
+    switch (outcome.ending) {
+      case blocks::Ending::Done:
+        handle.setSucceeded(result, outcome.error_description);
+        break;
+      case blocks::Ending::Rejected:
+        handle.setRejected(result, outcome.error_description);
+        break;
+      case blocks::Ending::Aborted:
+        handle.setAborted(result, outcome.error_description);
+        break;
+      case blocks::Ending::CommandAborted:
+        handle.setCanceled(result, outcome.error_description);
+        break;
+    }
+  }
+
+ private:
+  using Server = TidyActionServer<Action>;
+  using Handle = typename Server::GoalHandle;
+  using Result = typename Server::Result;
+  using Feedback = typename Server::Feedback;
+
+  struct Open {
+    blocks::GoalId id;
+    Handle handle;
+  };
+
+  static bool isPending(const Handle& handle) {
+    const auto status = handle.getGoalStatus().status;
+    return status == actionlib_msgs::GoalStatus::PENDING || status == actionlib_msgs::GoalStatus::RECALLING;
+  }
+
+  void onGoal(Handle handle) {
+    const blocks::GoalId id = sink_.new_id();
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      open_.push_back({id, handle});
+    }
+    sink_.submit(id, [goal = handle.getGoal()](const Lookups& lookups) -> blocks::Goal {
+      return toGoal(*goal, lookups);
+    });
+  }
+
+  void onCancel(Handle handle) {
+    blocks::GoalId id = 0;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const auto found =
+          std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.handle == handle; });
+      if (found == open_.end()) return;
+      id = found->id;
+    }
+    sink_.cancel(id);
+  }
+
+  bool find(blocks::GoalId id, Handle& handle) { return lookUp(id, handle, false); }
+  bool take(blocks::GoalId id, Handle& handle) { return lookUp(id, handle, true); }
+
+  bool lookUp(blocks::GoalId id, Handle& handle, bool forget) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.id == id; });
+    if (found == open_.end()) return false;
+    handle = found->handle;
+    if (forget) open_.erase(found);
+    return true;
+  }
+
+  JointNames joint_names_;
+  GoalSink sink_;
+  std::mutex mutex_;
+  std::vector<Open> open_;
+  Server server_;  // last: its callbacks use all of the above
+};
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,78 @@
+// The command node of one robot: action servers and publishers around one command core.
+//
+// Everything it offers is relative to the node's namespace, so several robots are several namespaces. To be
+// spun by one thread.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <ros/steady_timer.h>
+
+#include "cobot_command/Finish.h"
+#include "cobot_command/ros/command/action_bridge.h"
+#include "cobot_command/ros/command/command_parameters.h"
+#include "cobot_command/ros/command/diagnostics.h"
+#include "cobot_command/ros/command/goal_intake.h"
+#include "cobot_command/ros/command/status_publisher.h"
+#include "cobot_command/ros/command/steps_files.h"
+#include "cobot_command/ros/command/tf_frames.h"
+#include "cobot_command/runtime/command/command_runtime.h"
+
+namespace cobot_command::ros_adapter {
+
+class CommandNode {
+ public:
+  /// `self`: the node's private namespace.
+  CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self, CommandParameters parameters);
+  ~CommandNode();  ///< stop()
+  CommandNode(const CommandNode&) = delete;
+  CommandNode& operator=(const CommandNode&) = delete;
+
+  /// Begins the end, and returns at once: the robot is told to stop, behind what the core is at, which may be
+  /// a long planning; then `begun` is called, on the core's thread. From any thread.
+  void retire(const std::function<void()>& begun);
+  /// Ends every open goal, closes the connections and joins the core's thread. When it returns the results
+  /// are on their way. Once the end has begun (retire()), which it waits for, it takes at most 0.4 s,
+  /// whatever the robot, the master and the clients do.
+  void stop();
+
+ private:
+  void onAction(const command::Action& action, Instant now);  // on the core's thread
+  [[nodiscard]] GoalSink sink();
+  [[nodiscard]] GoalIntake::Core intakeCore();
+  [[nodiscard]] FileSource fileSource();
+  [[nodiscard]] GoalListener& of(blocks::Block block) const {
+    return *servers_[static_cast<std::size_t>(block)];
+  }
+  void end(blocks::Block block, blocks::GoalId id, const blocks::Outcome& outcome);
+  /// Of the intake's goals, those that have fallen with a command of the core.
+  void endFallen();
+  void submit(blocks::GoalId id, blocks::Goal goal);
+  void adjustRetrying();
+  bool finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response);
+
+  std::string default_host_;
+  int default_port_;
+  std::atomic<blocks::GoalId> last_goal_{0};  ///< counted by the spinner, asked for by the core's thread
+  std::mutex fell_mutex_;
+  std::vector<command::CommandsFell> fell_;  ///< told by the core, not to the intake yet
+  StatusPublisher publisher_;
+  Diagnostics diagnostics_;
+  TfFrames frames_;
+  StepsFiles steps_files_;
+  GoalIntake intake_;
+  std::vector<std::unique_ptr<GoalListener>> servers_;  ///< by their blocks
+  std::unique_ptr<runtime::CommandRuntime> runtime_;
+  ros::SteadyTimer retry_;
+  ros::ServiceServer finish_;
+  bool stopped_ = false;
+};
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,57 @@
+// What the command layer tells everyone: joint_states, tool_pose, robot_status, command_status,
+// active_frames, planned_path, frames, status_frames and tf.
+//
+// Called on the core's thread only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <ros/publisher.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include "cobot_command/command/command_core.h"
+#include "cobot_command/ros/shared/conversions.h"
+
+namespace cobot_command::ros_adapter {
+
+class StatusPublisher {
+ public:
+  /// Topics are relative to `node`. `prefix` stands in front of every tf frame; the joint names have it
+  /// already.
+  StatusPublisher(ros::NodeHandle node, JointNames joint_names, std::string prefix);
+
+  /// Positions, tool and robot status, as far as the controller streams them; and the active frames in tf
+  /// again.
+  void publish(const link::RobotStatus& status);
+  /// Latched; when the status stream has ended, robot_status becomes "unknown" as well.
+  void publish(const command::CommandStatus& status, const ClockPair& clocks);
+  /// Latched, and at once in tf, as far as they are known.
+  void publish(const robot::ActiveFrames& frames);
+  /// Latched, for RViz.
+  void publish(const command::PathPlanned& path);
+  /// The frames of each port on a topic of its own: the stream would drown the commands. Costs nothing while
+  /// nobody listens.
+  void publish(const command::FrameTraced& trace, const ClockPair& clocks);
+
+ private:
+  void sendActiveFrames(const ros::Time& stamp);
+
+  JointNames joint_names_;
+  std::string prefix_;
+  std::string base_frame_;
+  ros::Publisher joint_states_;
+  ros::Publisher tool_pose_;
+  ros::Publisher robot_status_;
+  ros::Publisher command_status_;
+  ros::Publisher active_frames_topic_;
+  ros::Publisher planned_path_;
+  ros::Publisher frames_;
+  ros::Publisher status_frames_;
+  tf2_ros::TransformBroadcaster tf_;
+  robot::ActiveFrames active_frames_;
+  ros::Time frames_sent_;  ///< the stamp of the last ones in tf
+  bool streaming_ = false;
+};
+
+}  // namespace cobot_command::ros_adapter

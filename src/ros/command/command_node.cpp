@@ -1,0 +1,215 @@
+#include "cobot_command/ros/command/command_node.h"
+
+#include <chrono>
+#include <future>
+#include <random>
+#include <utility>
+
+#include "command/action_servers.h"
+#include <fmt/format.h>
+#include <ros/console.h>
+
+#include "cobot_command/common/overloaded.h"
+#include "cobot_command/link/tag_ledger.h"
+#include "cobot_command/ros/shared/node_end.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+constexpr double kFrameRetryPeriod = 0.01;  // [s]
+/// Far more than any but a planning takes. Meanwhile no other callback is served.
+constexpr Duration kFinishPatience = std::chrono::milliseconds(500);
+constexpr const char* kNotAnsweredYet =
+    "asked for; the command layer is busy, planning say, and has not answered yet: it does so as soon as it "
+    "has done, and the results tell what became of the goals";
+
+Instant steadyNow() {
+  return Instant(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+void log(const command::LogMessage& message) {
+  switch (message.severity) {
+    case command::Severity::Info:
+      ROS_INFO_STREAM_NAMED("link", message.text);
+      break;
+    case command::Severity::Warning:
+      ROS_WARN_STREAM_NAMED("link", message.text);
+      break;
+    case command::Severity::Error:
+      ROS_ERROR_STREAM_NAMED("link", message.text);
+      break;
+  }
+}
+
+/// Another client's motions have tags of the same fifteen numbers: all nodes beginning with 1 would meet
+/// there.
+link::LinkSettings withAnyFirstTag(link::LinkSettings settings) {
+  std::random_device random;
+  settings.first_tag =
+      std::uniform_int_distribution<int>(link::TagLedger::kFirst, link::TagLedger::kLast)(random);
+  return settings;
+}
+
+}  // namespace
+
+CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
+                         CommandParameters parameters)
+    : default_host_(parameters.robot_ip),
+      default_port_(parameters.script_port),
+      publisher_(node, jointNames(parameters.prefix), parameters.prefix),
+      diagnostics_(node, self, parameters.diagnostic_period, parameters.link.status_port != 0),
+      frames_(parameters.prefix + "base", parameters.tf_from_start),
+      intake_([this](const std_msgs::Header& header) { return frames_.find(header); },
+              [this] { return frames_.patience(); }, fileSource(), intakeCore()) {
+  if (!parameters.arm) {
+    ROS_WARN("no robot model: moves are sent to the controller without planning them first");
+  }
+  retry_ = node.createSteadyTimer(
+      ros::WallDuration(kFrameRetryPeriod),
+      [this](const ros::SteadyTimerEvent&) {
+        endFallen();
+        intake_.advance(steadyNow());
+        adjustRetrying();
+      },
+      false, false);
+  const JointNames joint_names = jointNames(parameters.prefix);
+  const GoalSink goal_sink = sink();
+  servers_ = serveActions({node, joint_names, goal_sink});
+  // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
+  runtime_ = std::make_unique<runtime::CommandRuntime>(
+      std::move(parameters.arm), withAnyFirstTag(parameters.link),
+      [this](const command::Action& action, Instant now) { onAction(action, now); },
+      [this](const std::string& frame) { return frames_.whereNow(frame); },
+      [this] { return last_goal_.load(); });
+  finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
+  if (parameters.auto_connect) {
+    blocks::ConnectGoal target;
+    target.host = default_host_;
+    target.port = default_port_;
+    runtime_->keepConnected(std::move(target));
+  }
+}
+
+CommandNode::~CommandNode() {
+  stop();
+}
+
+void CommandNode::retire(const std::function<void()>& begun) {
+  runtime_->retire(begun);
+}
+
+void CommandNode::stop() {
+  if (std::exchange(stopped_, true)) return;
+  runtime_->retire();
+  intake_.advance(Instant::max());  // so that the core ends those too
+  runtime_->stop();
+  deliverPublished(kDeliveryPatience);
+}
+
+GoalSink CommandNode::sink() {
+  return {[this] { return ++last_goal_; },
+          [this](blocks::GoalId id, GoalReader read) {
+            endFallen();
+            intake_.submit(id, std::move(read), steadyNow());
+            adjustRetrying();
+          },
+          [this](blocks::GoalId id) { intake_.cancel(id); }};
+}
+
+GoalIntake::Core CommandNode::intakeCore() {
+  return {[this](blocks::GoalId id, blocks::Goal goal) { submit(id, std::move(goal)); },
+          [this](blocks::GoalId id) { runtime_->cancel(id); },
+          [this](blocks::Block block, blocks::GoalId id, const blocks::Outcome& outcome) {
+            end(block, id, outcome);
+          }};
+}
+
+FileSource CommandNode::fileSource() {
+  return {[this](blocks::GoalId id, const std::string& location) { return steps_files_.find(id, location); },
+          [this](blocks::GoalId id) { steps_files_.forget(id); }};
+}
+
+/// It has not come to its block, whose outputs show nothing of it.
+void CommandNode::end(blocks::Block block, blocks::GoalId id, const blocks::Outcome& outcome) {
+  of(block).ended(id, outcome, {ros::Time::now(), steadyNow()});
+}
+
+void CommandNode::endFallen() {
+  std::vector<command::CommandsFell> fell;
+  {
+    const std::lock_guard<std::mutex> lock(fell_mutex_);
+    fell.swap(fell_);
+  }
+  for (const auto& [newest, why] : fell) intake_.fall(newest, why);
+}
+
+/// The timer runs only while a goal waits for its frame.
+void CommandNode::adjustRetrying() {
+  if (intake_.isWaiting()) {
+    retry_.start();
+  } else {
+    retry_.stop();
+  }
+}
+
+void CommandNode::submit(blocks::GoalId id, blocks::Goal goal) {
+  if (auto* connect = std::get_if<blocks::ConnectGoal>(&goal)) {
+    if (connect->host.empty()) connect->host = default_host_;
+    if (connect->port == 0) connect->port = default_port_;
+  }
+  // Refused only once the node is being destroyed, when nobody hears an answer any more.
+  static_cast<void>(runtime_->submit(id, std::move(goal)));
+}
+
+bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response) {
+  using Request = cobot_command::Finish::Request;
+  if (request.after > Request::CYCLE) {
+    response.message = fmt::format("after is {}; it must be 0 (MOVE) or 1 (CYCLE)", request.after);
+    return true;
+  }
+  const auto after = request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
+  auto report = runtime_->finish(after);
+  const int fallen = report ? intake_.fall(last_goal_, command::kNothingBehindFinish) : 0;
+  if (!report) {
+    response.message = "the command layer is shutting down";
+  } else if (report->wait_for(kFinishPatience) != std::future_status::ready) {
+    response.success = true;
+    response.message = kNotAnsweredYet;
+  } else {
+    auto found = report->get();
+    found.dropped += fallen;
+    response.success = found.foundAny();
+    response.message = command::toText(found);
+  }
+  return true;
+}
+
+void CommandNode::onAction(const command::Action& action, Instant now) {
+  const ClockPair clocks{ros::Time::now(), now};
+  std::visit(
+      Overloaded{
+          [&](const command::GoalAccepted& a) { of(a.block).accepted(a.goal); },
+          [&](const command::GoalProgressed& a) { of(a.block).progressed(a.goal, a.progress, clocks); },
+          [&](const command::GoalEnded& a) { of(a.block).ended(a.goal, a.outcome, clocks); },
+          [&](const command::CommandsFell& a) {
+            const std::lock_guard<std::mutex> lock(fell_mutex_);
+            fell_.push_back(a);
+          },
+          [&](const command::RobotStatusReceived& a) {
+            publisher_.publish(a.status);
+            diagnostics_.take(a.status);
+          },
+          [&](const command::StatusChanged& a) {
+            publisher_.publish(a.status, clocks);
+            diagnostics_.take(a.status);
+          },
+          [&](const command::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
+          [&](const command::PathPlanned& a) { publisher_.publish(a); },
+          [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
+          [&](const command::LogMessage& a) { log(a); },
+          [](const auto&) {},  // connections and bytes are the runtime's own business
+      },
+      action);
+}
+
+}  // namespace cobot_command::ros_adapter

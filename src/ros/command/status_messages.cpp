@@ -1,0 +1,115 @@
+#include "command/status_messages.h"
+
+#include <cstdint>
+
+#include "cobot_command/common/foreign_text.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+cobot_command::BlockStatus toMessage(const command::BlockOutputs& outputs) {
+  cobot_command::BlockStatus message;
+  message.block = blocks::toString(outputs.block);
+  message.busy = outputs.busy;
+  message.active = outputs.active;
+  message.done = outputs.done;
+  message.error = outputs.error;
+  message.command_aborted = outputs.command_aborted;
+  message.error_id = outputs.error_id;
+  message.error_description = outputs.error_description;
+  message.command_id_ack = outputs.command_id_ack;
+  return message;
+}
+
+std::uint8_t toMessage(command::CommandStatus::LinkState state) {
+  using State = command::CommandStatus::LinkState;
+  using Message = cobot_command::CommandStatus;
+  switch (state) {
+    case State::Disconnected:
+      return Message::DISCONNECTED;
+    case State::Connecting:
+      return Message::CONNECTING;
+    case State::Probing:
+      return Message::PROBING;
+    case State::NotListening:
+      return Message::NOT_LISTENING;
+    case State::Ready:
+      return Message::READY;
+  }
+  return Message::DISCONNECTED;
+}
+
+constexpr std::size_t kMaxTraceText = 4096;  // [bytes] as FrameTrace.msg says; longer than any script
+
+}  // namespace
+
+cobot_command::CommandStatus toMessage(const command::CommandStatus& status, const ClockPair& clocks) {
+  cobot_command::CommandStatus message;
+  message.header.stamp = clocks.ros_now;
+  message.link_state = toMessage(status.link);
+  message.diagnosis = status.diagnosis;
+  message.host = status.host;
+  message.port = status.port;
+  message.listen_node = status.listen_node;
+  message.status_stream = status.status_stream;
+  message.status_diagnosis = status.status_diagnosis;
+  if (status.last_connected) message.last_connected = clocks.toRos(*status.last_connected);
+  if (status.last_lost) message.last_lost = clocks.toRos(*status.last_lost);
+  message.queue_depth = status.queue_depth;
+  message.commands_under_way = status.commands_under_way;
+  message.commands_waiting = status.commands_waiting;
+  message.waiting_return = status.waiting_return;
+  message.open_tags.assign(status.open_tags.begin(), status.open_tags.end());
+  message.late_replies = status.late_replies;
+  message.decode_faults = status.decode_faults;
+  for (const command::BlockOutputs& outputs : status.blocks) message.blocks.push_back(toMessage(outputs));
+  return message;
+}
+
+cobot_command::FrameTrace toMessage(const command::FrameTraced& trace, const ClockPair& clocks) {
+  using Message = cobot_command::FrameTrace;
+  Message message;
+  message.header.stamp = clocks.toRos(trace.time);
+  message.channel = trace.channel == link::Channel::Script ? Message::SCRIPT : Message::STATUS;
+  message.sent = trace.sent;
+  message.bytes.assign(trace.bytes.begin(), trace.bytes.end());
+  message.text = foreignText(trace.bytes, kMaxTraceText);
+  message.meaning = trace.meaning;
+  return message;
+}
+
+cobot_command::ActiveFrames toMessage(const robot::ActiveFrames& frames, const std::string& base_frame,
+                                      const ros::Time& stamp) {
+  cobot_command::ActiveFrames message;
+  message.header.stamp = stamp;
+  message.header.frame_id = base_frame;
+  message.base_known = frames.base.has_value();
+  message.base = toPoseMessage(frames.base.value_or(arm::Pose::Identity()));
+  message.base_name = frames.base_name;
+  message.tcp_known = frames.tcp.has_value();
+  message.tcp = toPoseMessage(frames.tcp.value_or(arm::Pose::Identity()));
+  message.tcp_name = frames.tcp_name;
+  message.tool_mass = frames.tool_mass.value_or(-1);
+  return message;
+}
+
+visualization_msgs::Marker toMarker(const std::vector<arm::Pose>& tool_path, const std::string& base_frame,
+                                    const ros::Time& stamp) {
+  visualization_msgs::Marker marker;
+  marker.header.stamp = stamp;
+  marker.header.frame_id = base_frame;
+  marker.ns = "planned_path";
+  marker.type = visualization_msgs::Marker::LINE_STRIP;
+  marker.action = tool_path.size() < 2 ? visualization_msgs::Marker::DELETE : visualization_msgs::Marker::ADD;
+  marker.pose = toPoseMessage(arm::Pose::Identity());
+  marker.scale.x = 0.004;  // width of the line [m]
+  marker.color.r = 0.06F;
+  marker.color.g = 0.45F;
+  marker.color.b = 0.95F;
+  marker.color.a = 1.0F;
+  marker.points.reserve(tool_path.size());
+  for (const arm::Pose& pose : tool_path) marker.points.push_back(toPoseMessage(pose).position);
+  return marker;
+}
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,74 @@
+#include "cobot_command/ros/shared/given_parameters.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <ros/param.h>
+
+namespace cobot_command::ros_adapter {
+
+namespace {
+
+Given listIn(XmlRpc::XmlRpcValue& value) {
+  GivenList list;
+  for (int i = 0; i < value.size(); ++i) list.push_back(toGiven(value[i]));
+  return {list};
+}
+
+}  // namespace
+
+Given toGiven(const XmlRpc::XmlRpcValue& value) {
+  using XmlRpc::XmlRpcValue;
+  XmlRpcValue copy = value;  // its conversions are not const
+  switch (copy.getType()) {
+    case XmlRpcValue::TypeBoolean:
+      return {static_cast<bool>(copy)};
+    case XmlRpcValue::TypeInt:
+      return {static_cast<int>(copy)};
+    case XmlRpcValue::TypeDouble:
+      return {static_cast<double>(copy)};
+    case XmlRpcValue::TypeString:
+      return {static_cast<std::string>(copy)};
+    case XmlRpcValue::TypeArray:
+      return listIn(copy);
+    case XmlRpcValue::TypeStruct:
+      return {OtherKind{"a namespace with parameters of its own"}};
+    case XmlRpcValue::TypeDateTime:
+      return {OtherKind{"a date"}};
+    case XmlRpcValue::TypeBase64:
+      return {OtherKind{"binary data"}};
+    default:
+      return {OtherKind{"nothing"}};
+  }
+}
+
+GivenParameters givenParameters(const ros::NodeHandle& node, const ros::NodeHandle& self) {
+  GivenParameters given;
+  given.space = self.getNamespace();
+  XmlRpc::XmlRpcValue value;
+  // All at once: what is not asked for by name must be seen as well.
+  if (ros::param::get(given.space, value) && value.getType() == XmlRpc::XmlRpcValue::TypeStruct) {
+    for (auto& entry : value) given.own.emplace(entry.first, toGiven(entry.second));
+  }
+  if (node.getParam("robot_description", value)) given.robot_description = toGiven(value);
+  return given;
+}
+
+ParameterError parameterError(const GivenParameters& given, const SettingFault& fault) {
+  return {fmt::format("parameter {}/{} {}", given.space, fault.setting, describe(fault))};
+}
+
+std::vector<std::string> warningsOfUnknown(const GivenParameters& given, const SettingTable& table,
+                                           const std::vector<std::string>& others) {
+  std::vector<std::string> warnings;
+  for (const UnknownSetting& unknown : unknownSettings(table, given.own)) {
+    if (std::find(others.begin(), others.end(), unknown.name) != others.end()) continue;
+    const std::string hint =
+        unknown.meant.empty() ? "README.md lists those that it has" : "did you mean " + unknown.meant + "?";
+    warnings.push_back(fmt::format("parameter {}/{} is none of this node's, and not used: {}", given.space,
+                                   unknown.name, hint));
+  }
+  return warnings;
+}
+
+}  // namespace cobot_command::ros_adapter

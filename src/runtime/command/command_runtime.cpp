@@ -1,0 +1,234 @@
+#include "cobot_command/runtime/command/command_runtime.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "shared/core_thread.h"
+#include <boost/asio/steady_timer.hpp>
+
+#include "cobot_command/transport/tcp_connection.h"
+
+namespace cobot_command::runtime {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+link::OpenFailure toOpenFailure(const transport::NetworkError& error) {
+  using From = transport::NetworkError::Kind;
+  using To = link::OpenFailure::Kind;
+  switch (error.kind) {
+    case From::Refused:
+      return {To::Refused, error.message};
+    case From::Unreachable:
+      return {To::Unreachable, error.message};
+    case From::UnknownHost:
+      return {To::UnknownHost, error.message};
+    case From::TimedOut:
+      return {To::TimedOut, error.message};
+    case From::AddressInUse:
+    case From::BadAddress:
+    case From::Other:
+      break;
+  }
+  return {To::Other, error.message};
+}
+
+}  // namespace
+
+class CommandRuntime::Impl {
+ public:
+  Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
+       blocks::FrameFinder frames, const command::NewestGoal& newest)
+      : observer_(std::move(observer)),
+        newest_(newest),
+        core_(std::move(arm), settings, {std::move(frames), newest, {}}, command::Planning::Beside),
+        start_(Clock::now()),
+        timer_(thread_.context()) {
+    thread_.post([this] { advance(); });
+    planner_.start();
+    thread_.start();
+  }
+
+  ~Impl() { stop(); }
+
+  /// An event for the core, from any thread.
+  template <class Event>
+  bool post(Event event) {
+    return thread_.post([this, event = std::move(event)] { handle(event); });
+  }
+
+  /// Nothing: only the core knows.
+  [[nodiscard]] std::optional<blocks::GoalId> newestGoal() const {
+    return newest_ ? std::optional(newest_()) : std::nullopt;
+  }
+
+  /// False: it has ended already.
+  bool retire(const std::function<void()>& begun = {}) {
+    return thread_.post([this, begun] {
+      handle([](command::CommandCore& core, Instant now) { core.retire(now); });
+      noteBegin();
+      if (begun) begun();
+    });
+  }
+
+  void stop() {
+    if (retire()) awaitRetirement();
+    thread_.finish([this] {
+      core_.shutDown(now());
+      carryOut();
+      connections_.clear();
+    });
+    planner_.finish([] {});  // what it is at was dropped: it ends behind its step
+  }
+
+  [[nodiscard]] Instant now() const { return Instant(Clock::now() - start_); }
+
+ private:
+  /// The connections have to live until the stop was heard: closed with answers unread, they would be reset,
+  /// and some systems then drop what came before.
+  void awaitRetirement() {
+    std::unique_lock<std::mutex> lock(retiring_);
+    retired_changed_.wait(lock, [this] { return begun_; });
+    retired_changed_.wait_for(lock, kRetirement, [this] { return retired_; });
+  }
+
+  /// The stop is out, if one was due.
+  void noteBegin() {
+    const std::lock_guard<std::mutex> lock(retiring_);
+    begun_ = true;
+    retired_changed_.notify_all();
+  }
+
+  void noteRetirement() {
+    if (!core_.retired()) return;
+    const std::lock_guard<std::mutex> lock(retiring_);
+    retired_ = true;
+    retired_changed_.notify_all();
+  }
+
+  template <class Event>
+  void handle(const Event& event) {
+    event(core_, now());
+    carryOut();
+    noteRetirement();
+    const auto deadline = core_.nextDeadline();
+    if (!deadline) {
+      timer_.cancel();
+      return;
+    }
+    timer_.expires_at(start_ + deadline->time_since_epoch());
+    timer_.async_wait([this](const boost::system::error_code& replaced) {
+      if (!replaced) {
+        advance();
+      }
+    });
+  }
+
+  void advance() {
+    handle([](command::CommandCore& core, Instant now) { core.advance(now); });
+  }
+
+  void carryOut() {
+    for (const auto& action : core_.takeActions()) {
+      std::visit([&](const auto& what) { carryOut(what, action); }, action);
+    }
+  }
+
+  template <class Told>
+  void carryOut(const Told& /*told*/, const command::Action& action) {
+    observer_(action, now());
+  }
+  void carryOut(const command::PlanAsked& plan, const command::Action& /*action*/) {
+    planner_.post([this, id = plan.id, work = plan.work] {
+      post([id, answer = work()](auto& core, Instant now) { core.planned(id, answer, now); });
+    });
+  }
+  void carryOut(const command::SendBytes& send, const command::Action& /*action*/) {
+    if (const auto connection = connections_.find(send.id); connection != connections_.end()) {
+      connection->second.send(send.bytes);
+    }
+  }
+  void carryOut(const command::CloseConnection& close, const command::Action& /*action*/) {
+    connections_.erase(close.id);
+  }
+  void carryOut(const command::OpenConnection& open, const command::Action& /*action*/) {
+    const auto id = open.id;
+    transport::TcpConnection::Callbacks callbacks;
+    callbacks.opened = [this, id] { handle([&](auto& core, Instant now) { core.opened(id, now); }); };
+    callbacks.failed = [this, id](const transport::NetworkError& error) {
+      connections_.erase(id);
+      handle([&](auto& core, Instant now) { core.openFailed(id, toOpenFailure(error), now); });
+    };
+    callbacks.received = [this, id](std::string_view bytes) {
+      handle([&](auto& core, Instant now) { core.received(id, bytes, now); });
+    };
+    callbacks.closed = [this, id](const std::string& reason) {
+      connections_.erase(id);
+      handle([&](auto& core, Instant now) { core.closed(id, reason, now); });
+    };
+    const auto [connection, is_new] = connections_.try_emplace(id, thread_.context(), std::move(callbacks));
+    if (is_new) {
+      connection->second.open(open.host, static_cast<std::uint16_t>(open.port), open.timeout);
+    }
+  }
+
+  CoreThread planner_;  ///< what may take long is planned here; it outlives the core's thread, which asks it
+  CoreThread thread_;   ///< first of the core's: the sockets and the timer live on its context
+  const Observer observer_;
+  const command::NewestGoal newest_;
+  command::CommandCore core_;
+  const Clock::time_point start_;
+  boost::asio::steady_timer timer_;
+  std::map<link::ConnectionId, transport::TcpConnection> connections_;
+  std::mutex retiring_;
+  std::condition_variable retired_changed_;
+  bool begun_ = false;
+  bool retired_ = false;
+};
+
+CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
+                               Observer observer, blocks::FrameFinder frames,
+                               const command::NewestGoal& newest)
+    : impl_(
+          std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(frames), newest)) {}
+
+CommandRuntime::~CommandRuntime() = default;
+
+bool CommandRuntime::submit(blocks::GoalId id, blocks::Goal goal) {
+  return impl_->post([id, goal = std::move(goal)](auto& core, Instant now) { core.submit(id, goal, now); });
+}
+
+void CommandRuntime::keepConnected(blocks::ConnectGoal target) {
+  impl_->post([target = std::move(target)](auto& core, Instant now) { core.keepConnected(target, now); });
+}
+
+void CommandRuntime::cancel(blocks::GoalId id) {
+  impl_->post([id, newest = impl_->newestGoal()](auto& core, Instant now) { core.cancel(id, now, newest); });
+}
+
+std::optional<std::future<command::FinishReport>> CommandRuntime::finish(blocks::FinishAfter after) {
+  const auto report = std::make_shared<std::promise<command::FinishReport>>();
+  auto reported = report->get_future();
+  const bool posted = impl_->post([=, newest = impl_->newestGoal()](auto& core, Instant now) {
+    report->set_value(core.finish(after, now, newest));
+  });
+  return posted ? std::optional(std::move(reported)) : std::nullopt;
+}
+
+void CommandRuntime::retire(const std::function<void()>& begun) {
+  if (!impl_->retire(begun) && begun) begun();
+}
+
+void CommandRuntime::stop() {
+  impl_->stop();
+}
+
+}  // namespace cobot_command::runtime
