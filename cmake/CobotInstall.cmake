@@ -1,4 +1,6 @@
 # Everything that a user of an install space needs. In a catkin workspace the folders are catkin's.
+# Another project finds the rooms as targets (doc/architecture.md): with catkin in the install space and in the devel space,
+# in the file that catkin itself writes; without it in the install space.
 
 if(COBOT_CORE_ONLY)
   include(GNUInstallDirs)
@@ -6,23 +8,44 @@ if(COBOT_CORE_ONLY)
   set(programs ${CMAKE_INSTALL_BINDIR})
   set(headers ${CMAKE_INSTALL_INCLUDEDIR}/cobot_command)
   set(share ${CMAKE_INSTALL_DATADIR}/cobot_command)
+  set(package ${CMAKE_INSTALL_LIBDIR}/cmake/cobot_command)
+  include(CMakePackageConfigHelpers)
+  write_basic_package_version_file(cobot_commandConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cobot_commandConfigVersion.cmake DESTINATION ${package})
+  install(FILES cmake/cobot_command-rooms.cmake DESTINATION ${package} RENAME cobot_commandConfig.cmake)
 else()
   set(libraries ${CATKIN_PACKAGE_LIB_DESTINATION})
   set(programs ${CATKIN_PACKAGE_BIN_DESTINATION})
   set(headers ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
   set(share ${CATKIN_PACKAGE_SHARE_DESTINATION})
+  set(package ${CATKIN_PACKAGE_SHARE_DESTINATION}/cmake)
   catkin_install_python(PROGRAMS examples/pick_and_place.py examples/tour.py rviz/fleet_rviz.py DESTINATION ${programs})
   install(DIRECTORY config launch rviz DESTINATION ${share})
 endif()
 
-get_property(installed_libraries GLOBAL PROPERTY COBOT_INSTALLED_LIBRARIES)
+get_property(exported_libraries GLOBAL PROPERTY COBOT_EXPORTED_LIBRARIES)
+get_property(libraries_of_nodes GLOBAL PROPERTY COBOT_LIBRARIES_OF_NODES)
 get_property(installed_programs GLOBAL PROPERTY COBOT_INSTALLED_PROGRAMS)
 # All that is installed, and no test.
-add_custom_target(rooms_and_programs DEPENDS ${installed_libraries} ${installed_programs})
+add_custom_target(rooms_and_programs DEPENDS ${exported_libraries} ${libraries_of_nodes} ${installed_programs})
+# They find the libraries wherever the prefix is.
+file(RELATIVE_PATH from_programs_to_libraries /${programs} /${libraries})
+set_target_properties(${installed_programs} PROPERTIES INSTALL_RPATH $ORIGIN/${from_programs_to_libraries})
 install(
-  TARGETS ${installed_libraries} ${installed_programs}
+  TARGETS ${exported_libraries}
+  EXPORT cobot_commandTargets
+  ARCHIVE DESTINATION ${libraries}
+  LIBRARY DESTINATION ${libraries})
+if(NOT COBOT_CORE_ONLY)
+  export(EXPORT cobot_commandTargets NAMESPACE cobot_command::
+         FILE ${CATKIN_DEVEL_PREFIX}/share/cobot_command/cmake/cobot_commandTargets.cmake)
+endif()
+install(EXPORT cobot_commandTargets NAMESPACE cobot_command:: DESTINATION ${package})
+install(
+  TARGETS ${libraries_of_nodes} ${installed_programs}
   ARCHIVE DESTINATION ${libraries}
   LIBRARY DESTINATION ${libraries}
   RUNTIME DESTINATION ${programs})
-install(DIRECTORY include/cobot_command/ DESTINATION ${headers})
+# Those of the nodes are of no use without their libraries, which are not exported.
+install(DIRECTORY include/cobot_command/ DESTINATION ${headers} PATTERN ros EXCLUDE)
 install(DIRECTORY urdf DESTINATION ${share})

@@ -30,7 +30,7 @@ function(cobot_precompiled_headers name)
   add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
   target_compile_features(${name} PRIVATE cxx_std_17)
   target_precompile_headers(${name} PRIVATE ${PRECOMPILED_HEADERS})
-  target_link_libraries(${name} PRIVATE ${PRECOMPILED_USES} cobot_sanitizers cobot_warnings)
+  target_link_libraries(${name} PRIVATE ${PRECOMPILED_USES} cobot_warnings)
 endfunction()
 
 function(cobot_use_precompiled target name)

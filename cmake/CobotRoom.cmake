@@ -5,28 +5,27 @@ add_library(cobot_warnings INTERFACE)
 target_compile_options(cobot_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
                                                 $<$<BOOL:${COBOT_WARNINGS_AS_ERRORS}>:-Werror>)
 
-add_library(cobot_sanitizers INTERFACE)
+# For all that is compiled here, and nothing that an installed library asks of those who use it.
 if(COBOT_SANITIZE)
-  target_compile_options(cobot_sanitizers INTERFACE -fsanitize=${COBOT_SANITIZE} -fno-omit-frame-pointer
-                                                    -fno-sanitize-recover=all)
+  add_compile_options(-fsanitize=${COBOT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   # g++ loses sight of what is initialized between the checks that sanitizers put in, and says so of itself.
-  target_compile_options(cobot_sanitizers INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  target_link_options(cobot_sanitizers INTERFACE -fsanitize=${COBOT_SANITIZE})
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  add_link_options(-fsanitize=${COBOT_SANITIZE})
   if(COBOT_SANITIZE MATCHES thread)
     # The thread sanitizer knows no fences, and g++ refuses them with it. Asio's locks say what it has to know.
-    target_compile_definitions(cobot_sanitizers INTERFACE BOOST_ASIO_DISABLE_FENCED_BLOCK)
+    add_compile_definitions(BOOST_ASIO_DISABLE_FENCED_BLOCK)
     # ROS's libraries keep to their own copies of boost's inline functions, and do not take ours, which are watched: a lock
     # and its unlock are then of one kind.
-    target_compile_options(cobot_sanitizers INTERFACE -fvisibility-inlines-hidden)
+    add_compile_options(-fvisibility-inlines-hidden)
   endif()
 endif()
 if(COBOT_COVERAGE)
-  target_compile_options(cobot_sanitizers INTERFACE --coverage -fprofile-update=atomic)
-  target_link_options(cobot_sanitizers INTERFACE --coverage)
+  add_compile_options(--coverage -fprofile-update=atomic)
+  add_link_options(--coverage)
 endif()
 if(COBOT_FUZZ)
   # What libFuzzer sees of the code that it drives.
-  target_compile_options(cobot_sanitizers INTERFACE -fsanitize=fuzzer-no-link)
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
 include(CobotPrecompiled)
@@ -35,10 +34,11 @@ if(COBOT_PRECOMPILE AND NOT COBOT_PRECOMPILE STREQUAL TESTS)
   set_target_properties(cobot_room_headers PROPERTIES POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
 endif()
 
-# cobot_add_room(<name> SOURCES <file>... [USES <target>...] [PRIVATELY_USES <target>...])
-# Makes the library cobot_<name>, known to the others as cobot_command::<name>.
+# cobot_add_room(<name> SOURCES <file>... [USES <target>...] [PRIVATELY_USES <target>...] [FOR_NODES])
+# Makes the library cobot_<name>, known to the others, and to other projects, as cobot_command::<name>. FOR_NODES: to ours
+# only, as it is nothing but a part of the nodes.
 function(cobot_add_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATELY_USES" ${ARGN})
+  cmake_parse_arguments(ROOM "FOR_NODES" "" "SOURCES;USES;PRIVATELY_USES" ${ARGN})
   add_library(cobot_${name} ${ROOM_SOURCES})
   add_library(cobot_command::${name} ALIAS cobot_${name})
   target_compile_features(cobot_${name} PUBLIC cxx_std_17)
@@ -46,12 +46,18 @@ function(cobot_add_room name)
     cobot_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
   target_link_libraries(
     cobot_${name}
-    PUBLIC ${ROOM_USES} cobot_sanitizers
-    PRIVATE ${ROOM_PRIVATELY_USES} $<BUILD_INTERFACE:cobot_warnings>)
+    PUBLIC ${ROOM_USES}
+    PRIVATE ${ROOM_PRIVATELY_USES})
+  target_compile_options(cobot_${name} PRIVATE $<TARGET_PROPERTY:cobot_warnings,INTERFACE_COMPILE_OPTIONS>)
   if(fmt::fmt IN_LIST ROOM_PRIVATELY_USES)
     cobot_use_precompiled(cobot_${name} cobot_room_headers)
   endif()
-  set_property(GLOBAL APPEND PROPERTY COBOT_INSTALLED_LIBRARIES cobot_${name})
+  set_target_properties(cobot_${name} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH $ORIGIN)
+  if(ROOM_FOR_NODES)
+    set_property(GLOBAL APPEND PROPERTY COBOT_LIBRARIES_OF_NODES cobot_${name})
+  else()
+    set_property(GLOBAL APPEND PROPERTY COBOT_EXPORTED_LIBRARIES cobot_${name})
+  endif()
 endfunction()
 
 # cobot_add_program(<name> SOURCES <file>... USES <target>...)
@@ -79,8 +85,7 @@ function(cobot_add_test name)
   # Not where catkin puts programs: rosrun and roslaunch look there.
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test/support)
-  target_link_libraries(test_${name} PRIVATE ${TEST_USES} cobot_source_tree GTest::gmock GTest::gtest_main cobot_warnings
-                                             cobot_sanitizers)
+  target_link_libraries(test_${name} PRIVATE ${TEST_USES} cobot_source_tree GTest::gmock GTest::gtest_main cobot_warnings)
   cobot_use_precompiled(test_${name} cobot_test_headers)
   if(name IN_LIST COBOT_TESTED_ELSEWHERE)
     set_target_properties(test_${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)

@@ -1,0 +1,12 @@
+# Read by find_package(cobot_command) in another project: the rooms of the core as targets, cobot_command::link and so on.
+include(CMakeFindDependencyMacro)
+find_dependency(Boost 1.71)
+find_dependency(Threads)
+find_dependency(Eigen3 3.3 NO_MODULE)
+find_dependency(fmt)
+find_dependency(nlohmann_json)
+find_dependency(orocos_kdl)
+find_dependency(tinyxml2)
+find_dependency(tl-expected)
+find_dependency(urdfdom)
+include(${cobot_command_DIR}/cobot_commandTargets.cmake)
