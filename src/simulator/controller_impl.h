@@ -5,14 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "io_board.h"
-#include "listen_node.h"
-#include "motion_queue.h"
-#include "outbox.h"
-#include "outgoing.h"
-#include "project_data.h"
-#include "sensors.h"
-#include "status_server.h"
+#include "queue/motion_queue.h"
+#include "robot/io_board.h"
+#include "robot/project_data.h"
+#include "robot/sensors.h"
+#include "script_port/listen_node.h"
+#include "status_port/status_server.h"
+#include "wire/outbox.h"
+#include "wire/outgoing.h"
 
 #include "cobot_command/simulator/simulated_controller.h"
 

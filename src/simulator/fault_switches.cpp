@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "item_table.h"
+#include "status_port/item_table.h"
 #include <fmt/format.h>
 
 namespace cobot_command::simulator {

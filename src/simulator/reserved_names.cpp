@@ -1,8 +1,8 @@
 #include "reserved_names.h"
 
-#include "controller_functions.h"
-#include "item_table.h"
-#include "robot_items.h"
+#include "script_port/controller_functions.h"
+#include "script_port/robot_items.h"
+#include "status_port/item_table.h"
 
 #include "cobot_command/script/robot_functions.h"
 #include "cobot_command/tm_script/parser.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "item_table.h"
-#include "project_data.h"
 #include "reserved_names.h"
+#include "robot/project_data.h"
 #include "settings_text.h"
+#include "status_port/item_table.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "controller_impl.h"
-#include "variable_items.h"
+#include "status_port/variable_items.h"
 #include <fmt/format.h>
 
 namespace cobot_command::simulator {

@@ -44,6 +44,11 @@ WINGS = {
     "ros/command": {"shared"},
     "ros/actions": {"command", "shared"},
     "ros/simulation": {"shared"},
+    "simulator/wire": {"simulated_controller.h", "fault_switches.h"},
+    "simulator/queue": {"fault_switches.h"},
+    "simulator/robot": {"wire", "settings.h", "robot_state.h"},
+    "simulator/script_port": {"wire", "queue", "robot", "settings.h", "robot_state.h"},
+    "simulator/status_port": {"wire", "robot", "settings.h", "robot_state.h", "operator_action.h"},
 }
 # The rooms that may include ROS.
 OF_ROS = {"ros"}

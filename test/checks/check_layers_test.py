@@ -12,9 +12,9 @@ ROS = ("ros/ros.h", "rospack/rospack.h", "xmlrpcpp/XmlRpc.h", "diagnostic_update
 CORE = ("string", "sys/stat.h", "boost/asio/post.hpp", "kdl/frames.hpp", "tinyxml2.h", "other.h", "cobot_command/common/time.h")
 
 
-def faults_of(line, room="link", wing=""):
+def faults_of(line, room="link", wing="", where="src"):
     with tempfile.TemporaryDirectory() as root:
-        folder = pathlib.Path(root, "src", room, wing)
+        folder = pathlib.Path(root, where, room, wing)
         folder.mkdir(parents=True)
         (folder / "some.cpp").write_text(f"// words\n{line}\n", encoding="utf-8")
         return list(check_layers.faults(pathlib.Path(root)))
@@ -42,6 +42,7 @@ class CheckLayers(unittest.TestCase):
             self.assertEqual(faults_of(line, "command", "runs"), [])
         self.assertEqual(faults_of('#include "runs/stop_run.h"', "command"), [])
         self.assertEqual(faults_of('#include "cobot_command/command/actions.h"', "command", "board"), [])
+        self.assertEqual(faults_of('#include "runs/stop_run.h"', "command", "board", "test/unit"), [])
 
     def test_finds_the_simulator_beside_the_command_layer(self):
         for place in (("runtime", "command"), ("ros", "command"), ("ros", "actions"), ("ros", "shared")):

@@ -1,0 +1,169 @@
+#include "script_port/script_interpreter.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "robot/tmflow_version.h"
+#include "script_port/controller_functions.h"
+#include <fmt/format.h>
+
+#include "cobot_command/script/robot_functions.h"
+
+namespace cobot_command::simulator {
+
+namespace {
+
+/// As one number for each line.
+std::vector<int> linesOf(const std::vector<tm_script::Fault>& faults) {
+  std::vector<int> lines;
+  for (const tm_script::Fault& fault : faults) {
+    if (lines.empty() || lines.back() != fault.line) lines.push_back(fault.line);
+  }
+  return lines;
+}
+
+const tm_script::Item* itemIn(const tm_script::Expression& target) {
+  const auto* element = std::get_if<tm_script::Element>(&target.node);
+  return std::get_if<tm_script::Item>(element == nullptr ? &target.node : &element->array->node);
+}
+
+/// Is there a call or an output that goes into the queue of motions? Calls within others are seen when they
+/// are made.
+bool goesIntoTheQueue(const tm_script::Statement& statement) {
+  const auto* expression = std::get_if<tm_script::Expression>(&statement.content);
+  if (expression == nullptr) return false;
+  const auto* call = std::get_if<tm_script::Call>(&expression->node);
+  if (call != nullptr) return script::isQueued(call->function);
+  const auto* assignment = std::get_if<tm_script::Assignment>(&expression->node);
+  const auto* item = assignment == nullptr ? nullptr : itemIn(assignment->targets.front());
+  return item != nullptr && item->object == "IO" && (item->attribute == "DO" || item->attribute == "AO");
+}
+
+}  // namespace
+
+ScriptInterpreter::ScriptInterpreter(const Settings& settings, Robot robot, TagTable& tags,
+                                     FaultSwitches& faults, ScriptClients& clients, Outbox& outbox)
+    : robot_(std::move(robot)),
+      tags_(tags),
+      faults_(faults),
+      clients_(clients),
+      outbox_(outbox),
+      tmflow_(tmflowVersion(settings.tmflow_version)),
+      functions_(tmflow_),
+      environment_(RobotItems(robot_.model, robot_.io, robot_.project, robot_.state), robot_.project,
+                   settings.velocity_licence,
+                   {[this](const script::ScriptCommand& command) { return perform(command); },
+                    [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {
+  script::declareRobotFunctions(functions_);
+  defineControllerFunctions(functions_, robot_.state);
+}
+
+void ScriptInterpreter::add(PendingScript script) {
+  if (pending_.size() < kMostWaiting) return pending_.push_back(std::move(script));
+  clients_.reply(script.client, protocol::ScriptReply{script.id, false, {1}});
+}
+
+tm_script::Findings ScriptInterpreter::check(const tm_script::ParsedScript& script) {
+  return tm_script::check(script, functions_, scope(), environment_);
+}
+
+tm_script::Findings ScriptInterpreter::findingsOf(const PendingScript& script) {
+  tm_script::Findings findings = check(script.script);
+  if (!script.spoiled.empty()) {
+    findings.errors.clear();
+    for (const int line : script.spoiled) findings.errors.push_back({line, "fault"});
+  }
+  if (!findings.errors.empty()) return findings;
+  std::size_t queued = robot_.queue.size();
+  for (const tm_script::Statement& statement : script.script.statements) {
+    if (goesIntoTheQueue(statement) && ++queued > kMostWaiting) {
+      findings.errors.push_back({statement.line, "the queue of motions is full"});
+    }
+  }
+  return findings;
+}
+
+// Checks the next script as a whole; one with an error is answered and nothing of it is executed.
+bool ScriptInterpreter::begin() {
+  PendingScript script = std::move(pending_.front());
+  pending_.pop_front();
+  const tm_script::Findings findings = findingsOf(script);
+  for (const auto* faults : {&findings.errors, &findings.warnings}) {
+    for (const tm_script::Fault& fault : *faults) {
+      outbox_.log(fmt::format("script {}, line {}: {}", script.id, fault.line, fault.reason));
+    }
+  }
+  if (!findings.errors.empty()) {
+    clients_.reply(script.client, protocol::ScriptReply{script.id, false, linesOf(findings.errors)});
+    return false;
+  }
+  running_.emplace(Running{
+      script.client, std::move(script.id), linesOf(findings.warnings),
+      tm_script::Interpreter(std::move(script.script.statements), functions_, scope(), environment_)});
+  return true;
+}
+
+bool ScriptInterpreter::waits(Instant now) const {
+  return wait_ && !wait_->is_released && now < wait_->until && (!wait_->tag || tags_.isOpen(*wait_->tag));
+}
+
+void ScriptInterpreter::resumeWaiting() {
+  if (!wait_) return;
+  const bool complete = wait_->tag && tags_.query(wait_->tag->tag) == protocol::TagState::Complete;
+  tm_script::Scalar answer(true);
+  if (wait_->is_question) answer = complete ? 1 : 0;
+  running_->script.resume(answer);
+  wait_.reset();
+}
+
+ScriptInterpreter::Step ScriptInterpreter::run(Instant now) {
+  now_ = now;
+  if (!running_) {
+    if (pending_.empty()) return Step::Waits;
+    if (!begin()) return Step::Ran;
+  }
+  tm_script::Progress progress = tm_script::Progress::Waiting;
+  while (progress == tm_script::Progress::Waiting) {
+    if (waits(now)) return Step::Waits;
+    resumeWaiting();
+    progress = running_->script.run(std::numeric_limits<int>::max());
+  }
+  if (progress == tm_script::Progress::Failed) {
+    const tm_script::Fault fault = *running_->script.fault();
+    outbox_.log(fmt::format("script {} failed in line {}: {}", running_->id, fault.line, fault.reason));
+    end(false, {fault.line});
+  }
+  endCurrent();
+  return std::exchange(exited_, false) ? Step::Exited : Step::Ran;
+}
+
+Instant ScriptInterpreter::nextEvent() const {
+  return wait_ ? wait_->until : Instant::max();
+}
+
+void ScriptInterpreter::releaseWait() {
+  if (wait_ && wait_->tag) wait_->is_released = true;
+}
+
+void ScriptInterpreter::endCurrent() {
+  if (running_) end(true, running_->warnings);
+}
+
+void ScriptInterpreter::end(bool accepted, std::vector<int> lines) {
+  wait_.reset();
+  clients_.reply(running_->client, protocol::ScriptReply{running_->id, accepted, std::move(lines)});
+  running_.reset();
+}
+
+std::deque<PendingScript> ScriptInterpreter::takePending() {
+  return std::exchange(pending_, {});
+}
+
+void ScriptInterpreter::clear() {
+  pending_.clear();
+  running_.reset();
+  wait_.reset();
+}
+
+}  // namespace cobot_command::simulator

@@ -1,0 +1,54 @@
+// Values of items out of the state of the robot, in the units of the controller.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/project_data.h"
+#include "robot/tool_twist.h"
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/protocol/item_content.h"
+#include "cobot_command/simulator/robot_state.h"
+#include "cobot_command/simulator/settings.h"
+
+namespace cobot_command::simulator {
+
+/// All that the items are made from.
+struct ItemSource {
+  const arm::ArmModel& arm;
+  const Settings& settings;
+  const RobotState& state;
+  const FaultSwitch& hidden;  ///< its text names items that are not there
+  const ProjectData& project;
+};
+
+/// The source, and what several items need of it, computed once.
+struct ItemValues {
+  explicit ItemValues(const ItemSource& from);
+
+  const ItemSource& source;
+  const RobotState& state;
+  arm::Pose robot_tool;  ///< the TCP in the robot base [m]
+  Twist tool_twist;
+};
+
+using Floats = std::vector<float>;
+
+/// Each times a unit's size.
+[[nodiscard]] Floats floats(const Eigen::Ref<const Eigen::VectorXd>& numbers, double factor = 1.0);
+[[nodiscard]] Floats poseFloats(const arm::Pose& pose);                   ///< [mm, deg]
+[[nodiscard]] Floats inertiaMoments(const script::ToolInertia& inertia);  ///< [kg mm^2]
+[[nodiscard]] Floats massCenter(const script::ToolInertia& inertia);      ///< [mm, deg]
+[[nodiscard]] Floats degrees(const arm::JointVector& joints);             ///< [deg] or [deg/s]
+[[nodiscard]] Floats twistFloats(const Twist& twist);                     ///< [mm/s, deg/s]
+/// Six rows of offset, alpha, a, d, type, lower and upper limit [mm, deg].
+[[nodiscard]] Floats dhTable(const arm::ArmModel& arm);
+/// One number of each joint's limits [deg, deg/s].
+[[nodiscard]] Floats jointLimits(const arm::ArmModel& arm, double arm::JointLimit::*number);
+[[nodiscard]] int robotLight(const RobotState& state);
+[[nodiscard]] std::string upperCase(std::string text);
+
+}  // namespace cobot_command::simulator
