@@ -86,11 +86,11 @@ OperatorReply SimulatedController::Impl::act(const SetEmergencyStop& action) {
 OperatorReply SimulatedController::Impl::act(const SetSafeguard& action) {
   const bool was_open = std::exchange(safeguard_, action.open);
   if (action.open) {
-    queue_.pause(now_, MotionQueue::Holder::Safeguard);
+    queue_.pause(now_, Holder::Safeguard);
     return done("the safeguard is open");
   }
   if (was_open && !settings_.safeguard_resets_itself && node_.projectRuns()) queue_.pause(now_);
-  queue_.resume(now_, MotionQueue::Holder::Safeguard);
+  queue_.resume(now_, Holder::Safeguard);
   return done("the safeguard is closed");
 }
 

@@ -15,8 +15,7 @@ SimulatedController::Impl::Impl(const arm::ArmModel& arm, Settings settings, Ins
       faults_(settings_.faults),
       outgoing_(faults_, outbox_),
       queue_(arm_, settings_.start_posture,
-             {std::max(settings_.stop_time, Duration::zero()), 1.0, settings_.checks_payload},
-             faults_.stale_tag),
+             {std::max(settings_.stop_time, Duration::zero()), settings_.checks_payload}, faults_.stale_tag),
       io_(outbox_),
       project_(settings_, arm_),
       node_(settings_, {arm_, queue_, io_, project_, [this] { return measured(); }}, faults_, outgoing_,
@@ -112,7 +111,7 @@ void SimulatedController::Impl::received(Port port, ClientId client, std::string
 // --- What comes out ----------------------------------------------------------------------------------------
 
 RobotState SimulatedController::Impl::state() const {
-  const motion::JointState joints = queue_.at(now_);
+  const motion::JointState joints = queue_.arm().at(now_);
   RobotState state;
   state.time = now_;
   state.started = started_;
@@ -120,19 +119,20 @@ RobotState SimulatedController::Impl::state() const {
   state.joints = joints.position;
   state.velocities = joints.velocity;
   state.flange = arm::forwardKinematics(arm_, joints.position);
-  state.base = queue_.setting().base;
-  state.tcp = queue_.setting().tcp;
-  state.base_name = queue_.baseName();
-  state.tcp_name = queue_.tcpName();
-  state.tcp_mass = queue_.tcpMass();
-  state.tcp_inertia = queue_.tcpInertia();
-  state.load = queue_.load();
+  const ToolAndBase& setting = queue_.toolAndBase();
+  state.base = setting.base;
+  state.tcp = setting.tcp;
+  state.base_name = setting.base_name;
+  state.tcp_name = setting.tcp_name;
+  state.tcp_mass = setting.tcp_mass;
+  state.tcp_inertia = setting.tcp_inertia;
+  state.load = setting.load;
   state.inputs = io_.inputs();
   state.outputs = io_.outputs();
   state.analog_output = io_.analogOutput();
   state.camera_light = io_.cameraLight();
   state.auto_remote = auto_remote_;
-  state.in_motion = queue_.inMotion(now_);
+  state.in_motion = queue_.arm().inMotion(now_);
   state.project_running = node_.projectRuns();
   state.project_paused = queue_.paused() && node_.projectRuns();
   state.listening = node_.listening();

@@ -46,4 +46,12 @@ std::optional<RobotError> overload(const arm::ArmModel& arm, double tool, double
                                 tool, load, arm.name(), rated)};
 }
 
+void ErrorLatch::on(ErrorEvent event, RobotError error) {
+  const auto row = findTransition<ErrorTable>(state_, event);
+  if (!row) return;
+  state_ = row->to;
+  error_.reset();
+  if (row->action == ErrorAction::Keep) error_ = std::move(error);
+}
+
 }  // namespace cobot_command::simulator

@@ -26,35 +26,35 @@ std::optional<Duration> limit(int milliseconds) {
 }  // namespace
 
 std::optional<tm_script::CallFailure> ScriptInterpreter::withinPvt(const char* what) const {
-  if (!robot_.queue.pvtIsOpen()) return std::nullopt;
+  if (!robot_.queue.pvt().isOpen()) return std::nullopt;
   return tm_script::CallFailure{std::string(what) + " cannot stand between PVTEnter and PVTExit"};
 }
 
 tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtEnter& enter) {
   if (auto failure = withinPvt("another PVTEnter")) return *failure;
-  robot_.queue.openPvt(enter.cartesian);
+  robot_.queue.pvt().open(enter.cartesian);
   return done();
 }
 
 tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtPoint& point) {
-  if (!robot_.queue.pvtIsOpen()) return outsidePvt("PVTPoint");
-  robot_.queue.addPoint(point);
+  if (!robot_.queue.pvt().isOpen()) return outsidePvt("PVTPoint");
+  robot_.queue.pvt().add(point);
   return done();
 }
 
 tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtExit&) {
-  if (!robot_.queue.pvtIsOpen()) return outsidePvt("PVTExit");
+  if (!robot_.queue.pvt().isOpen()) return outsidePvt("PVTExit");
   robot_.queue.closePvt();
   return done();
 }
 
 tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtPause&) {
-  robot_.queue.pausePvt(now_);
+  robot_.queue.pause(now_, Holder::Pvt);
   return done();
 }
 
 tm_script::CallAnswer ScriptInterpreter::execute(const script::PvtResume&) {
-  robot_.queue.resumePvt(now_);
+  robot_.queue.resume(now_, Holder::Pvt);
   return done();
 }
 

@@ -1,0 +1,89 @@
+#include "queue/motion_planner.h"
+
+#include <utility>
+
+#include "cobot_command/common/overloaded.h"
+#include "cobot_command/motion/planner.h"
+#include "cobot_command/motion/velocity.h"
+
+namespace cobot_command::simulator {
+namespace {
+
+/// What comes to where a line or an arc ends, but on any way.
+std::optional<motion::Command> toTheSameEnd(const motion::Command& command) {
+  using Wanted = std::optional<motion::Command>;
+  return std::visit(
+      Overloaded{[](const motion::Line& line) -> Wanted {
+                   return motion::Ptp{motion::PoseTarget{line.target, {}}, 1.0, line.time_to_top_speed};
+                 },
+                 [](const motion::Circle& circle) -> Wanted {
+                   return motion::Ptp{motion::PoseTarget{circle.end, {}}, 1.0, circle.time_to_top_speed};
+                 },
+                 [](const motion::MoveLine& line) -> Wanted {
+                   return motion::MovePtp{line.offset, 1.0, line.time_to_top_speed};
+                 },
+                 [](const motion::PLine& line) -> Wanted {
+                   const auto* pose = std::get_if<arm::Pose>(&line.target);
+                   if (pose == nullptr) return std::nullopt;
+                   return motion::Ptp{motion::PoseTarget{*pose, {}}, 1.0, line.time_to_top_speed};
+                 },
+                 [](const motion::MovePLine& line) -> Wanted {
+                   return motion::MovePtp{line.offset, 1.0, line.time_to_top_speed};
+                 },
+                 [](const auto&) -> Wanted { return std::nullopt; }},
+      command);
+}
+
+bool isUnreachable(const Result<motion::TrajectoryPtr, motion::Refusal>& planned) {
+  return !planned && planned.error().reason == motion::Refusal::Reason::Unreachable;
+}
+
+}  // namespace
+
+Result<ArmMotion, RobotError> MotionPlanner::plan(const arm::JointVector& start, const MotionRequest& request,
+                                                  const ToolAndBase& setting) const {
+  if (auto too_heavy = overloadBy(setting)) return refuse(std::move(*too_heavy));
+  const auto command = planning::toMotion(request);
+  if (!command) return refuse(robotErrorFor(command.error(), false));
+  const motion::Setting with = motionSetting(setting);
+  const auto planned = motion::plan(arm_, start, *command, with);
+  if (planned) {
+    const bool is_pvt = std::holds_alternative<planning::PvtBlock>(request);
+    return ArmMotion{*planned, *planned, planning::blendOf(request), options_.speed_override, is_pvt, {}};
+  }
+  const auto other = isUnreachable(planned) ? toTheSameEnd(*command) : std::nullopt;
+  const bool reaches_end = other && !isUnreachable(motion::plan(arm_, start, *other, with));
+  return refuse(robotErrorFor(planned.error(), reaches_end));
+}
+
+Result<ArmMotion, RobotError> MotionPlanner::planVelocity(const motion::JointState& now,
+                                                          const Velocity& velocity,
+                                                          std::optional<Duration> lasting,
+                                                          const ToolAndBase& setting) const {
+  if (auto too_heavy = overloadBy(setting)) return refuse(std::move(*too_heavy));
+  auto planned =
+      motion::planVelocity(arm_, now, {velocity, options_.stop_time, lasting}, motionSetting(setting));
+  if (!planned) return refuse(robotErrorFor(planned.error(), false));
+  ArmMotion motion{planned->trajectory, planned->trajectory, {}, options_.speed_override, false, {}};
+  if (planned->ends_at) motion.obstacle = robotErrorFor(*planned->ends_at, false);
+  return motion;
+}
+
+std::optional<MotionPlanner::Blended> MotionPlanner::planBehind(const ArmMotion& before, Duration left,
+                                                                const MotionRequest& request,
+                                                                const ToolAndBase& setting) const {
+  auto next = plan(before.planned->end().position, request, setting);
+  if (!next) return std::nullopt;
+  motion::Passage passage =
+      motion::passInto(arm_, before.planned, next->planned, setting.tcp, *before.blend, left);
+  if (passage.overlap <= Duration::zero()) return std::nullopt;
+  next->path = std::move(passage.path);
+  next->planned = std::move(passage.planned);
+  return Blended{std::move(*next), passage.overlap};
+}
+
+std::optional<RobotError> MotionPlanner::overloadBy(const ToolAndBase& setting) const {
+  return options_.checks_payload ? overload(arm_, setting.tcp_mass, setting.load) : std::nullopt;
+}
+
+}  // namespace cobot_command::simulator
