@@ -45,14 +45,14 @@ std::vector<int> stopsIn(const tm_script::Script& script) {
 
 }  // namespace
 
-ListenNode::ListenNode(const Settings& settings, const ScriptInterpreter::Robot& robot, FaultSwitches& faults,
+ListenNode::ListenNode(const Settings& settings, const ScriptedRobot& robot, FaultSwitches& faults,
                        Outgoing& outgoing, Outbox& outbox)
     : settings_(settings),
       queue_(robot.queue),
       faults_(faults),
       outbox_(outbox),
       clients_({settings.accept_empty_length}, faults, outgoing, outbox),
-      interpreter_(settings, robot, tags_, faults, clients_, outbox) {}
+      scheduler_(settings, robot, tags_, faults, clients_, outbox) {}
 
 void ListenNode::connected(ClientId client, Instant now) {
   if (port_open_) {
@@ -76,7 +76,7 @@ void ListenNode::stop() {
   if (!projectRuns()) return;
   flow_ = after(flow_, FlowEvent::Stop);
   reenter_at_.reset();
-  interpreter_.clear();
+  scheduler_.clear();
   updatePort();
   outbox_.log("project stopped");
 }
@@ -94,7 +94,7 @@ void ListenNode::enter(Instant now) {
   heard_at_ = clients_.empty() ? std::nullopt : std::optional(now);
   reenter_at_.reset();
   reentry_delay_ = settings_.reentry_delay;
-  interpreter_.forgetVariables();
+  scheduler_.forgetVariables();
   outbox_.log(fmt::format("Listen node entered: {}", settings_.listen_node_message));
   clients_.broadcast(protocol::ListenNodeEntered{settings_.listen_node_message});
 }
@@ -103,7 +103,7 @@ void ListenNode::enter(Instant now) {
 void ListenNode::leave(Instant now) {
   queue_.leaveModes(now);
   flow_ = after(flow_, FlowEvent::Exit);
-  for (const PendingScript& script : interpreter_.takePending()) {
+  for (const PendingScript& script : scheduler_.takePending()) {
     refuseFrame(script.client, Code::NotListening);
   }
 }
@@ -112,7 +112,7 @@ void ListenNode::leaveForGood(Instant now) {
   reentry_delay_.reset();
   reenter_at_.reset();
   if (!listening()) return;
-  interpreter_.endCurrent();
+  scheduler_.endCurrent();
   leave(now);
 }
 
@@ -131,14 +131,14 @@ Instant ListenNode::timeout() const {
 bool ListenNode::step(Instant now) {
   if (timeout() <= now) {
     outbox_.log(fmt::format("{} timeout of the Listen node", heard_at_ ? "data" : "connection"));
-    interpreter_.endCurrent();
+    scheduler_.endCurrent();
     leave(now);
     return true;
   }
   if (flow_ == FlowState::Listening) {
-    const auto step = interpreter_.run(now);
-    if (step == ScriptInterpreter::Step::Exited) leave(now);
-    return step != ScriptInterpreter::Step::Waits;
+    const auto step = scheduler_.run(now);
+    if (step == ScriptScheduler::Step::Exited) leave(now);
+    return step != ScriptScheduler::Step::Waits;
   }
   if (flow_ == FlowState::Leaving && queue_.idle()) {
     flow_ = after(flow_, FlowEvent::Done);
@@ -155,7 +155,7 @@ bool ListenNode::step(Instant now) {
 }
 
 Instant ListenNode::nextEvent() const {
-  return std::min({interpreter_.nextEvent(), reenter_at_.value_or(Instant::max()), timeout()});
+  return std::min({scheduler_.nextEvent(), reenter_at_.value_or(Instant::max()), timeout()});
 }
 
 void ListenNode::on(const TagSettled& settled) {
@@ -168,8 +168,8 @@ void ListenNode::on(const TagSettled& settled) {
 }
 
 void ListenNode::abandonScripts() {
-  interpreter_.endCurrent();
-  const auto dropped = interpreter_.takePending().size();
+  scheduler_.endCurrent();
+  const auto dropped = scheduler_.takePending().size();
   if (dropped > 0) outbox_.log(fmt::format("{} buffered scripts dropped", dropped));
 }
 
@@ -231,7 +231,7 @@ void ListenNode::answer(ClientId client, const protocol::ScriptRequest& request,
   }
   PendingScript script{client, request.id, tm_script::parse(request.script), {}};
   spoil(script);
-  if (!runPriorityCommand(script, now)) interpreter_.add(std::move(script));
+  if (!runPriorityCommand(script, now)) scheduler_.add(std::move(script));
 }
 
 /// A fault refuses what is right: the script becomes one with faulty lines.
@@ -251,7 +251,7 @@ bool ListenNode::runPriorityCommand(const PendingScript& script, Instant now) {
   const auto exit_mode = priorityMode(script.script.statements, "ScriptExit");
   const auto stop_mode = priorityMode(script.script.statements, kStop);
   if (!exit_mode && !stop_mode) return false;
-  if (!script.spoiled.empty() || !interpreter_.check(script.script).errors.empty()) return false;
+  if (!script.spoiled.empty() || !scheduler_.check(script.script).errors.empty()) return false;
   if (exit_mode) {
     exit(now);
   } else {
@@ -272,9 +272,9 @@ void ListenNode::stopAndClear(int mode, Instant now) {
   queue_.stop(now);
   switch (mode) {
     case 0:
-      return interpreter_.releaseWait();
+      return scheduler_.releaseWait();
     case 1:
-      return interpreter_.endCurrent();
+      return scheduler_.endCurrent();
     default:
       return abandonScripts();
   }

@@ -9,7 +9,7 @@
 #include "queue/motion_queue.h"
 #include "script_port/node_flow.h"
 #include "script_port/script_clients.h"
-#include "script_port/script_interpreter.h"
+#include "script_port/script_scheduler.h"
 #include "script_port/tag_table.h"
 
 #include "cobot_command/protocol/message.h"
@@ -19,8 +19,8 @@ namespace cobot_command::simulator {
 
 class ListenNode {
  public:
-  ListenNode(const Settings& settings, const ScriptInterpreter::Robot& robot, FaultSwitches& faults,
-             Outgoing& outgoing, Outbox& outbox);
+  ListenNode(const Settings& settings, const ScriptedRobot& robot, FaultSwitches& faults, Outgoing& outgoing,
+             Outbox& outbox);
 
   // --- The wire.
   void connected(ClientId client, Instant now);
@@ -75,7 +75,7 @@ class ListenNode {
   Outbox& outbox_;
   ScriptClients clients_;
   TagTable tags_;
-  ScriptInterpreter interpreter_;
+  ScriptScheduler scheduler_;
   FlowState flow_ = FlowState::Stopped;
   bool port_open_ = false;
   std::optional<Duration> reentry_delay_;  // from the next leaving

@@ -1,33 +1,32 @@
-// The simulated robot as a script sees it: its items, and its functions as commands.
+// The simulated robot as a script sees it: its items, and its functions.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "robot/project_data.h"
+#include "robot/tmflow_version.h"
 #include "script_port/robot_items.h"
+#include "script_port/script_clients.h"
+#include "script_port/script_commands.h"
 
-#include "cobot_command/protocol/message.h"
-#include "cobot_command/script/script_command.h"
+#include "cobot_command/simulator/settings.h"
 #include "cobot_command/tm_script/environment.h"
 
 namespace cobot_command::simulator {
 
 class ScriptEnvironment final : public tm_script::Environment {
  public:
-  /// What comes of a script.
-  struct Effects {
-    std::function<tm_script::CallAnswer(const script::ScriptCommand&)> execute;
-    std::function<void(const protocol::ListenData&)> send;
-  };
+  ScriptEnvironment(const ScriptedRobot& robot, const Settings& settings, TagTable& tags,
+                    FaultSwitches& faults, ScriptClients& clients)
+      : items_(robot.model, robot.io, robot.project, robot.state),
+        project_(robot.project),
+        velocity_licence_(settings.velocity_licence),
+        clients_(clients),
+        commands_(robot, tags, faults, clients, tmflowVersion(settings.tmflow_version)) {}
 
-  ScriptEnvironment(RobotItems items, const ProjectData& project, bool velocity_licence, Effects effects)
-      : items_(std::move(items)),
-        project_(project),
-        velocity_licence_(velocity_licence),
-        effects_(std::move(effects)) {}
+  [[nodiscard]] ScriptCommands& commands() { return commands_; }
 
   [[nodiscard]] Result<tm_script::ItemShape, std::string> shapeOf(
       const std::string& object, const std::vector<std::optional<tm_script::Scalar>>& keys,
@@ -55,7 +54,8 @@ class ScriptEnvironment final : public tm_script::Environment {
   RobotItems items_;
   const ProjectData& project_;
   bool velocity_licence_;
-  Effects effects_;
+  ScriptClients& clients_;
+  ScriptCommands commands_;
 };
 
 }  // namespace cobot_command::simulator

@@ -1,4 +1,4 @@
-#include "script_port/script_interpreter.h"
+#include "script_port/script_scheduler.h"
 
 #include <algorithm>
 #include <limits>
@@ -42,50 +42,48 @@ bool goesIntoTheQueue(const tm_script::Statement& statement) {
 
 }  // namespace
 
-ScriptInterpreter::ScriptInterpreter(const Settings& settings, Robot robot, TagTable& tags,
-                                     FaultSwitches& faults, ScriptClients& clients, Outbox& outbox)
-    : robot_(std::move(robot)),
+ScriptScheduler::ScriptScheduler(const Settings& settings, const ScriptedRobot& robot, TagTable& tags,
+                                 FaultSwitches& faults, ScriptClients& clients, Outbox& outbox)
+    : project_(robot.project),
       tags_(tags),
-      faults_(faults),
       clients_(clients),
       outbox_(outbox),
-      tmflow_(tmflowVersion(settings.tmflow_version)),
-      functions_(tmflow_),
-      environment_(RobotItems(robot_.model, robot_.io, robot_.project, robot_.state), robot_.project,
-                   settings.velocity_licence,
-                   {[this](const script::ScriptCommand& command) { return perform(command); },
-                    [this](const protocol::ListenData& data) { clients_.broadcast(data); }}) {
+      functions_(tmflowVersion(settings.tmflow_version)),
+      environment_(robot, settings, tags, faults, clients) {
   script::declareRobotFunctions(functions_);
-  defineControllerFunctions(functions_, robot_.state);
+  defineControllerFunctions(functions_, robot.state);
 }
 
-void ScriptInterpreter::add(PendingScript script) {
+void ScriptScheduler::add(PendingScript script) {
   if (pending_.size() < kMostWaiting) return pending_.push_back(std::move(script));
   clients_.reply(script.client, protocol::ScriptReply{script.id, false, {1}});
 }
 
-tm_script::Findings ScriptInterpreter::check(const tm_script::ParsedScript& script) {
+tm_script::Findings ScriptScheduler::check(const tm_script::ParsedScript& script) {
   return tm_script::check(script, functions_, scope(), environment_);
 }
 
-tm_script::Findings ScriptInterpreter::findingsOf(const PendingScript& script) {
+tm_script::Findings ScriptScheduler::findingsOf(const PendingScript& script) {
   tm_script::Findings findings = check(script.script);
   if (!script.spoiled.empty()) {
     findings.errors.clear();
     for (const int line : script.spoiled) findings.errors.push_back({line, "fault"});
   }
   if (!findings.errors.empty()) return findings;
-  std::size_t queued = robot_.queue.size();
+  std::size_t room = environment_.commands().room();
   for (const tm_script::Statement& statement : script.script.statements) {
-    if (goesIntoTheQueue(statement) && ++queued > kMostWaiting) {
+    if (!goesIntoTheQueue(statement)) continue;
+    if (room == 0) {
       findings.errors.push_back({statement.line, "the queue of motions is full"});
+    } else {
+      --room;
     }
   }
   return findings;
 }
 
 // Checks the next script as a whole; one with an error is answered and nothing of it is executed.
-bool ScriptInterpreter::begin() {
+bool ScriptScheduler::begin() {
   PendingScript script = std::move(pending_.front());
   pending_.pop_front();
   const tm_script::Findings findings = findingsOf(script);
@@ -104,11 +102,11 @@ bool ScriptInterpreter::begin() {
   return true;
 }
 
-bool ScriptInterpreter::waits(Instant now) const {
+bool ScriptScheduler::waits(Instant now) const {
   return wait_ && !wait_->is_released && now < wait_->until && (!wait_->tag || tags_.isOpen(*wait_->tag));
 }
 
-void ScriptInterpreter::resumeWaiting() {
+void ScriptScheduler::resumeWaiting() {
   if (!wait_) return;
   const bool complete = wait_->tag && tags_.query(wait_->tag->tag) == protocol::TagState::Complete;
   tm_script::Scalar answer(true);
@@ -117,8 +115,8 @@ void ScriptInterpreter::resumeWaiting() {
   wait_.reset();
 }
 
-ScriptInterpreter::Step ScriptInterpreter::run(Instant now) {
-  now_ = now;
+ScriptScheduler::Step ScriptScheduler::run(Instant now) {
+  environment_.commands().setTime(now);
   if (!running_) {
     if (pending_.empty()) return Step::Waits;
     if (!begin()) return Step::Ran;
@@ -128,6 +126,7 @@ ScriptInterpreter::Step ScriptInterpreter::run(Instant now) {
     if (waits(now)) return Step::Waits;
     resumeWaiting();
     progress = running_->script.run(std::numeric_limits<int>::max());
+    wait_ = environment_.commands().takeWait();
   }
   if (progress == tm_script::Progress::Failed) {
     const tm_script::Fault fault = *running_->script.fault();
@@ -135,32 +134,32 @@ ScriptInterpreter::Step ScriptInterpreter::run(Instant now) {
     end(false, {fault.line});
   }
   endCurrent();
-  return std::exchange(exited_, false) ? Step::Exited : Step::Ran;
+  return environment_.commands().takeExit() ? Step::Exited : Step::Ran;
 }
 
-Instant ScriptInterpreter::nextEvent() const {
+Instant ScriptScheduler::nextEvent() const {
   return wait_ ? wait_->until : Instant::max();
 }
 
-void ScriptInterpreter::releaseWait() {
+void ScriptScheduler::releaseWait() {
   if (wait_ && wait_->tag) wait_->is_released = true;
 }
 
-void ScriptInterpreter::endCurrent() {
+void ScriptScheduler::endCurrent() {
   if (running_) end(true, running_->warnings);
 }
 
-void ScriptInterpreter::end(bool accepted, std::vector<int> lines) {
+void ScriptScheduler::end(bool accepted, std::vector<int> lines) {
   wait_.reset();
   clients_.reply(running_->client, protocol::ScriptReply{running_->id, accepted, std::move(lines)});
   running_.reset();
 }
 
-std::deque<PendingScript> ScriptInterpreter::takePending() {
+std::deque<PendingScript> ScriptScheduler::takePending() {
   return std::exchange(pending_, {});
 }
 
-void ScriptInterpreter::clear() {
+void ScriptScheduler::clear() {
   pending_.clear();
   running_.reset();
   wait_.reset();

@@ -1,4 +1,4 @@
-#include "script_port/environment.h"
+#include "script_port/script_environment.h"
 
 #include <cmath>
 #include <cstring>
@@ -75,7 +75,7 @@ tm_script::CallAnswer ScriptEnvironment::writeOutput(const tm_script::ItemName& 
     if (!(std::abs(*volt) <= script::kMostVolt)) {
       return tm_script::CallFailure{fmt::format("an analog output is -10 to 10 V, not {}", *volt)};
     }
-    return effects_.execute(script::WriteAnalogOutput{*volt, item.attribute == "InstantAO"});
+    return commands_.perform(script::WriteAnalogOutput{*volt, item.attribute == "InstantAO"});
   }
   const auto level = std::get<std::uint8_t>(value);
   if (level > 1) return tm_script::CallFailure{fmt::format("an output is 0 or 1, not {}", level)};
@@ -84,7 +84,7 @@ tm_script::CallAnswer ScriptEnvironment::writeOutput(const tm_script::ItemName& 
   write.index = static_cast<int>(index);
   write.on = level == 1;
   write.instant = item.attribute == "InstantDO";
-  return effects_.execute(write);
+  return commands_.perform(write);
 }
 
 tm_script::CallAnswer ScriptEnvironment::call(const std::string& function,
@@ -93,14 +93,14 @@ tm_script::CallAnswer ScriptEnvironment::call(const std::string& function,
   if (auto objection = objectionTo(function, script::knownArguments(arguments))) {
     return tm_script::CallFailure{std::move(*objection)};
   }
-  return effects_.execute(script::commandOf(function, arguments));
+  return commands_.perform(script::commandOf(function, arguments));
 }
 
 tm_script::CallAnswer ScriptEnvironment::listenSend(const tm_script::Arguments& arguments) {
   constexpr std::int32_t kFirst = 90, kLast = 99, kSent = 0, kBadChannel = -2;
   const auto channel = std::get<std::int32_t>(std::get<Scalar>(arguments[0]));
   if (channel < kFirst || channel > kLast) return Value(Scalar(kBadChannel));
-  effects_.send({channel, bytesOf(arguments[1])});
+  clients_.broadcast(protocol::ListenData{channel, bytesOf(arguments[1])});
   return Value(Scalar(kSent));
 }
 
