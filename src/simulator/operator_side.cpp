@@ -41,7 +41,7 @@ OperatorReply SimulatedController::Impl::act(const RunProject&) {
 
 OperatorReply SimulatedController::Impl::act(const StopProject&) {
   queue_.stop(now_);
-  node_.stop();
+  node_.stop(now_);
   return done("the project is stopped");
 }
 
@@ -78,7 +78,7 @@ OperatorReply SimulatedController::Impl::act(const SetEmergencyStop& action) {
   const bool was_pressed = std::exchange(emergency_stop_, action.pressed);
   if (action.pressed && !was_pressed) {
     queue_.halt(now_);
-    node_.stop();
+    node_.stop(now_);
   }
   return done(action.pressed ? "the emergency stop is pressed" : "the emergency stop is released");
 }

@@ -65,7 +65,7 @@ bool SimulatedController::Impl::runQueue() {
   for (const QueueEvent& event : events) {
     std::visit([&](const auto& what) { on(what); }, event);
   }
-  if (std::exchange(stops_project_, false)) node_.stop();
+  if (std::exchange(stops_project_, false)) node_.stop(now_);
   return ran || !events.empty();
 }
 

@@ -65,20 +65,29 @@ void ListenNode::connected(ClientId client, Instant now) {
 
 // --- The project ---------------------------------------------------------------------------------------
 
-void ListenNode::run(Instant now) {
-  flow_ = after(flow_, FlowEvent::Run);
-  tags_ = TagTable();
-  updatePort();
-  enter(now);
-}
-
-void ListenNode::stop() {
-  if (!projectRuns()) return;
-  flow_ = after(flow_, FlowEvent::Stop);
-  reenter_at_.reset();
-  scheduler_.clear();
-  updatePort();
-  outbox_.log("project stopped");
+void ListenNode::on(FlowEvent event, Instant now) {
+  const auto row = findTransition<FlowTable>(flow_, event);
+  if (!row) return;
+  flow_ = row->to;
+  switch (row->action) {
+    case FlowAction::Open:
+      tags_ = TagTable();
+      updatePort();
+      return enter(now);
+    case FlowAction::Leave:
+      return leave(now);
+    case FlowAction::ComeOut:
+      outbox_.log("Listen node left");
+      if (reentry_delay_) reenter_at_ = now + std::max(*reentry_delay_, Duration::zero());
+      return;
+    case FlowAction::Enter:
+      return enter(now);
+    case FlowAction::Close:
+      reenter_at_.reset();
+      scheduler_.clear();
+      updatePort();
+      return outbox_.log("project stopped");
+  }
 }
 
 void ListenNode::updatePort() {
@@ -99,10 +108,9 @@ void ListenNode::enter(Instant now) {
   clients_.broadcast(protocol::ListenNodeEntered{settings_.listen_node_message});
 }
 
-// Called when the flow starts to leave: what still waits can no longer run.
+// What still waits can no longer run.
 void ListenNode::leave(Instant now) {
   queue_.leaveModes(now);
-  flow_ = after(flow_, FlowEvent::Exit);
   for (const PendingScript& script : scheduler_.takePending()) {
     refuseFrame(script.client, Code::NotListening);
   }
@@ -113,7 +121,7 @@ void ListenNode::leaveForGood(Instant now) {
   reenter_at_.reset();
   if (!listening()) return;
   scheduler_.endCurrent();
-  leave(now);
+  on(FlowEvent::Exit, now);
 }
 
 void ListenNode::comeBack(Instant now) {
@@ -132,23 +140,20 @@ bool ListenNode::step(Instant now) {
   if (timeout() <= now) {
     outbox_.log(fmt::format("{} timeout of the Listen node", heard_at_ ? "data" : "connection"));
     scheduler_.endCurrent();
-    leave(now);
+    on(FlowEvent::Exit, now);
     return true;
   }
   if (flow_ == FlowState::Listening) {
     const auto step = scheduler_.run(now);
-    if (step == ScriptScheduler::Step::Exited) leave(now);
+    if (step == ScriptScheduler::Step::Exited) on(FlowEvent::Exit, now);
     return step != ScriptScheduler::Step::Waits;
   }
   if (flow_ == FlowState::Leaving && queue_.idle()) {
-    flow_ = after(flow_, FlowEvent::Done);
-    outbox_.log("Listen node left");
-    if (reentry_delay_) reenter_at_ = now + std::max(*reentry_delay_, Duration::zero());
+    on(FlowEvent::Done, now);
     return true;
   }
   if (flow_ == FlowState::Elsewhere && reenter_at_ && *reenter_at_ <= now) {
-    flow_ = after(flow_, FlowEvent::Reenter);
-    enter(now);
+    on(FlowEvent::Reenter, now);
     return true;
   }
   return false;
@@ -264,7 +269,7 @@ bool ListenNode::runPriorityCommand(const PendingScript& script, Instant now) {
 void ListenNode::exit(Instant now) {
   queue_.stop(now);
   abandonScripts();
-  leave(now);
+  on(FlowEvent::Exit, now);
 }
 
 void ListenNode::stopAndClear(int mode, Instant now) {

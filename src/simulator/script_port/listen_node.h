@@ -33,9 +33,9 @@ class ListenNode {
   void updatePort();
 
   // --- The project.
-  void run(Instant now);
+  void run(Instant now) { on(FlowEvent::Run, now); }
   /// Closes the port and its clients, forgets all scripts and tags.
-  void stop();
+  void stop(Instant now) { on(FlowEvent::Stop, now); }
   /// The operator lets the flow go elsewhere, once the queued motions are done, and back.
   void leaveForGood(Instant now);
   void comeBack(Instant now);
@@ -65,6 +65,7 @@ class ListenNode {
   bool runPriorityCommand(const PendingScript& script, Instant now);
   void exit(Instant now);
   void stopAndClear(int mode, Instant now);
+  void on(FlowEvent event, Instant now);
   void enter(Instant now);
   void leave(Instant now);
   [[nodiscard]] Instant timeout() const;

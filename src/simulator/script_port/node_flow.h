@@ -1,19 +1,48 @@
-// Where the flow of the project is, as seen from the script port: a table.
+// Where the flow of the project is, as seen from the script port, as a table.
 //
-//   Stopped  -- Run ------> Listening      the script port is open, the node is entered
-//   Listening - Exit -----> Leaving        ScriptExit: no script is taken, queued motion goes on
-//   Leaving  -- Done -----> Elsewhere      the queue is empty, the arm stands: the node is left
-//   Elsewhere - Reenter --> Listening      the project loops back into the node
-//   any but Stopped -- Stop --> Stopped    the script port closes
-//
-// Every other pair leaves the flow where it is.
+// An unlisted pair changes nothing (common/transition_table.h).
 #pragma once
+
+#include "cobot_command/common/transition_table.h"
 
 namespace cobot_command::simulator {
 
-enum class FlowState { Stopped, Listening, Leaving, Elsewhere };
-enum class FlowEvent { Run, Exit, Done, Reenter, Stop };
+enum class FlowState {
+  Stopped,    ///< the script port is closed
+  Listening,  ///< in the Listen node
+  Leaving,    ///< no script is taken, queued motion goes on
+  Elsewhere   ///< in another node
+};
+enum class FlowEvent {
+  Run,      ///< the project
+  Exit,     ///< ScriptExit, a timeout, or the operator
+  Done,     ///< the queue is empty, the arm stands
+  Reenter,  ///< the project loops back into the node
+  Stop      ///< the project
+};
+enum class FlowAction { Open, Leave, ComeOut, Enter, Close };
 
-[[nodiscard]] FlowState after(FlowState state, FlowEvent event);
+struct FlowTable {
+  using S = FlowState;
+  using E = FlowEvent;
+  using A = FlowAction;
+  using Row = Transition<S, E, A>;
+
+  // clang-format off
+  static constexpr Row kRows[] = {
+    // from          event        to             action
+    {S::Stopped,    E::Run,      S::Listening,  A::Open},
+
+    {S::Listening,  E::Exit,     S::Leaving,    A::Leave},
+    {S::Listening,  E::Stop,     S::Stopped,    A::Close},
+
+    {S::Leaving,    E::Done,     S::Elsewhere,  A::ComeOut},
+    {S::Leaving,    E::Stop,     S::Stopped,    A::Close},
+
+    {S::Elsewhere,  E::Reenter,  S::Listening,  A::Enter},
+    {S::Elsewhere,  E::Stop,     S::Stopped,    A::Close},
+  };
+  // clang-format on
+};
 
 }  // namespace cobot_command::simulator

@@ -1,5 +1,6 @@
 #include "script_port/node_flow.h"
 
+#include "table_checks.h"
 #include <gtest/gtest.h>
 
 namespace cobot_command::simulator {
@@ -9,6 +10,15 @@ constexpr FlowState kStates[] = {FlowState::Stopped, FlowState::Listening, FlowS
                                  FlowState::Elsewhere};
 constexpr FlowEvent kEvents[] = {FlowEvent::Run, FlowEvent::Exit, FlowEvent::Done, FlowEvent::Reenter,
                                  FlowEvent::Stop};
+
+FlowState after(FlowState state, FlowEvent event) {
+  const auto row = findTransition<FlowTable>(state, event);
+  return row ? row->to : state;
+}
+
+TEST(FlowTable, isSound) {
+  testing::expectSoundTable<FlowTable>(FlowState::Elsewhere, FlowEvent::Stop, FlowState::Stopped);
+}
 
 TEST(NodeFlow, goesRoundFromStoppedThroughTheNodeAndBackIntoIt) {
   EXPECT_EQ(after(FlowState::Stopped, FlowEvent::Run), FlowState::Listening);
