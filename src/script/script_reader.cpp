@@ -44,18 +44,18 @@ bool isFinite(const Value& value) {
 /// A robot that does nothing, and of which nothing is known but its outputs and functions.
 class Notebook final : public tm_script::Environment {
  public:
-  [[nodiscard]] Result<tm_script::ItemShape, std::string> shapeOf(
+  [[nodiscard]] Result<tm_script::AttributeShape, std::string> shapeOf(
       const std::string& object, const std::vector<std::optional<Scalar>>& keys,
-      const std::string& attribute) const override {
+      const std::string& name) const override {
     const auto module = object == "IO" && keys.size() == 1 ? moduleOf(keys.front()) : std::nullopt;
-    if (module && (attribute == "DO" || attribute == "InstantDO")) {
-      return tm_script::ItemShape{
+    if (module && (name == "DO" || name == "InstantDO")) {
+      return tm_script::AttributeShape{
           {tm_script::ScalarType::Byte, true}, true, static_cast<std::size_t>(ioCount(*module)), 1};
     }
-    if (module == IoModule::ControlBox && (attribute == "AO" || attribute == "InstantAO")) {
-      return tm_script::ItemShape{{tm_script::ScalarType::Float, true}, true, std::size_t{1}};
+    if (module == IoModule::ControlBox && (name == "AO" || name == "InstantAO")) {
+      return tm_script::AttributeShape{{tm_script::ScalarType::Float, true}, true, std::size_t{1}};
     }
-    return refuse(fmt::format("{} {} is known to the robot only", object, attribute));
+    return refuse(fmt::format("{} {} is known to the robot only", object, name));
   }
 
   [[nodiscard]] std::optional<std::string> objectionTo(const std::string& function,
@@ -63,20 +63,21 @@ class Notebook final : public tm_script::Environment {
     return script::objectionTo(function, arguments);
   }
 
-  [[nodiscard]] Result<Value, std::string> read(const tm_script::ItemName& item) override {
-    return refuse(fmt::format("the value of {} {} is known to the robot only", item.object, item.attribute));
+  [[nodiscard]] Result<Value, std::string> read(const tm_script::AttributeName& attribute) override {
+    return refuse(
+        fmt::format("the value of {} {} is known to the robot only", attribute.object, attribute.name));
   }
 
-  [[nodiscard]] std::optional<std::string> write(const tm_script::ItemName& item,
+  [[nodiscard]] std::optional<std::string> write(const tm_script::AttributeName& attribute,
                                                  std::optional<std::size_t> index,
                                                  const Value& value) override {
     if (const auto* array = std::get_if<tm_script::Array>(&value)) {
       for (std::size_t i = 0; i < array->items.size(); ++i) {
-        if (auto fault = writeOne(item, i, array->items[i])) return fault;
+        if (auto fault = writeOne(attribute, i, array->items[i])) return fault;
       }
       return std::nullopt;
     }
-    return writeOne(item, index.value_or(0), std::get<Scalar>(value));
+    return writeOne(attribute, index.value_or(0), std::get<Scalar>(value));
   }
 
   [[nodiscard]] tm_script::CallAnswer call(const std::string& function,
@@ -104,20 +105,20 @@ class Notebook final : public tm_script::Environment {
     return name == nullptr ? std::nullopt : ioModule(*name);
   }
 
-  std::optional<std::string> writeOne(const tm_script::ItemName& item, std::size_t index,
+  std::optional<std::string> writeOne(const tm_script::AttributeName& attribute, std::size_t index,
                                       const Scalar& value) {
     if (const auto* volt = std::get_if<float>(&value)) {
       if (!(std::abs(*volt) <= kMostVolt)) {
         return fmt::format("an analog output is -10 to 10 V, not {}", *volt);
       }
-      commands_.emplace_back(WriteAnalogOutput{*volt, item.attribute == "InstantAO"});
+      commands_.emplace_back(WriteAnalogOutput{*volt, attribute.name == "InstantAO"});
       return std::nullopt;
     }
     const auto* level = std::get_if<std::uint8_t>(&value);
     if (*level > 1) return fmt::format("an output is 0 or 1, not {}", *level);
-    const IoModule module = *moduleOf(item.keys.front());
+    const IoModule module = *moduleOf(attribute.keys.front());
     commands_.emplace_back(
-        WriteOutput{module, static_cast<int>(index), *level == 1, item.attribute == "InstantDO"});
+        WriteOutput{module, static_cast<int>(index), *level == 1, attribute.name == "InstantDO"});
     return std::nullopt;
   }
 

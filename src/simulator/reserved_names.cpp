@@ -1,7 +1,7 @@
 #include "reserved_names.h"
 
 #include "script_port/controller_functions.h"
-#include "script_port/robot_items.h"
+#include "script_port/robot_attributes.h"
 #include "status_port/item_table.h"
 
 #include "cobot_command/script/robot_functions.h"
@@ -24,7 +24,7 @@ std::optional<std::string> whatIsNamed(const std::string& name) {
   static const tm_script::FunctionTable functions = allFunctions();
   if (tm_script::isReservedWord(name)) return "a word of the language";
   if (functions.has(name)) return "a function";
-  if (isItemObject(name)) return "an object with items, as in " + name + "[...]";
+  if (isObject(name)) return "an object with attributes, as in " + name + "[...]";
   if (isItem(name)) return "a predefined item";
   return std::nullopt;
 }

@@ -44,11 +44,11 @@ class Evaluator {
   /// A place to change, with what stands there now: the whole of an array also where one element is the
   /// target.
   struct Target {
-    std::string variable;  ///< empty: an item
-    ItemName item;
-    ItemShape shape;
+    std::string variable;  ///< empty: an attribute
+    AttributeName attribute;
+    AttributeShape shape;
     std::optional<std::size_t> index;
-    std::optional<Value> whole;  ///< of an item: only when something has asked for it
+    std::optional<Value> whole;  ///< of an attribute: only when something has asked for it
   };
 
   [[nodiscard]] Evaluated valueOf(const Expression& expression);
@@ -56,7 +56,7 @@ class Evaluator {
   [[nodiscard]] Evaluated of(const Name& name);
   [[nodiscard]] Evaluated of(const ArrayLiteral& array);
   [[nodiscard]] Evaluated of(const Call& call);
-  [[nodiscard]] Evaluated of(const Item& item);
+  [[nodiscard]] Evaluated of(const Attribute& attribute);
   [[nodiscard]] Evaluated of(const Element& element);
   [[nodiscard]] Evaluated of(const Prefix& prefix);
   [[nodiscard]] Evaluated of(const Postfix& postfix);
@@ -66,14 +66,14 @@ class Evaluator {
 
   [[nodiscard]] Result<Arguments, Stop> argumentsOf(const Call& call);
   [[nodiscard]] Evaluated callRobot(const std::string& function, const Arguments& arguments);
-  [[nodiscard]] Result<ItemName, Stop> nameOf(const Item& item);
-  [[nodiscard]] Evaluated readItem(const ItemName& name);
+  [[nodiscard]] Result<AttributeName, Stop> nameOf(const Attribute& attribute);
+  [[nodiscard]] Evaluated readAttribute(const AttributeName& name);
   [[nodiscard]] Result<std::size_t, Stop> indexOf(const Expression& index, std::size_t size);
   [[nodiscard]] Result<std::size_t, Stop> sizeOfTarget(Target& target);
   [[nodiscard]] Result<Target, Stop> targetOf(const Expression& expression);
   [[nodiscard]] Evaluated readTarget(Target& target);
   [[nodiscard]] Evaluated assign(Target target, const Value& value, const Expression* source = nullptr);
-  [[nodiscard]] Evaluated writeItem(const Target& target, const Value& value);
+  [[nodiscard]] Evaluated writeAttribute(const Target& target, const Value& value);
   /// Adds 1 or -1, and gives the value before or after.
   [[nodiscard]] Evaluated step(const Expression& expression, int by, bool gives_old);
   [[nodiscard]] const Value* find(const std::string& name) const;

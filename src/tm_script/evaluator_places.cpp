@@ -1,4 +1,4 @@
-// Items, elements, and what can be changed.
+// Attributes, elements, and what can be changed.
 #include <utility>
 
 #include "conversion.h"
@@ -9,9 +9,9 @@
 
 namespace cobot_command::tm_script {
 
-Result<ItemName, Stop> Evaluator::nameOf(const Item& item) {
-  ItemName name{item.object, {}, item.attribute};
-  for (const Expression& key : item.keys) {
+Result<AttributeName, Stop> Evaluator::nameOf(const Attribute& attribute) {
+  AttributeName name{attribute.object, {}, attribute.name};
+  for (const Expression& key : attribute.keys) {
     auto value = valueOf(key);
     if (!value) return refuse(std::move(value.error()));
     name.keys.push_back(std::get<Scalar>(std::move(*value)));
@@ -19,13 +19,13 @@ Result<ItemName, Stop> Evaluator::nameOf(const Item& item) {
   return name;
 }
 
-Result<Value, Stop> Evaluator::of(const Item& item) {
-  const auto name = nameOf(item);
+Result<Value, Stop> Evaluator::of(const Attribute& attribute) {
+  const auto name = nameOf(attribute);
   if (!name) return refuse(name.error());
-  return readItem(*name);
+  return readAttribute(*name);
 }
 
-Result<Value, Stop> Evaluator::readItem(const ItemName& name) {
+Result<Value, Stop> Evaluator::readAttribute(const AttributeName& name) {
   if (auto answer = known()) return std::move(*answer);
   auto value = robot_.read(name);
   if (!value) return fault(std::move(value.error()));
@@ -56,12 +56,13 @@ Result<Evaluator::Target, Stop> Evaluator::targetOf(const Expression& expression
   Target target;
   const auto* element = std::get_if<Element>(&expression.node);
   const Expression& whole = element ? *element->array : expression;
-  if (const auto* item = std::get_if<Item>(&whole.node)) {
-    auto name = nameOf(*item);
+  if (const auto* attribute = std::get_if<Attribute>(&whole.node)) {
+    auto name = nameOf(*attribute);
     if (!name) return refuse(std::move(name.error()));
-    target.item = std::move(*name);
-    auto shape = robot_.shapeOf(target.item.object, {target.item.keys.begin(), target.item.keys.end()},
-                                target.item.attribute);
+    target.attribute = std::move(*name);
+    auto shape =
+        robot_.shapeOf(target.attribute.object, {target.attribute.keys.begin(), target.attribute.keys.end()},
+                       target.attribute.name);
     if (!shape) return fault(std::move(shape.error()));
     target.shape = *shape;
   } else {
@@ -87,7 +88,7 @@ Result<std::size_t, Stop> Evaluator::sizeOfTarget(Target& target) {
 
 Result<Value, Stop> Evaluator::readTarget(Target& target) {
   if (!target.whole) {
-    auto value = readItem(target.item);
+    auto value = readAttribute(target.attribute);
     if (!value) return value;
     target.whole = std::move(*value);
   }
@@ -99,7 +100,7 @@ Result<Value, Stop> Evaluator::assign(Target target, const Value& value, const E
   const Type type{target.shape.type.scalar, target.shape.type.is_array && !target.index};
   auto converted = source ? convertAsWritten(*source, value, type) : convert(value, type);
   if (!converted) return fault(std::move(converted.error()));
-  if (target.variable.empty()) return writeItem(target, *converted);
+  if (target.variable.empty()) return writeAttribute(target, *converted);
   if (target.index) {
     std::get<Array>(*target.whole).items[*target.index] = std::get<Scalar>(*converted);
   } else {
@@ -113,14 +114,14 @@ Result<Value, Stop> Evaluator::assign(Target target, const Value& value, const E
 }
 
 /// What cannot be written is left alone, as the controller does.
-Result<Value, Stop> Evaluator::writeItem(const Target& target, const Value& value) {
+Result<Value, Stop> Evaluator::writeAttribute(const Target& target, const Value& value) {
   if (!target.shape.is_writable) return value;
   const auto* array = std::get_if<Array>(&value);
   if (array && target.shape.length && array->items.size() != *target.shape.length) {
     return fault(fmt::format("{} elements are wanted, not {}", *target.shape.length, array->items.size()));
   }
   if (known()) return value;
-  if (auto reason = robot_.write(target.item, target.index, value)) return fault(std::move(*reason));
+  if (auto reason = robot_.write(target.attribute, target.index, value)) return fault(std::move(*reason));
   return remember(value, false);
 }
 

@@ -118,20 +118,21 @@ std::string toText(PostfixOperator postfix) {
 
 std::string toText(const Expression& expression) {
   return std::visit(
-      Overloaded{
-          [](const Literal& literal) { return literalText(literal.value); },
-          [](const Name& name) { return name.name; },
-          [](const ArrayLiteral& array) { return '{' + listText(array.elements) + '}'; },
-          [](const Call& call) { return call.function + '(' + listText(call.arguments) + ')'; },
-          [](const Item& item) { return item.object + '[' + listText(item.keys) + "]." + item.attribute; },
-          [](const Element& element) {
-            return operandText(*element.array) + '[' + toText(*element.index) + ']';
-          },
-          [](const Prefix& prefix) { return prefixText(prefix); },
-          [](const Postfix& postfix) { return operandText(*postfix.operand) + toText(postfix.step); },
-          [](const Chain& chain) { return chainText(chain); },
-          [](const Conditional& conditional) { return conditionalText(conditional); },
-          [](const Assignment& assignment) { return assignmentText(assignment); }},
+      Overloaded{[](const Literal& literal) { return literalText(literal.value); },
+                 [](const Name& name) { return name.name; },
+                 [](const ArrayLiteral& array) { return '{' + listText(array.elements) + '}'; },
+                 [](const Call& call) { return call.function + '(' + listText(call.arguments) + ')'; },
+                 [](const Attribute& attribute) {
+                   return attribute.object + '[' + listText(attribute.keys) + "]." + attribute.name;
+                 },
+                 [](const Element& element) {
+                   return operandText(*element.array) + '[' + toText(*element.index) + ']';
+                 },
+                 [](const Prefix& prefix) { return prefixText(prefix); },
+                 [](const Postfix& postfix) { return operandText(*postfix.operand) + toText(postfix.step); },
+                 [](const Chain& chain) { return chainText(chain); },
+                 [](const Conditional& conditional) { return conditionalText(conditional); },
+                 [](const Assignment& assignment) { return assignmentText(assignment); }},
       expression.node);
 }
 

@@ -57,23 +57,23 @@ Expression treeOf(FlatChain& flat, std::size_t first, std::size_t last) {
   return {std::move(chain)};
 }
 
-/// IO["ControlBox"].DO: a name, keys and an attribute.
-bool isItem(const Expression& primary, const std::vector<Suffix>& suffixes) {
+/// IO["ControlBox"].DO: an object, keys and a name.
+bool isAttribute(const Expression& primary, const std::vector<Suffix>& suffixes) {
   return std::holds_alternative<Name>(primary.node) && suffixes.size() >= 2 &&
          std::holds_alternative<Expressions>(suffixes[0]) && std::holds_alternative<std::string>(suffixes[1]);
 }
 
-Expression itemOf(const Expression& primary, std::vector<Suffix>& suffixes) {
-  Item item{std::get<Name>(primary.node).name, std::get<Expressions>(std::move(suffixes[0])),
-            std::get<std::string>(std::move(suffixes[1]))};
+Expression attributeOf(const Expression& primary, std::vector<Suffix>& suffixes) {
+  Attribute attribute{std::get<Name>(primary.node).name, std::get<Expressions>(std::move(suffixes[0])),
+                      std::get<std::string>(std::move(suffixes[1]))};
   suffixes.erase(suffixes.begin(), suffixes.begin() + 2);
-  return {std::move(item)};
+  return {std::move(attribute)};
 }
 
 }  // namespace
 
 Result<Expression, std::string> withSuffixes(Expression primary, std::vector<Suffix> suffixes) {
-  if (isItem(primary, suffixes)) primary = itemOf(primary, suffixes);
+  if (isAttribute(primary, suffixes)) primary = attributeOf(primary, suffixes);
   bool indexed = false;
   for (std::size_t i = 0; i < suffixes.size(); ++i) {
     if (auto* indices = std::get_if<Expressions>(&suffixes[i])) {
@@ -81,7 +81,7 @@ Result<Expression, std::string> withSuffixes(Expression primary, std::vector<Suf
       primary = {Element{std::move(primary), std::move(indices->front())}};
       indexed = true;
     } else if (std::holds_alternative<std::string>(suffixes[i])) {
-      return refuse(std::string("only items such as Robot[0] have attributes"));
+      return refuse(std::string("only objects such as Robot[0] have attributes"));
     } else if (i + 1 != suffixes.size()) {
       return refuse(std::string("nothing can follow ++ or --"));
     } else {

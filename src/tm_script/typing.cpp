@@ -44,12 +44,12 @@ std::vector<std::optional<Scalar>> literalsIn(const Expressions& expressions) {
   return literals;
 }
 
-/// Integers that an item does not take, where they are written.
-std::optional<std::string> beyond(const ItemShape& item, const Expression& value) {
-  if (!item.most) return std::nullopt;
+/// Integers that an attribute does not take, where they are written.
+std::optional<std::string> beyond(const AttributeShape& shape, const Expression& value) {
+  if (!shape.most) return std::nullopt;
   if (const auto* array = std::get_if<ArrayLiteral>(&value.node)) {
     for (const Expression& element : array->elements) {
-      if (auto reason = beyond(item, element)) return reason;
+      if (auto reason = beyond(shape, element)) return reason;
     }
     return std::nullopt;
   }
@@ -57,13 +57,13 @@ std::optional<std::string> beyond(const ItemShape& item, const Expression& value
   const auto number = literal ? convert(*literal, ScalarType::Int) : Result<Scalar, std::string>(Scalar(0));
   if (!number) return number.error();
   const auto integer = std::get<std::int32_t>(*number);
-  if (integer >= 0 && integer <= *item.most) return std::nullopt;
-  return fmt::format("{} is not 0 to {}", integer, *item.most);
+  if (integer >= 0 && integer <= *shape.most) return std::nullopt;
+  return fmt::format("{} is not 0 to {}", integer, *shape.most);
 }
 
-Result<ItemShape, std::string> asShape(const Result<Type, std::string>& type) {
+Result<AttributeShape, std::string> asShape(const Result<Type, std::string>& type) {
   if (!type) return refuse(type.error());
-  return ItemShape{*type, true, std::nullopt};
+  return AttributeShape{*type, true, std::nullopt};
 }
 
 /// A number of elements that does not fit is found before the script runs where it is written.
@@ -114,9 +114,9 @@ Result<Match, std::string> Typing::match(const Call& call) {
   return functions_.find(call.function, types);
 }
 
-Result<ItemShape, std::string> Typing::shapeOf(const Item& item) {
+Result<AttributeShape, std::string> Typing::shapeOf(const Attribute& attribute) {
   std::vector<std::optional<Scalar>> keys;
-  for (const Expression& key : item.keys) {
+  for (const Expression& key : attribute.keys) {
     if (isBareWord(key)) {
       warnOfQuotes(key);
       keys.emplace_back(std::get<Name>(key.node).name);
@@ -125,11 +125,11 @@ Result<ItemShape, std::string> Typing::shapeOf(const Item& item) {
     const auto type = typeOf(key);
     if (!type) return refuse(type.error());
     if (type->is_array || !(isInteger(type->scalar) || type->scalar == ScalarType::String)) {
-      return refuse(fmt::format("{} is no name and no number of a {}", toText(*type), item.object));
+      return refuse(fmt::format("{} is no name and no number of a {}", toText(*type), attribute.object));
     }
     keys.push_back(literalIn(key));
   }
-  return environment_.shapeOf(item.object, keys, item.attribute);
+  return environment_.shapeOf(attribute.object, keys, attribute.name);
 }
 
 Result<Type, std::string> Typing::of(const Literal& literal) {
@@ -203,16 +203,16 @@ Result<Type, std::string> Typing::of(const Call& call) {
   return matched->result;
 }
 
-Result<Type, std::string> Typing::of(const Item& item) {
-  const auto shape = shapeOf(item);
+Result<Type, std::string> Typing::of(const Attribute& attribute) {
+  const auto shape = shapeOf(attribute);
   if (!shape) return refuse(shape.error());
   return shape->type;
 }
 
 Result<Type, std::string> Typing::of(const Element& element) {
-  const auto* item = std::get_if<Item>(&element.array->node);
-  auto shape = ItemShape{};
-  if (auto found = item ? shapeOf(*item) : asShape(typeOf(*element.array)); found) {
+  const auto* attribute = std::get_if<Attribute>(&element.array->node);
+  auto shape = AttributeShape{};
+  if (auto found = attribute ? shapeOf(*attribute) : asShape(typeOf(*element.array)); found) {
     shape = *found;
   } else {
     return refuse(std::move(found.error()));
@@ -294,23 +294,23 @@ Result<Type, std::string> Typing::of(const Conditional& conditional) {
   return commonOf(results);
 }
 
-Result<ItemShape, std::string> Typing::targetShape(const Expression& target) {
-  if (const auto* item = std::get_if<Item>(&target.node)) return shapeOf(*item);
+Result<AttributeShape, std::string> Typing::targetShape(const Expression& target) {
+  if (const auto* attribute = std::get_if<Attribute>(&target.node)) return shapeOf(*attribute);
   const auto* element = std::get_if<Element>(&target.node);
   const Expression& whole = element ? *element->array : target;
-  if (!std::holds_alternative<Name>(whole.node) && !std::holds_alternative<Item>(whole.node)) {
+  if (!std::holds_alternative<Name>(whole.node) && !std::holds_alternative<Attribute>(whole.node)) {
     return refuse(fmt::format("{} cannot be changed", toText(target)));
   }
   auto shape = asShape(typeOf(target));
-  const auto* item = std::get_if<Item>(&whole.node);
-  if (shape && item) {
-    if (const auto whole_shape = shapeOf(*item)) shape->most = whole_shape->most;
+  const auto* attribute = std::get_if<Attribute>(&whole.node);
+  if (shape && attribute) {
+    if (const auto whole_shape = shapeOf(*attribute)) shape->most = whole_shape->most;
   }
   return shape;
 }
 
 /// The type of what is assigned to the last target.
-Result<Type, std::string> Typing::valueFor(const ItemShape& target, const Assignment& assignment) {
+Result<Type, std::string> Typing::valueFor(const AttributeShape& target, const Assignment& assignment) {
   const Expression& value = *assignment.value;
   if (assignment.operators.back()) return typeOf(value);
   if (auto reason = accept(value, target.type)) return refuse(std::move(*reason));

@@ -29,7 +29,7 @@ class Typing {
   [[nodiscard]] std::optional<std::string> accept(const Expression& expression, Type wanted);
   /// What the form of a call is, with the types of its arguments.
   [[nodiscard]] Result<Match, std::string> match(const Call& call);
-  [[nodiscard]] Result<ItemShape, std::string> shapeOf(const Item& item);
+  [[nodiscard]] Result<AttributeShape, std::string> shapeOf(const Attribute& attribute);
 
   /// All warnings so far, which are then forgotten.
   [[nodiscard]] std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
@@ -41,15 +41,15 @@ class Typing {
   [[nodiscard]] Typed of(const Name& name);
   [[nodiscard]] Typed of(const ArrayLiteral& array);
   [[nodiscard]] Typed of(const Call& call);
-  [[nodiscard]] Typed of(const Item& item);
+  [[nodiscard]] Typed of(const Attribute& attribute);
   [[nodiscard]] Typed of(const Element& element);
   [[nodiscard]] Typed of(const Prefix& prefix);
   [[nodiscard]] Typed of(const Postfix& postfix);
   [[nodiscard]] Typed of(const Chain& chain);
   [[nodiscard]] Typed of(const Conditional& conditional);
   [[nodiscard]] Typed of(const Assignment& assignment);
-  [[nodiscard]] Result<ItemShape, std::string> targetShape(const Expression& target);
-  [[nodiscard]] Typed valueFor(const ItemShape& target, const Assignment& assignment);
+  [[nodiscard]] Result<AttributeShape, std::string> targetShape(const Expression& target);
+  [[nodiscard]] Typed valueFor(const AttributeShape& target, const Assignment& assignment);
   [[nodiscard]] Typed stepped(const Expression& target, const char* step);
   [[nodiscard]] Typed commonOf(const Expressions& expressions);
   [[nodiscard]] bool isBareWord(const Expression& expression) const;

@@ -1,4 +1,4 @@
-// A robot for scripts: items in a map, calls in a list.
+// A robot for scripts: attributes in a map, calls in a list.
 #pragma once
 
 #include <map>
@@ -27,27 +27,28 @@ inline std::string replyOf(const Findings& findings) {
 
 class FakeRobot : public Environment {
  public:
-  struct ItemState {
-    ItemShape shape;
+  struct AttributeState {
+    AttributeShape shape;
     Value value;
   };
 
   FakeRobot() {
     const Array outputs{ScalarType::Byte, std::vector<Scalar>(16, std::uint8_t{0})};
-    items["IO.DO"] = {{{ScalarType::Byte, true}, true, 16}, outputs};
-    items["IO.DI"] = {{{ScalarType::Byte, true}, false, 16}, outputs};
-    items["Robot.CoordRobot"] = {{{ScalarType::Float, true}, false, 6},
-                                 Array{ScalarType::Float, {417.5F, -122.25F, 343.9F, 180.0F, 0.0F, 90.0F}}};
-    items["Point.Value"] = {{{ScalarType::Float, true}, true, 6},
-                            Array{ScalarType::Float, std::vector<Scalar>(6, 0.0F)}};
-    items["TCP.Mass"] = {{{ScalarType::Float}, true, std::nullopt}, Scalar(0.0F)};
+    attributes["IO.DO"] = {{{ScalarType::Byte, true}, true, 16}, outputs};
+    attributes["IO.DI"] = {{{ScalarType::Byte, true}, false, 16}, outputs};
+    attributes["Robot.CoordRobot"] = {
+        {{ScalarType::Float, true}, false, 6},
+        Array{ScalarType::Float, {417.5F, -122.25F, 343.9F, 180.0F, 0.0F, 90.0F}}};
+    attributes["Point.Value"] = {{{ScalarType::Float, true}, true, 6},
+                                 Array{ScalarType::Float, std::vector<Scalar>(6, 0.0F)}};
+    attributes["TCP.Mass"] = {{{ScalarType::Float}, true, std::nullopt}, Scalar(0.0F)};
   }
 
-  Result<ItemShape, std::string> shapeOf(const std::string& object,
-                                         const std::vector<std::optional<Scalar>>& keys,
-                                         const std::string& attribute) const override {
-    const auto found = items.find(object + '.' + attribute);
-    if (found == items.end()) return refuse("there is no " + object + '.' + attribute);
+  Result<AttributeShape, std::string> shapeOf(const std::string& object,
+                                              const std::vector<std::optional<Scalar>>& keys,
+                                              const std::string& name) const override {
+    const auto found = attributes.find(object + '.' + name);
+    if (found == attributes.end()) return refuse("there is no " + object + '.' + name);
     if (keys[0] && *keys[0] == Scalar(std::string("Nowhere"))) {
       return refuse(std::string("there is no Nowhere"));
     }
@@ -60,20 +61,20 @@ class FakeRobot : public Environment {
     return "there is no tag 16";
   }
 
-  Result<Value, std::string> read(const ItemName& item) override {
+  Result<Value, std::string> read(const AttributeName& attribute) override {
     ++reads;
-    return items.at(item.object + '.' + item.attribute).value;
+    return attributes.at(attribute.object + '.' + attribute.name).value;
   }
 
-  std::optional<std::string> write(const ItemName& item, std::optional<std::size_t> index,
+  std::optional<std::string> write(const AttributeName& attribute, std::optional<std::size_t> index,
                                    const Value& value) override {
-    Value& whole = items.at(item.object + '.' + item.attribute).value;
+    Value& whole = attributes.at(attribute.object + '.' + attribute.name).value;
     if (index) {
       std::get<Array>(whole).items[*index] = std::get<Scalar>(value);
     } else {
       whole = value;
     }
-    calls.push_back(textOf(item.keys[0]) + '.' + item.attribute + " = " + textOf(value));
+    calls.push_back(textOf(attribute.keys[0]) + '.' + attribute.name + " = " + textOf(value));
     return std::nullopt;
   }
 
@@ -88,7 +89,7 @@ class FakeRobot : public Environment {
     return Value(Scalar(true));
   }
 
-  std::map<std::string, ItemState> items;
+  std::map<std::string, AttributeState> attributes;
   std::vector<std::string> calls;
   int reads = 0;
 };

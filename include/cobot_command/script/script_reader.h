@@ -2,8 +2,8 @@
 // it, with a robot that answers every command at once and writes it down.
 //
 // So variables, expressions, conversions, comments and conditions are those of the language. What only the
-// robot knows - its items, variables and names of the project, what an earlier script has declared - is not
-// known here, and a script that asks for it has no meaning yet.
+// robot knows - its attributes, variables and names of the project, what an earlier script has declared - is
+// not known here, and a script that asks for it has no meaning yet.
 #pragma once
 
 #include <string_view>

@@ -61,7 +61,7 @@ struct Settings {
   /// How fast the TCP turns at 100 % on lines and circles [rad/s]. Like that of the command layer, whose
   /// plans are wrong otherwise.
   double turn_speed = arm::kUsualTurnSpeed;
-  /// Standard deviations of what the status port and the items of scripts tell; 0: exact.
+  /// Standard deviations of what the status port and the attributes in scripts tell; 0: exact.
   double joint_noise = 0;         ///< [rad]
   double speed_noise = 0;         ///< [rad/s]
   double torque_noise = 0;        ///< [Nm]

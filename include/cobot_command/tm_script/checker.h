@@ -1,9 +1,9 @@
 // Checks a whole script before anything of it is run, as the controller does.
 //
 // An error: syntax, an unknown name or function, arguments or operands of a wrong type, a second declaration,
-// an item that does not exist, an index outside an item of fixed length. A warning: a real that becomes an
-// integer, an int that becomes a byte, a text that becomes a number or the other way round, a text without
-// its double quotes, a variable in single quotes inside a text.
+// an attribute that does not exist, an index outside an attribute of fixed length. A warning: a real that
+// becomes an integer, an int that becomes a byte, a text that becomes a number or the other way round, a text
+// without its double quotes, a variable in single quotes inside a text.
 #pragma once
 
 #include <string>

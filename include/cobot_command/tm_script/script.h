@@ -59,10 +59,10 @@ struct Call {
   Expressions arguments;
 };
 /// IO["ControlBox"].DO, Robot[0].Joint
-struct Item {
+struct Attribute {
   std::string object;
   Expressions keys;  ///< one or two
-  std::string attribute;
+  std::string name;
 };
 struct Element {
   Boxed<Expression> array;
@@ -97,7 +97,7 @@ struct Assignment {
 };
 
 struct Expression {
-  std::variant<Literal, Name, ArrayLiteral, Call, Item, Element, Prefix, Postfix, Chain, Conditional,
+  std::variant<Literal, Name, ArrayLiteral, Call, Attribute, Element, Prefix, Postfix, Chain, Conditional,
                Assignment>
       node;
 };

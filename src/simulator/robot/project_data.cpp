@@ -18,17 +18,19 @@ namespace {
 /// Where project variables are declared there is no robot.
 class NoRobot final : public tm_script::Environment {
  public:
-  Result<tm_script::ItemShape, std::string> shapeOf(const std::string&,
-                                                    const std::vector<std::optional<tm_script::Scalar>>&,
-                                                    const std::string&) const override {
+  Result<tm_script::AttributeShape, std::string> shapeOf(const std::string&,
+                                                         const std::vector<std::optional<tm_script::Scalar>>&,
+                                                         const std::string&) const override {
     return refuse(none_);
   }
   [[nodiscard]] std::optional<std::string> objectionTo(
       const std::string&, const std::vector<std::optional<tm_script::Scalar>>&) const override {
     return none_;
   }
-  Result<tm_script::Value, std::string> read(const tm_script::ItemName&) override { return refuse(none_); }
-  std::optional<std::string> write(const tm_script::ItemName&, std::optional<std::size_t>,
+  Result<tm_script::Value, std::string> read(const tm_script::AttributeName&) override {
+    return refuse(none_);
+  }
+  std::optional<std::string> write(const tm_script::AttributeName&, std::optional<std::size_t>,
                                    const tm_script::Value&) override {
     return none_;
   }
@@ -37,7 +39,7 @@ class NoRobot final : public tm_script::Environment {
   }
 
  private:
-  const std::string none_ = "a declaration has no items and no functions of a robot";
+  const std::string none_ = "a declaration has no attributes and no functions of a robot";
 };
 
 /// Beside the flange, looking along its axis [mm, deg]. Ours: the camera of each robot is calibrated.

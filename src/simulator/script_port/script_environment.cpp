@@ -52,38 +52,38 @@ std::optional<std::string> ScriptEnvironment::objectionTo(
   return script::objectionTo(function, arguments);
 }
 
-std::optional<std::string> ScriptEnvironment::write(const tm_script::ItemName& item,
+std::optional<std::string> ScriptEnvironment::write(const tm_script::AttributeName& attribute,
                                                     std::optional<std::size_t> index, const Value& value) {
-  if (item.object != "IO") {
-    items_.write(item, index, value);
+  if (attribute.object != "IO") {
+    attributes_.write(attribute, index, value);
     return std::nullopt;
   }
   const auto* array = std::get_if<tm_script::Array>(&value);
   const std::size_t count = array == nullptr ? 1 : array->items.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const auto answer = array == nullptr ? writeOutput(item, index.value_or(0), std::get<Scalar>(value))
-                                         : writeOutput(item, i, array->items[i]);
+    const auto answer = array == nullptr ? writeOutput(attribute, index.value_or(0), std::get<Scalar>(value))
+                                         : writeOutput(attribute, i, array->items[i]);
     const auto* failure = std::get_if<tm_script::CallFailure>(&answer);
     if (failure != nullptr) return failure->reason;
   }
   return std::nullopt;
 }
 
-tm_script::CallAnswer ScriptEnvironment::writeOutput(const tm_script::ItemName& item, std::size_t index,
-                                                     const Scalar& value) {
+tm_script::CallAnswer ScriptEnvironment::writeOutput(const tm_script::AttributeName& attribute,
+                                                     std::size_t index, const Scalar& value) {
   if (const auto* volt = std::get_if<float>(&value)) {
     if (!(std::abs(*volt) <= script::kMostVolt)) {
       return tm_script::CallFailure{fmt::format("an analog output is -10 to 10 V, not {}", *volt)};
     }
-    return commands_.perform(script::WriteAnalogOutput{*volt, item.attribute == "InstantAO"});
+    return commands_.perform(script::WriteAnalogOutput{*volt, attribute.name == "InstantAO"});
   }
   const auto level = std::get<std::uint8_t>(value);
   if (level > 1) return tm_script::CallFailure{fmt::format("an output is 0 or 1, not {}", level)};
   script::WriteOutput write;
-  write.module = *script::ioModule(std::get<std::string>(item.keys.front()));
+  write.module = *script::ioModule(std::get<std::string>(attribute.keys.front()));
   write.index = static_cast<int>(index);
   write.on = level == 1;
-  write.instant = item.attribute == "InstantDO";
+  write.instant = attribute.name == "InstantDO";
   return commands_.perform(write);
 }
 

@@ -1,4 +1,4 @@
-// The simulated robot as a script sees it: its items, and its functions.
+// The simulated robot as a script sees it: the attributes of its objects, and its functions.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include "robot/project_data.h"
 #include "robot/tmflow_version.h"
-#include "script_port/robot_items.h"
+#include "script_port/robot_attributes.h"
 #include "script_port/script_clients.h"
 #include "script_port/script_commands.h"
 
@@ -20,7 +20,7 @@ class ScriptEnvironment final : public tm_script::Environment {
  public:
   ScriptEnvironment(const ScriptedRobot& robot, const Settings& settings, TagTable& tags,
                     FaultSwitches& faults, ScriptClients& clients)
-      : items_(robot.model, robot.io, robot.project, robot.state),
+      : attributes_(robot.model, robot.io, robot.project, robot.state),
         project_(robot.project),
         velocity_licence_(settings.velocity_licence),
         clients_(clients),
@@ -28,30 +28,31 @@ class ScriptEnvironment final : public tm_script::Environment {
 
   [[nodiscard]] ScriptCommands& commands() { return commands_; }
 
-  [[nodiscard]] Result<tm_script::ItemShape, std::string> shapeOf(
+  [[nodiscard]] Result<tm_script::AttributeShape, std::string> shapeOf(
       const std::string& object, const std::vector<std::optional<tm_script::Scalar>>& keys,
-      const std::string& attribute) const override {
-    return items_.shapeOf(object, keys, attribute);
+      const std::string& name) const override {
+    return attributes_.shapeOf(object, keys, name);
   }
   [[nodiscard]] std::optional<std::string> objectionTo(
       const std::string& function,
       const std::vector<std::optional<tm_script::Scalar>>& arguments) const override;
-  [[nodiscard]] Result<tm_script::Value, std::string> read(const tm_script::ItemName& item) override {
-    return items_.read(item);
+  [[nodiscard]] Result<tm_script::Value, std::string> read(
+      const tm_script::AttributeName& attribute) override {
+    return attributes_.read(attribute);
   }
   /// Outputs go the way of commands: what is queued, is queued.
-  [[nodiscard]] std::optional<std::string> write(const tm_script::ItemName& item,
+  [[nodiscard]] std::optional<std::string> write(const tm_script::AttributeName& attribute,
                                                  std::optional<std::size_t> index,
                                                  const tm_script::Value& value) override;
   [[nodiscard]] tm_script::CallAnswer call(const std::string& function,
                                            const tm_script::Arguments& arguments) override;
 
  private:
-  [[nodiscard]] tm_script::CallAnswer writeOutput(const tm_script::ItemName& item, std::size_t index,
-                                                  const tm_script::Scalar& value);
+  [[nodiscard]] tm_script::CallAnswer writeOutput(const tm_script::AttributeName& attribute,
+                                                  std::size_t index, const tm_script::Scalar& value);
   [[nodiscard]] tm_script::CallAnswer listenSend(const tm_script::Arguments& arguments);
 
-  RobotItems items_;
+  RobotAttributes attributes_;
   const ProjectData& project_;
   bool velocity_licence_;
   ScriptClients& clients_;

@@ -23,9 +23,9 @@ std::vector<int> linesOf(const std::vector<tm_script::Fault>& faults) {
   return lines;
 }
 
-const tm_script::Item* itemIn(const tm_script::Expression& target) {
+const tm_script::Attribute* attributeIn(const tm_script::Expression& target) {
   const auto* element = std::get_if<tm_script::Element>(&target.node);
-  return std::get_if<tm_script::Item>(element == nullptr ? &target.node : &element->array->node);
+  return std::get_if<tm_script::Attribute>(element == nullptr ? &target.node : &element->array->node);
 }
 
 /// Is there a call or an output that goes into the queue of motions? Calls within others are seen when they
@@ -36,8 +36,9 @@ bool goesIntoTheQueue(const tm_script::Statement& statement) {
   const auto* call = std::get_if<tm_script::Call>(&expression->node);
   if (call != nullptr) return script::isQueued(call->function);
   const auto* assignment = std::get_if<tm_script::Assignment>(&expression->node);
-  const auto* item = assignment == nullptr ? nullptr : itemIn(assignment->targets.front());
-  return item != nullptr && item->object == "IO" && (item->attribute == "DO" || item->attribute == "AO");
+  const auto* attribute = assignment == nullptr ? nullptr : attributeIn(assignment->targets.front());
+  return attribute != nullptr && attribute->object == "IO" &&
+         (attribute->name == "DO" || attribute->name == "AO");
 }
 
 }  // namespace

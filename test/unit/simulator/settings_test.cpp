@@ -175,7 +175,7 @@ TEST(SettingsOfTheSimulator, areRefusedByName) {
       {{{"variables", {texts({"int abs = 1"})}}}, "abs is a function"},
       {{{"variables", {texts({"int true = 1"})}}}, "true is a word of the language"},
       {{{"variables", {texts({"int while = 1"})}}}, "while is a word of the language"},
-      {{{"variables", {texts({"int Base"})}}}, "Base is an object with items"},
+      {{{"variables", {texts({"int Base"})}}}, "Base is an object with attributes"},
       {{{"variables", {texts({"bool ESTOP = true"})}}}, "ESTOP is a predefined item"},
       {{{"variables", {texts({"int float = 1"})}}}, "variables holds \"int float = 1\""},
       {{{"variables", {texts({"int i", "float i"})}}}, "there is a variable i already"},

@@ -96,7 +96,7 @@ TEST(ScriptInterpreter, callsTheRobotWithConvertedArguments) {
                                                "ListenSend(90,{417.5,-122.25,343.9,180,0,90})"));
 }
 
-TEST(ScriptInterpreter, readsAndWritesItems) {
+TEST(ScriptInterpreter, readsAndWritesAttributes) {
   Session session;
   EXPECT_EQ(session.run("IO[\"ControlBox\"].DO[2] = 1\r\nIO[\"ControlBox\"].DO[2] += 2\r\n"
                         "byte b = IO[\"ControlBox\"].DO[2]\r\nPoint[\"P\" + 1].Value = {1,2,3,4,5,6}"),

@@ -122,7 +122,7 @@ TEST(ScriptParser, findsTheFaultOfEveryLineOfItsOwn) {
   EXPECT_THAT(faultOf("x = 0x1FFFFFFFF"), HasSubstr("at most 32 bits"));
   EXPECT_THAT(faultOf("x = 12ab"), HasSubstr("column 7"));
   EXPECT_THAT(faultOf("x = a[0][1]"), HasSubstr("one dimension"));
-  EXPECT_THAT(faultOf("x = a.Value"), HasSubstr("only items"));
+  EXPECT_THAT(faultOf("x = a.Value"), HasSubstr("only objects"));
 }
 
 TEST(ScriptParser, refusesTheStatementsOfProgramsByName) {

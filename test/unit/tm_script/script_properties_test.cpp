@@ -94,7 +94,7 @@ Expression anyExpression(int depth) {
     case 1:
       return {Call{anyName(), anyExpressions(depth - 1, 0, 3)}};
     case 2:
-      return {Item{"IO", anyExpressions(depth - 1, 1, 2), "DO"}};
+      return {Attribute{"IO", anyExpressions(depth - 1, 1, 2), "DO"}};
     case 3:
       return {Element{Expression{Name{anyName()}}, anyExpression(depth - 1)}};
     case 4:

@@ -1,4 +1,4 @@
-// The items of scripts: IO, Robot, Point, Base, TCP (TM 2.4).
+// The attributes of objects in scripts: IO, Robot, Point, Base, TCP (TM 2.4).
 #pragma once
 
 #include <functional>
@@ -15,19 +15,20 @@
 
 namespace cobot_command::simulator {
 
-class RobotItems {
+class RobotAttributes {
  public:
-  RobotItems(const arm::ArmModel& model, IoBoard& io, ProjectData& project, std::function<RobotState()> state)
+  RobotAttributes(const arm::ArmModel& model, IoBoard& io, ProjectData& project,
+                  std::function<RobotState()> state)
       : model_(model), io_(io), project_(project), state_(std::move(state)) {}
 
   /// The error says what there is instead.
-  [[nodiscard]] Result<tm_script::ItemShape, std::string> shapeOf(
+  [[nodiscard]] Result<tm_script::AttributeShape, std::string> shapeOf(
       const std::string& object, const std::vector<std::optional<tm_script::Scalar>>& keys,
       const std::string& attribute) const;
-  [[nodiscard]] Result<tm_script::Value, std::string> read(const tm_script::ItemName& item) const;
-  /// Changes a base, a TCP, a point or the light. Precondition: a writable item of these, and a value of its
-  /// type.
-  void write(const tm_script::ItemName& item, std::optional<std::size_t> index,
+  [[nodiscard]] Result<tm_script::Value, std::string> read(const tm_script::AttributeName& attribute) const;
+  /// Changes a base, a TCP, a point or the light. Precondition: a writable attribute of these, and a value of
+  /// its type.
+  void write(const tm_script::AttributeName& attribute, std::optional<std::size_t> index,
              const tm_script::Value& value);
 
  private:
@@ -43,6 +44,6 @@ class RobotItems {
 };
 
 /// IO, Robot, Base and the like.
-[[nodiscard]] bool isItemObject(const std::string& name);
+[[nodiscard]] bool isObject(const std::string& name);
 
 }  // namespace cobot_command::simulator

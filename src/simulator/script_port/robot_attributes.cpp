@@ -1,4 +1,4 @@
-#include "script_port/robot_items.h"
+#include "script_port/robot_attributes.h"
 
 #include <algorithm>
 #include <array>
@@ -14,12 +14,12 @@ namespace cobot_command::simulator {
 namespace {
 
 using tm_script::Array;
-using tm_script::ItemShape;
+using tm_script::AttributeShape;
 using tm_script::Scalar;
 using tm_script::ScalarType;
 using tm_script::Value;
 
-struct Attribute {
+struct Row {
   std::string_view object;
   std::string_view module;  ///< of IO
   std::string_view name;
@@ -28,7 +28,7 @@ struct Attribute {
   bool is_writable = false;
 };
 
-constexpr std::array<Attribute, 40> kAttributes{{
+constexpr std::array<Row, 40> kRows{{
     {"IO", "ControlBox", "DI", ScalarType::Byte, 16},
     {"IO", "ControlBox", "DO", ScalarType::Byte, 16, true},
     {"IO", "ControlBox", "InstantDO", ScalarType::Byte, 16, true},
@@ -125,19 +125,19 @@ Result<bool, std::string> isFixed(const ProjectData& project, const std::string&
 }
 
 /// With a key that is not known before the run: any of the modules.
-Result<const Attribute*, std::string> find(const std::string& object, const std::optional<Scalar>& key,
-                                           const std::string& name) {
+Result<const Row*, std::string> find(const std::string& object, const std::optional<Scalar>& key,
+                                     const std::string& name) {
   const auto* module = key ? std::get_if<std::string>(&*key) : nullptr;
-  const auto matches = [&](const Attribute& a) {
+  const auto matches = [&](const Row& a) {
     if (a.object != object || (a.name != name && !a.name.empty())) return false;
     return object != "IO" || !key || a.module.empty() || (module != nullptr && *module == a.module);
   };
-  const auto* const found = std::find_if(kAttributes.begin(), kAttributes.end(), matches);
-  if (found == kAttributes.end()) {
+  const auto* const found = std::find_if(kRows.begin(), kRows.end(), matches);
+  if (found == kRows.end()) {
     return refuse(
-        fmt::format("there is no item {}[{}].{}", object, key ? tm_script::textOf(*key) : "", name));
+        fmt::format("there is no attribute {}[{}].{}", object, key ? tm_script::textOf(*key) : "", name));
   }
-  if (found - kAttributes.begin() >= static_cast<std::ptrdiff_t>(kSimulated)) {
+  if (found - kRows.begin() >= static_cast<std::ptrdiff_t>(kSimulated)) {
     return refuse(fmt::format("{}[..].{} is known, but not simulated", object, name));
   }
   return found;
@@ -145,14 +145,14 @@ Result<const Attribute*, std::string> find(const std::string& object, const std:
 
 }  // namespace
 
-Result<ItemShape, std::string> RobotItems::shapeOf(const std::string& object,
-                                                   const std::vector<std::optional<Scalar>>& keys,
-                                                   const std::string& attribute) const {
+Result<AttributeShape, std::string> RobotAttributes::shapeOf(const std::string& object,
+                                                             const std::vector<std::optional<Scalar>>& keys,
+                                                             const std::string& attribute) const {
   if (keys.size() > 1) return refuse(object + " has one name here: there are no vision bases");
   const auto found = find(object, keys.front(), attribute);
   if (!found) return refuse(found.error());
-  const Attribute& known = **found;
-  ItemShape shape{{known.type, known.length > 0}, known.is_writable, std::nullopt};
+  const Row& known = **found;
+  AttributeShape shape{{known.type, known.length > 0}, known.is_writable, std::nullopt};
   if (known.length > 0 && (keys.front() || object != "IO")) shape.length = known.length;
   if ((object == "IO" || object == "Robot") && known.type == ScalarType::Byte) shape.most = 1;
   if (!keys.front()) return shape;
@@ -162,16 +162,18 @@ Result<ItemShape, std::string> RobotItems::shapeOf(const std::string& object,
   return shape;
 }
 
-Result<Value, std::string> RobotItems::read(const tm_script::ItemName& item) const {
-  if (auto shape = shapeOf(item.object, {item.keys.begin(), item.keys.end()}, item.attribute); !shape) {
+Result<Value, std::string> RobotAttributes::read(const tm_script::AttributeName& attribute) const {
+  if (auto shape = shapeOf(attribute.object, {attribute.keys.begin(), attribute.keys.end()}, attribute.name);
+      !shape) {
     return refuse(std::move(shape.error()));
   }
-  if (item.object == "Robot") return ofRobot(item.attribute);
-  const auto& name = std::get<std::string>(item.keys.front());
-  return item.object == "IO" ? ofIo(name, item.attribute) : ofProject(item.object, name, item.attribute);
+  if (attribute.object == "Robot") return ofRobot(attribute.name);
+  const auto& name = std::get<std::string>(attribute.keys.front());
+  return attribute.object == "IO" ? ofIo(name, attribute.name)
+                                  : ofProject(attribute.object, name, attribute.name);
 }
 
-Value RobotItems::ofIo(const std::string& module, const std::string& attribute) const {
+Value RobotAttributes::ofIo(const std::string& module, const std::string& attribute) const {
   const bool is_box = script::ioModule(module) == script::IoModule::ControlBox;
   if (attribute == "AI") return arrayOf(ScalarType::Float, std::vector<float>(is_box ? 2 : 1, 0.0F));
   if (attribute == "AO" || attribute == "InstantAO") {
@@ -182,7 +184,7 @@ Value RobotItems::ofIo(const std::string& module, const std::string& attribute) 
   return is_box ? bytesOf(digital.control_box) : bytesOf(digital.end_module);
 }
 
-Value RobotItems::ofRobot(const std::string& attribute) const {
+Value RobotAttributes::ofRobot(const std::string& attribute) const {
   const RobotState state = state_();
   const arm::Pose tool = state.flange * state.tcp;
   if (attribute == "CoordRobot") return arrayOf(ScalarType::Float, toFloats(tool));
@@ -199,8 +201,8 @@ Value RobotItems::ofRobot(const std::string& attribute) const {
   return joints;
 }
 
-Value RobotItems::ofProject(const std::string& object, const std::string& name,
-                            const std::string& attribute) const {
+Value RobotAttributes::ofProject(const std::string& object, const std::string& name,
+                                 const std::string& attribute) const {
   constexpr std::string_view kTeach = "Teach";
   const bool is_taught = attribute.substr(0, kTeach.size()) == kTeach;
   const std::string what = is_taught ? attribute.substr(kTeach.size()) : attribute;
@@ -224,32 +226,32 @@ Value RobotItems::ofProject(const std::string& object, const std::string& name,
   return arrayOf(ScalarType::Float, what == "MCF" ? tool.mass_center : tool.frame.numbers);
 }
 
-void RobotItems::write(const tm_script::ItemName& item, std::optional<std::size_t> index,
-                       const Value& value) {
-  if (item.object == "Robot") {
+void RobotAttributes::write(const tm_script::AttributeName& attribute, std::optional<std::size_t> index,
+                            const Value& value) {
+  if (attribute.object == "Robot") {
     return io_.write(SetCameraLight{std::get<std::uint8_t>(std::get<Scalar>(value)) == 1});
   }
-  const auto& name = std::get<std::string>(item.keys.front());
-  Value whole = index ? ofProject(item.object, name, item.attribute) : value;
+  const auto& name = std::get<std::string>(attribute.keys.front());
+  Value whole = index ? ofProject(attribute.object, name, attribute.name) : value;
   if (index) std::get<Array>(whole).items[*index] = std::get<Scalar>(value);
-  if (item.object == "Base") {
+  if (attribute.object == "Base") {
     project_.bases.at(name).now = Frame(fromArray<float, 6>(whole));
-  } else if (item.object == "Point") {
+  } else if (attribute.object == "Point") {
     Point& point = project_.points.at(name).now;
-    if (item.attribute == "Pose") point.pose_bits = fromArray<int, 3>(whole);
-    if (item.attribute == "Value") point.frame = Frame(fromArray<float, 6>(whole));
+    if (attribute.name == "Pose") point.pose_bits = fromArray<int, 3>(whole);
+    if (attribute.name == "Value") point.frame = Frame(fromArray<float, 6>(whole));
   } else {
     Tool& tool = project_.tools.at(name).now;
-    if (item.attribute == "Value") tool.frame = Frame(fromArray<float, 6>(whole));
-    if (item.attribute == "Mass") tool.mass = std::get<float>(std::get<Scalar>(whole));
-    if (item.attribute == "MOI") tool.moment = fromArray<float, 3>(whole);
-    if (item.attribute == "MCF") tool.mass_center = fromArray<float, 6>(whole);
+    if (attribute.name == "Value") tool.frame = Frame(fromArray<float, 6>(whole));
+    if (attribute.name == "Mass") tool.mass = std::get<float>(std::get<Scalar>(whole));
+    if (attribute.name == "MOI") tool.moment = fromArray<float, 3>(whole);
+    if (attribute.name == "MCF") tool.mass_center = fromArray<float, 6>(whole);
   }
 }
 
-bool isItemObject(const std::string& name) {
-  return std::any_of(kAttributes.begin(), kAttributes.end(),
-                     [&](const Attribute& attribute) { return attribute.object == name; });
+bool isObject(const std::string& name) {
+  return std::any_of(kRows.begin(), kRows.end(),
+                     [&](const Row& attribute) { return attribute.object == name; });
 }
 
 }  // namespace cobot_command::simulator

@@ -1,4 +1,4 @@
-// The items of scripts: IO, Robot, Point, Base, TCP.
+// The attributes of objects in scripts: IO, Robot, Point, Base, TCP.
 #include "simulated_robot.h"
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ Settings project() {
   return settings;
 }
 
-class ScriptItemsTest : public testing::Test {
+class ScriptAttributesTest : public testing::Test {
  protected:
   std::string run(const std::string& script) {
     robot.heard(client);
@@ -30,7 +30,7 @@ class ScriptItemsTest : public testing::Test {
   ClientId client = robot.connect();
 };
 
-TEST_F(ScriptItemsTest, haveTheLengthsOfTheModules) {
+TEST_F(ScriptAttributesTest, haveTheLengthsOfTheModules) {
   expectValue("Length(IO[\"ControlBox\"].DI)", "16");
   expectValue("Length(IO[\"EndModule\"].AI)", "1");
   expectValue("Length(IO[\"Safety\"].SI)", "5");
@@ -38,21 +38,21 @@ TEST_F(ScriptItemsTest, haveTheLengthsOfTheModules) {
   EXPECT_EQ(run("byte b = IO[\"ControlBox\"].DI[-1]"), error("1", "1"));
 }
 
-TEST_F(ScriptItemsTest, readInputsAndOutputs) {
+TEST_F(ScriptAttributesTest, readInputsAndOutputs) {
   robot.operate(SetInput{script::IoModule::ControlBox, 3, true});
   expectValue("IO[\"ControlBox\"].DI[3]", "1");
   EXPECT_EQ(run("IO[\"EndModule\"].InstantDO[2]=1"), ok("1"));
   expectValue("IO[\"EndModule\"].DO", "{0,0,1,0}");
 }
 
-TEST_F(ScriptItemsTest, writeAWholeModuleWithAllItsOutputs) {
+TEST_F(ScriptAttributesTest, writeAWholeModuleWithAllItsOutputs) {
   EXPECT_EQ(run("IO[\"EndModule\"].DO={1,0,1}"), error("1", "1"));
   EXPECT_EQ(run("IO[\"EndModule\"].DO={1,0,1,0}"), ok("1"));
   EXPECT_TRUE(robot.state().outputs.end_module[2]);
   EXPECT_FALSE(robot.state().outputs.end_module[1]);
 }
 
-TEST_F(ScriptItemsTest, setTheAnalogOutputInTheQueueOrAtOnce) {
+TEST_F(ScriptAttributesTest, setTheAnalogOutputInTheQueueOrAtOnce) {
   EXPECT_EQ(run("IO[\"ControlBox\"].AO={2.5}"), ok("1"));
   EXPECT_EQ(robot.state().analog_output, 2.5F);
   EXPECT_EQ(run("PTP(\"JPP\",10,0,90,0,90,0,100,200,0,false)\r\nIO[\"ControlBox\"].AO[0]=-3\r\n"
@@ -64,20 +64,20 @@ TEST_F(ScriptItemsTest, setTheAnalogOutputInTheQueueOrAtOnce) {
   EXPECT_EQ(run("IO[\"ControlBox\"].InstantAO[0]=10.5"), error("1", "1"));
 }
 
-TEST_F(ScriptItemsTest, switchTheLightOfTheCamera) {
+TEST_F(ScriptAttributesTest, switchTheLightOfTheCamera) {
   EXPECT_EQ(run("Robot[0].CameraLight=1"), ok("1"));
   EXPECT_TRUE(robot.state().camera_light);
   expectValue("Robot[0].CameraLight", "1");
   EXPECT_EQ(run("Robot[0].CameraLight=2"), error("1", "1"));
 }
 
-TEST_F(ScriptItemsTest, leaveAloneWhatCanOnlyBeRead) {
+TEST_F(ScriptAttributesTest, leaveAloneWhatCanOnlyBeRead) {
   EXPECT_EQ(run("IO[\"ControlBox\"].DI[0]=1\r\nTCP[\"NOTOOL\"].Value={1,2,3,0,0,0}"), ok("1"));
   EXPECT_FALSE(robot.state().inputs.control_box[0]);
   expectValue("TCP[\"NOTOOL\"].Value", "{0,0,0,0,0,0}");
 }
 
-TEST_F(ScriptItemsTest, tellWhereTheRobotIs) {
+TEST_F(ScriptAttributesTest, tellWhereTheRobotIs) {
   expectValue("Robot[0].Joint", "{0,0,90,0,90,0}");
   expectValue("Robot[0].BaseName", "RobotBase");
   expectValue("Robot[0].TCPSpeed3D", "0");
@@ -86,7 +86,7 @@ TEST_F(ScriptItemsTest, tellWhereTheRobotIs) {
   expectValue("dist(Robot[0].CoordBase,{317.5,-122.3,361.05,180,0,90}) < 0.001 ? 1 : 0", "1");
 }
 
-TEST_F(ScriptItemsTest, changeABaseThatCountsFromTheNextChangeBase) {
+TEST_F(ScriptAttributesTest, changeABaseThatCountsFromTheNextChangeBase) {
   EXPECT_EQ(run("Base[\"table\"].Value={4,5,6,0,0,90}\r\nChangeBase(\"table\")"), ok("1"));
   EXPECT_NEAR(robot.state().base.translation().z(), 0.006, 1e-12);
   EXPECT_EQ(robot.state().base_name, "table");
@@ -94,19 +94,19 @@ TEST_F(ScriptItemsTest, changeABaseThatCountsFromTheNextChangeBase) {
   expectValue("Base[\"table\"].Type", "C");
 }
 
-TEST_F(ScriptItemsTest, changeAToolWithItsMass) {
+TEST_F(ScriptAttributesTest, changeAToolWithItsMass) {
   EXPECT_EQ(run("TCP[\"gripper\"].Mass=2\r\nTCP[\"gripper\"].MCF[2]=-80\r\nChangeTCP(\"gripper\")"), ok("1"));
   EXPECT_EQ(robot.state().tcp_mass, 2.0);
   expectValue("TCP[\"gripper\"].MCF", "{0,0,-80,0,0,0}");
   expectValue("TCP[\"gripper\"].Value", "{0,0,150,0,0,0}");
 }
 
-TEST_F(ScriptItemsTest, knowTheToolOfTheCamera) {
+TEST_F(ScriptAttributesTest, knowTheToolOfTheCamera) {
   EXPECT_EQ(run("ChangeTCP(\"HandCamera\")"), ok("1"));
   EXPECT_EQ(robot.state().tcp_name, "HandCamera");
 }
 
-TEST_F(ScriptItemsTest, changeAPointButNotAsItWasTaught) {
+TEST_F(ScriptAttributesTest, changeAPointButNotAsItWasTaught) {
   expectValue("Point[\"P1\"].Pose", "{0,2,4}");
   EXPECT_EQ(run("Point[\"P1\"].Value={1,2,3,4,5,6}\r\nPoint[\"P1\"].Pose={1,3,5}"), ok("1"));
   expectValue("Point[\"P1\"].Value", "{1,2,3,4,5,6}");
@@ -114,7 +114,7 @@ TEST_F(ScriptItemsTest, changeAPointButNotAsItWasTaught) {
 }
 
 // The vendor's ROS drivers write outputs so (set_io).
-TEST_F(ScriptItemsTest, takeNamesWithoutQuotesWithAWarning) {
+TEST_F(ScriptAttributesTest, takeNamesWithoutQuotesWithAWarning) {
   EXPECT_EQ(run("IO[ControlBox].DO[0]=1"), protocol::encodeFrame("TMSCT", "1,OK;1"));
   EXPECT_TRUE(robot.state().outputs.control_box[0]);
   EXPECT_EQ(run("Point[P1].Pose={1,3,5}\r\nBase[table].Value[2]=9\r\nTCP[gripper].Mass=2"),
@@ -123,7 +123,7 @@ TEST_F(ScriptItemsTest, takeNamesWithoutQuotesWithAWarning) {
   EXPECT_EQ(run("IO[ControlBux].DO[0]=1\r\nRobot[arm].CameraLight=1"), error("1", "1;2"));
 }
 
-TEST_F(ScriptItemsTest, areErrorsWhenThereAreNone) {
+TEST_F(ScriptAttributesTest, areErrorsWhenThereAreNone) {
   EXPECT_EQ(run("Base[\"nowhere\"].Value={1,2,3,0,0,0}\r\nIO[\"ControlBox\"].XY[0]=1\r\nbyte b = "
                 "Robot[1].CameraLight\r\n"
                 "Point[\"P1\"].Type=1\r\nVPoint[\"v\"].Value={1,2,3,0,0,0}"),
