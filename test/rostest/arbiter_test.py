@@ -8,9 +8,9 @@ from actionlib_msgs.msg import GoalID, GoalStatus
 from cobot_command.msg import CommandStatus, RobotStatus, StopGoal
 from cobot_goals import (ABORTING, BUFFERED, HOME, MODERATELY, SLOWLY, base, line_to, queued, relative, script, tcp,
                          to_joints, turn)
-from cobot_test import wait_until
 from motion_checks import MotionTestCase
 from tf_frames import pose_in
+from waiting import wait_until
 
 
 class Arbiter(MotionTestCase):

@@ -6,9 +6,9 @@ import rospy
 
 from cobot_command.msg import ChangeBaseGoal
 from cobot_goals import BUFFERED, SLOWLY, base, line_to, relative, turn
-from cobot_test import wait_until
 from motion_checks import AS_REPORTED, MotionTestCase
 from tf_frames import Frames, Lookup, pose_in
+from waiting import wait_until
 
 FAR = 100000.0
 

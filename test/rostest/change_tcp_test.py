@@ -6,9 +6,9 @@ import rospy
 
 from cobot_command.msg import MomentOfInertia, StopGoal, Transformation
 from cobot_goals import relative, tcp, turn
-from cobot_test import wait_until
 from motion_checks import MotionTestCase
 from tf_frames import Lookup
+from waiting import wait_until
 
 FAR = 100000.0
 HEAVIEST_INERTIA = 1e9

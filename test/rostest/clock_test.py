@@ -10,9 +10,9 @@ from tf2_msgs.msg import TFMessage
 
 from cobot_command.msg import CommandStatus
 from cobot_goals import HOME, MODERATELY, line_to, ptp_to, to_joints, turn
-from cobot_test import DEADLINE, wait_until
 from motion_checks import MotionTestCase
 from tf_frames import pose_in
+from waiting import DEADLINE, wait_until
 
 AN_HOUR = 3600.0  # [s]
 STEP = 0.02  # [s]

@@ -23,8 +23,8 @@ from cobot_command.msg import ActiveFrames, CommandStatus, ConnectGoal, RobotSta
 from cobot_command.srv import Finish, RaiseError, SetFault, SetInput, SetProjectSpeed
 import provoked_errors
 from cobot_goals import HOME, SLOWLY, to_joints, turn, with_changes
+from waiting import DEADLINE, wait_until
 
-DEADLINE = 30.0  # [s] of wall time; far beyond what anything here takes
 CONTROLLER = "simulated_controller"
 OPERATOR_SERVICES = {  # all others are Triggers
     "raise_error": RaiseError, "set_emergency_stop": SetBool, "set_fault": SetFault, "set_input": SetInput,
@@ -267,15 +267,6 @@ class Robot:
 def program(name):
     """Its path; rosrun passes over build folders."""
     return roslib.packages.find_node("cobot_command", name)[0]
-
-
-def wait_until(condition, what):
-    deadline = rospy.Time.now() + rospy.Duration(DEADLINE)
-    rate = rospy.Rate(100)
-    while not condition():
-        if rospy.Time.now() > deadline:
-            raise AssertionError(f"{what} did not come within {DEADLINE} s")
-        rate.sleep()
 
 
 class OutcomeTestCase(unittest.TestCase):

@@ -9,9 +9,9 @@ from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import CommandStatus, MoveRelativeActionResult
 from cobot_goals import line_to, relative, sequence
-from cobot_test import wait_until
 from own_nodes import Heard, Master, node
 from own_robot import FAR, PORTS, OwnRobotTestCase
+from waiting import wait_until
 
 END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 

@@ -6,9 +6,10 @@ from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from cobot_command.msg import MoveRelativeActionGoal, MoveRelativeActionResult, ProgramControlGoal, StopGoal
 from cobot_command.srv import FinishRequest
 from cobot_goals import BUFFERED, line_to, relative
-from cobot_test import Latest, wait_until
+from cobot_test import Latest
 from own_robot import OwnRobotTestCase
 from tf_frames import pose_in
+from waiting import wait_until
 
 
 class GoalsThatWaitForAFrame(OwnRobotTestCase):

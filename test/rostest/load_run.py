@@ -15,6 +15,7 @@ from cobot_command.msg import CommandStatus
 from load_clients import Client, Keeper, Publishers
 from load_watch import Watch
 from plcopen_status import StatusRules
+from waiting import wait_until
 
 sys.path.append(str(pathlib.Path(rospkg.RosPack().get_path("cobot_command")) / "test" / "checks"))
 from check_error_coverage import rows  # noqa: E402  pylint: disable=wrong-import-position
@@ -56,7 +57,8 @@ class Load:
         self.compared = 0
         self.succeeded = set()  # blocks
         self._rounds = 0
-        wait_until(lambda: self.watch.hears_all() and self.publishers.are_heard(), "all topics of the command node")
+        wait_until(lambda: self.watch.hears_all() and self.publishers.are_heard(), "all topics of the command node",
+                   DEADLINE)
         self.pid = process_watch.pid_of("command_node")
         self.keeper.start()
 
@@ -143,11 +145,3 @@ def resume_project():
         rospy.ServiceProxy(f"{CONTROLLER}/resume_project", Trigger)()
     except rospy.ServiceException:
         pass
-
-
-def wait_until(condition, what, seconds=DEADLINE):
-    deadline = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > deadline:
-            raise AssertionError(f"{what} did not come within {seconds} s")
-        time.sleep(0.02)

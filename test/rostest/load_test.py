@@ -15,7 +15,7 @@ from actionlib_msgs.msg import GoalID, GoalStatus
 
 from cobot_goals import base, sequence, to_joints, turn
 from load_clients import AN_HOUR, BLOCKS
-from load_run import DEADLINE, Load, wait_until
+from load_run import DEADLINE, Load
 from random_goals import Drawn
 
 ROUND = 250  # goals

@@ -6,9 +6,9 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_goals import BUFFERED, base, circle, cycle, line_to, relative, sequence, step, tcp
-from cobot_test import wait_until
 from motion_checks import MotionTestCase
 from tf_frames import Frames, pose_in
+from waiting import wait_until
 
 START = (450, -100, 400, 180, 0, 90)
 ABOVE_START = (450, -100, 410, 180, 0, 90)

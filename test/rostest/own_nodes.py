@@ -9,7 +9,8 @@ import xmlrpc.client
 
 import rospy
 
-from cobot_test import DEADLINE, program, wait_until
+from cobot_test import program
+from waiting import DEADLINE, wait_until
 
 
 class Process:

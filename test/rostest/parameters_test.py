@@ -9,7 +9,8 @@ import unittest
 
 import rospy
 
-from cobot_test import program, wait_until
+from cobot_test import program
+from waiting import wait_until
 
 DEADLINE = 100  # [s]; reached only when something is broken
 NAN = float("nan")

@@ -9,9 +9,10 @@ import unittest
 import rospy
 
 import process_watch
-from load_run import Load, ports, wait_until
+from load_run import DEADLINE, Load, ports
 from soak_faults import Faults
 from soak_wire import Wire
+from waiting import wait_until
 
 ROUND = 200  # goals
 MOST_SHOWN = 20  # faults
@@ -23,7 +24,7 @@ SHORTEST_SLOPE = 3600.0  # [s] of measuring
 
 class SoakTest(unittest.TestCase):
     def test_of_hours_of_goals_and_faults_ends_each_goal_and_leaves_the_node_as_it_was(self):
-        wait_until(ports, "the ports of the controller")
+        wait_until(ports, "the ports of the controller", DEADLINE)
         wire = Wire(rospy.get_param("~proxy"), *ports())
         load = Load(rospy.get_param("~seed") or random.randrange(1, 10**6), lambda: wire.ports, stream_breaks=True)
         faults = Faults(load.seed, rospy.get_param("~fault_period"), load.pid, load.watch.complain, wire)

@@ -5,8 +5,9 @@ import time
 
 import rospy
 
-from cobot_test import OutcomeTestCase, wait_until
+from cobot_test import OutcomeTestCase
 from own_nodes import Heard, Master, node
+from waiting import wait_until
 
 KINDS = {"command_node": {"robot_model": "tm5-900"},
          "simulated_controller_node": {"robot_model": "tm5-900", "script_port": 0, "status_port": 0}}

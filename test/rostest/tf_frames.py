@@ -4,8 +4,8 @@ import math
 import rospy
 import tf2_ros
 from geometry_msgs.msg import PoseStamped, TransformStamped
+from waiting import wait_until
 
-from cobot_test import wait_until
 
 
 def pose_in(frame, position, quaternion):

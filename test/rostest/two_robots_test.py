@@ -10,7 +10,8 @@ from tf2_msgs.msg import TFMessage
 
 from cobot_command.msg import MoveAbsoluteGoal, RobotStatus, StopGoal
 from cobot_goals import HOME, ptp_to, to_joints
-from cobot_test import OutcomeTestCase, Robot, wait_until
+from cobot_test import OutcomeTestCase, Robot
+from waiting import wait_until
 
 TARGETS = {"left": (60, -20, 100, 10, 80, -45), "right": (-50, 15, 80, -10, 95, 30)}
 SLOWLY = {"speed": 1, "accel_time": 1000}  # the other robot can be dealt with meanwhile

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 /// Generous: reached only when something is broken.
 inline constexpr auto kDeadline = std::chrono::seconds(60);
@@ -40,4 +40,4 @@ class EventLog {
   std::vector<Event> events_;
 };
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace {
 
 struct KindRow {
@@ -131,4 +131,4 @@ std::string knownFaultKinds() {
   return text;
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

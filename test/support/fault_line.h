@@ -8,7 +8,7 @@
 
 #include "cobot_command/common/result.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 struct FaultOrder {
   FaultProxy::Port port = FaultProxy::Port::Script;
@@ -23,4 +23,4 @@ struct FaultOrder {
 /// One line each: the kind and what it does.
 [[nodiscard]] std::string knownFaultKinds();
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

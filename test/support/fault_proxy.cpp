@@ -11,7 +11,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace asio = boost::asio;
 using boost::asio::ip::tcp;
 using boost::system::error_code;
@@ -194,4 +194,4 @@ std::size_t FaultProxy::connections() const {
   return count;
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -10,7 +10,7 @@
 
 #include "frame_faults.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 struct ProxyPorts {
   int script = 0;
@@ -48,4 +48,4 @@ class FaultProxy {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

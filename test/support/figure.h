@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 /// The figure of a goal of doc/reliability.md; printed when it goes out of scope.
 class Figure {
@@ -63,4 +63,4 @@ template <class Call>
   return std::chrono::steady_clock::now() - start;
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <utility>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace {
 
 constexpr std::size_t kLongestField = 16;
@@ -81,4 +81,4 @@ std::string FrameCutter::take(std::size_t size) {
   return bytes;
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

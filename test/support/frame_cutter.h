@@ -8,7 +8,7 @@
 
 #include "cobot_command/protocol/frame.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 class FrameCutter {
  public:
@@ -27,4 +27,4 @@ class FrameCutter {
   std::string buffer_;
 };
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

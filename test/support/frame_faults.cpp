@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace {
 
 using Kind = FaultKind;
@@ -203,4 +203,4 @@ Duration FrameFaults::waitOf(const Fault& fault) {
   return std::max(Duration::zero(), fault.time + fromSeconds(more));
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -14,7 +14,7 @@
 #include "cobot_command/common/time.h"
 #include "cobot_command/protocol/frame.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 enum class Direction { ToController, ToClient };
 
@@ -123,4 +123,4 @@ class FrameFaults {
   std::size_t strikes_ = 0;
 };
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

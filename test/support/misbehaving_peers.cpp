@@ -10,7 +10,7 @@
 #include "cobot_command/protocol/frame.h"
 #include "cobot_command/protocol/status_items.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace {
 
 using namespace blocks;
@@ -327,4 +327,4 @@ std::vector<MisbehavingPeer> peersThatAnswerStrangely() {
   return peers;
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -12,7 +12,7 @@
 #include "cobot_command/link/connection.h"
 #include "cobot_command/protocol/message.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 struct PeerTalk {
   std::string bytes;
@@ -50,4 +50,4 @@ struct MisbehavingPeer {
 /// On the status port.
 [[nodiscard]] std::vector<MisbehavingPeer> peersOfTheStatusPort();
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

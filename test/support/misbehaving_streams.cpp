@@ -9,7 +9,7 @@
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/protocol/status_items.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace {
 
 using protocol::StatusItem;
@@ -160,4 +160,4 @@ std::vector<MisbehavingPeer> peersOfTheStatusPort() {
   return peers;
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -5,7 +5,7 @@
 
 #include "cobot_command/blocks/goal.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 /// A PTP to these joints.
 inline blocks::MoveAbsoluteGoal moveJoints(const std::array<double, 6>& joints_deg,
@@ -19,4 +19,4 @@ inline blocks::MoveAbsoluteGoal moveJoints(const std::array<double, 6>& joints_d
   return goal;
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

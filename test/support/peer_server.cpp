@@ -18,7 +18,7 @@
 #include "cobot_command/protocol/frame_decoder.h"
 #include "cobot_command/transport/tcp_server.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace asio = boost::asio;
 
 class PeerServer::Impl {
@@ -142,4 +142,4 @@ bool PeerServer::hasSpoken() const {
   return impl_->hasSpoken();
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -5,7 +5,7 @@
 
 #include "misbehaving_peers.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 /// Thread-safe.
 class PeerServer {
@@ -28,4 +28,4 @@ class PeerServer {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -6,7 +6,7 @@
 
 #include <dirent.h>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 inline int entriesIn(const std::string& folder) {
   const std::unique_ptr<DIR, int (*)(DIR*)> directory(opendir(folder.c_str()), closedir);
@@ -25,4 +25,4 @@ inline int runningThreads() {
   return entriesIn("/proc/self/task");
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -6,7 +6,7 @@
 
 #include <malloc.h>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 inline std::optional<std::size_t> allocatedBytes() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -17,4 +17,4 @@ inline std::optional<std::size_t> allocatedBytes() {
 #endif
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -7,7 +7,7 @@
 #include <boost/asio/error.hpp>
 #include <boost/asio/write.hpp>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace asio = boost::asio;
 using boost::asio::ip::tcp;
 using boost::system::error_code;
@@ -189,4 +189,4 @@ void ProxySession::close() {
   for (Way* const w : {&to_controller_, &to_client_}) w->steps.clear();
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

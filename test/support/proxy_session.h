@@ -14,7 +14,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 class ProxySession : public std::enable_shared_from_this<ProxySession> {
  public:
@@ -86,4 +86,4 @@ class ProxySession : public std::enable_shared_from_this<ProxySession> {
   bool ended_ = false;
 };
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 
 [[nodiscard]] inline bool isThorough() {
   return std::getenv("COBOT_TEST_THOROUGH") != nullptr;
@@ -14,4 +14,4 @@ template <class Number>
   return isThorough() ? thorough : quick;
 }
 
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -48,7 +48,7 @@ Lie standsAtPose(const arm::ControllerPose& pose) {
 
 BlockCase moveAbsolute(Pace pace) {
   const std::array<double, 6> target{20, -10, 100, 5, 80, -15};
-  return {blocks::kBlock<blocks::MoveAbsoluteGoal>, test::moveJoints(target, percent(pace)), true,
+  return {blocks::kBlock<blocks::MoveAbsoluteGoal>, testing::moveJoints(target, percent(pace)), true,
           standsAtJoints(target)};
 }
 
@@ -140,17 +140,17 @@ BlockCase runScript(Pace pace) {
 BlockCase checkSequence() {
   blocks::CheckSequenceGoal goal;
   goal.start_joints.assign(kStart.begin(), kStart.end());
-  goal.steps.assign(3, test::moveJoints({10, 0, 90, 0, 90, 0}, 50));
+  goal.steps.assign(3, testing::moveJoints({10, 0, 90, 0, 90, 0}, 50));
   return {blocks::kBlock<blocks::CheckSequenceGoal>, goal, false,
           [](const RobotState&) { return std::string(); }};
 }
 
 BlockCase pickAndPlace(Pace pace) {
   blocks::PickAndPlaceGoal goal;
-  goal.steps.push_back({test::moveJoints({10, -5, 95, 0, 90, 0}, percent(pace)),
+  goal.steps.push_back({testing::moveJoints({10, -5, 95, 0, 90, 0}, percent(pace)),
                         blocks::SetOutputGoal{0, "EndModule", 0, 1}, std::nullopt, 0.05});
   goal.steps.push_back(
-      {test::moveJoints({-5, 5, 85, 0, 90, 0}, percent(pace)), std::nullopt, std::nullopt, 0});
+      {testing::moveJoints({-5, 5, 85, 0, 90, 0}, percent(pace)), std::nullopt, std::nullopt, 0});
   const Lie moved = standsAtJoints({-5, 5, 85, 0, 90, 0});
   return {blocks::kBlock<blocks::PickAndPlaceGoal>, goal, true,
           [moved](const RobotState& robot) -> std::string {
@@ -169,7 +169,7 @@ std::vector<BlockCase> blockCases(Pace pace) {
 
 BlockCase proofOfWork() {
   const std::array<double, 6> target{-20, 10, 80, 10, 95, 30};
-  return {blocks::kBlock<blocks::MoveAbsoluteGoal>, test::moveJoints(target, 100), true,
+  return {blocks::kBlock<blocks::MoveAbsoluteGoal>, testing::moveJoints(target, 100), true,
           standsAtJoints(target)};
 }
 

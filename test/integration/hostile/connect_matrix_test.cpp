@@ -14,11 +14,11 @@ namespace cobot_command::hostile {
 namespace {
 
 using namespace blocks;
-using test::Direction;
-using test::Fault;
-using test::FaultKind;
+using testing::Direction;
+using testing::Fault;
+using testing::FaultKind;
 using ::testing::HasSubstr;
-using Port = test::FaultProxy::Port;
+using Port = testing::FaultProxy::Port;
 
 struct ConnectRow {
   std::string name;

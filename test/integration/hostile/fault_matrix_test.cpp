@@ -68,7 +68,7 @@ class Trial {
 
   /// What a tag vouches for is so by now; all else is only under way, as its OK told.
   void expectNoLie(const BlockCase& done) {
-    const auto deadline = std::chrono::steady_clock::now() + test::kDeadline;
+    const auto deadline = std::chrono::steady_clock::now() + testing::kDeadline;
     std::string lie = done.lie(rig_.robot().state());
     while (!lie.empty() && !done.awaits_tag && done.block != blocks::kBlock<blocks::StopGoal> &&
            std::chrono::steady_clock::now() < deadline) {
@@ -78,7 +78,7 @@ class Trial {
   }
 
   void expectStoppedOnTheWay() {
-    const auto deadline = std::chrono::steady_clock::now() + test::kDeadline;
+    const auto deadline = std::chrono::steady_clock::now() + testing::kDeadline;
     while (rig_.robot().state().in_motion && std::chrono::steady_clock::now() < deadline) {
     }
     EXPECT_NE(block_.lie(rig_.robot().state()), "") << "the robot went on to where the failed goal sent it";
@@ -150,7 +150,7 @@ void tryBlock(const FaultRow& row, std::size_t block) {
   }
 }
 
-class FaultMatrix : public testing::TestWithParam<FaultRow> {};
+class FaultMatrix : public ::testing::TestWithParam<FaultRow> {};
 
 TEST_P(FaultMatrix, endsEveryGoalInTheWayThatNamesTheCause) {
   std::vector<std::thread> threads;
@@ -161,7 +161,7 @@ TEST_P(FaultMatrix, endsEveryGoalInTheWayThatNamesTheCause) {
 }
 
 const auto kNameOfRow = [](const auto& row) { return row.param.name; };
-INSTANTIATE_TEST_SUITE_P(Each, FaultMatrix, testing::ValuesIn(faultRows()), kNameOfRow);
+INSTANTIATE_TEST_SUITE_P(Each, FaultMatrix, ::testing::ValuesIn(faultRows()), kNameOfRow);
 
 }  // namespace
 }  // namespace cobot_command::hostile

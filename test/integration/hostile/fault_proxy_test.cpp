@@ -6,7 +6,7 @@
 
 #include "cobot_command/protocol/frame.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace {
 
 using namespace std::chrono_literals;
@@ -224,4 +224,4 @@ TEST_F(Proxied, answersInTheNameOfTheController) {
 }
 
 }  // namespace
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

@@ -8,12 +8,12 @@ namespace cobot_command::hostile {
 namespace {
 
 using namespace blocks;
-using test::Direction;
-using test::Fault;
-using test::FaultKind;
-using test::Which;
+using testing::Direction;
+using testing::Fault;
+using testing::FaultKind;
+using testing::Which;
 using Done = Ends::Done;
-using Port = test::FaultProxy::Port;
+using Port = testing::FaultProxy::Port;
 
 constexpr Direction kToClient = Direction::ToClient;
 constexpr Direction kToController = Direction::ToController;

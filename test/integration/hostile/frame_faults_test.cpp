@@ -9,7 +9,7 @@
 #include "cobot_command/protocol/frame_decoder.h"
 #include "cobot_command/protocol/message.h"
 
-namespace cobot_command::test {
+namespace cobot_command::testing {
 namespace {
 
 using namespace std::chrono_literals;
@@ -259,4 +259,4 @@ TEST(FrameFaults, ofConnectionsStrikeNoFrame) {
 }
 
 }  // namespace
-}  // namespace cobot_command::test
+}  // namespace cobot_command::testing

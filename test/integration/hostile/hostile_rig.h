@@ -65,7 +65,7 @@ class Layer {
 
   /// False when it does not become true in time.
   template <class Condition>
-  [[nodiscard]] bool waitUntil(Condition condition, Duration within = test::kDeadline) {
+  [[nodiscard]] bool waitUntil(Condition condition, Duration within = testing::kDeadline) {
     std::unique_lock<std::mutex> lock(mutex_);
     return changed_.wait_for(lock, within, [&] { return condition(std::as_const(told_)); });
   }
@@ -160,7 +160,7 @@ class HostileRig {
   std::optional<Robot> robot_;
 
  public:
-  test::FaultProxy proxy;
+  testing::FaultProxy proxy;
   Layer layer;
 };
 

@@ -17,17 +17,17 @@ namespace {
 using blocks::Ending;
 using blocks::GoalId;
 using blocks::Phase;
-using test::MisbehavingPeer;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using testing::MisbehavingPeer;
 
 /// What a stop may take in any state (reliability.md, G7), on a machine that does other things too.
 constexpr auto kQuickStop = 2s;
 
 std::vector<MisbehavingPeer> chosen(const std::set<std::string>& names) {
   std::vector<MisbehavingPeer> peers;
-  for (const auto& table :
-       {test::peersThatCannotBeCommanded(), test::peersThatAnswerStrangely(), test::peersOfTheStatusPort()}) {
+  for (const auto& table : {testing::peersThatCannotBeCommanded(), testing::peersThatAnswerStrangely(),
+                            testing::peersOfTheStatusPort()}) {
     std::copy_if(table.begin(), table.end(), std::back_inserter(peers),
                  [&](const MisbehavingPeer& peer) { return names.count(peer.name) != 0; });
   }
@@ -52,16 +52,16 @@ void meetAll(const std::vector<MisbehavingPeer>& peers, Meet meet) {
 /// Two ports with a peer each; the one that is not meant is a good one.
 struct Stage {
   explicit Stage(const MisbehavingPeer& peer)
-      : script(peer.port == link::Channel::Script ? peer : test::goodController()),
-        status(peer.port == link::Channel::Status ? peer : test::goodStream()),
+      : script(peer.port == link::Channel::Script ? peer : testing::goodController()),
+        status(peer.port == link::Channel::Status ? peer : testing::goodStream()),
         layer(status.port()) {}
 
   [[nodiscard]] blocks::ConnectGoal controller(int timeout = 10) const {
     return {"127.0.0.1", script.port(), static_cast<double>(timeout), {}};
   }
 
-  test::PeerServer script;
-  test::PeerServer status;
+  testing::PeerServer script;
+  testing::PeerServer status;
   Layer layer;
 };
 
@@ -71,8 +71,8 @@ blocks::MoveAbsoluteGoal move() {
 }
 
 void expectAGoodControllerToWork(Stage& stage) {
-  stage.script.become(test::goodController());
-  stage.status.become(test::goodStream());
+  stage.script.become(testing::goodController());
+  stage.status.become(testing::goodStream());
   const GoalId link = stage.layer.submit(stage.controller());
   ASSERT_TRUE(stage.layer.waitUntil([&](const Told& told) {
     return told.reached(link, Phase::Connected) && told.status.status_diagnosis.empty();

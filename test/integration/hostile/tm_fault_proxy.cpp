@@ -17,7 +17,7 @@
 
 namespace {
 
-using namespace cobot_command::test;
+using namespace cobot_command::testing;
 
 using namespace cobot_command;
 

@@ -22,7 +22,7 @@ link::LinkSettings neighbourly() {
   return settings;
 }
 
-struct TwoClients : testing::Test {
+struct TwoClients : ::testing::Test {
   TwoClients()
       : robot(kTimeScale, {}, robotSettings()),
         ours(robot.ports().status, neighbourly()),

@@ -64,20 +64,20 @@ struct Session {
   }
 };
 
-class IoFailure : public testing::TestWithParam<Failure> {};
+class IoFailure : public ::testing::TestWithParam<Failure> {};
 INSTANTIATE_TEST_SUITE_P(Of, IoFailure,
-                         testing::Values(Failure{"socket", Call::Socket, EMFILE},
-                                         Failure{"connect", Call::Connect, ENETUNREACH},
-                                         Failure{"connect_without_a_port", Call::Connect, EADDRNOTAVAIL},
-                                         Failure{"accept", Call::Accept, EMFILE},
-                                         Failure{"accept_of_who_went", Call::Accept, ECONNABORTED},
-                                         Failure{"send", Call::Send, ECONNRESET},
-                                         Failure{"send_without_memory", Call::Send, ENOBUFS},
-                                         Failure{"receive", Call::Receive, ECONNRESET},
-                                         Failure{"receive_without_memory", Call::Receive, ENOMEM},
-                                         Failure{"poll", Call::Poll, ENOMEM},
-                                         Failure{"epoll_ctl", Call::EpollControl, ENOMEM},
-                                         Failure{"setsockopt", Call::SetOption, ENOBUFS}),
+                         ::testing::Values(Failure{"socket", Call::Socket, EMFILE},
+                                           Failure{"connect", Call::Connect, ENETUNREACH},
+                                           Failure{"connect_without_a_port", Call::Connect, EADDRNOTAVAIL},
+                                           Failure{"accept", Call::Accept, EMFILE},
+                                           Failure{"accept_of_who_went", Call::Accept, ECONNABORTED},
+                                           Failure{"send", Call::Send, ECONNRESET},
+                                           Failure{"send_without_memory", Call::Send, ENOBUFS},
+                                           Failure{"receive", Call::Receive, ECONNRESET},
+                                           Failure{"receive_without_memory", Call::Receive, ENOMEM},
+                                           Failure{"poll", Call::Poll, ENOMEM},
+                                           Failure{"epoll_ctl", Call::EpollControl, ENOMEM},
+                                           Failure{"setsockopt", Call::SetOption, ENOBUFS}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 /// True when the n-th call of the session failed; false when it has not as many.
@@ -90,7 +90,7 @@ bool survives(const Failure& failure, int n) {
     happened = failing.happened();
   }
   session.works();
-  EXPECT_LT(test::timeOf([&] { session.commander.stop(); }), kQuickEnough);
+  EXPECT_LT(testing::timeOf([&] { session.commander.stop(); }), kQuickEnough);
   EXPECT_EQ(session.commander.told<command::GoalEnded>().size(), session.commander.submitted());
   return happened;
 }

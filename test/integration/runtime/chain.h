@@ -124,12 +124,12 @@ class Commander {
     return settings;
   }
 
-  test::EventLog<command::Action> log_;
+  testing::EventLog<command::Action> log_;
   blocks::GoalId last_goal_ = 0;
   CommandRuntime runtime_;
 };
 
-using test::moveJoints;
+using testing::moveJoints;
 
 /// A line to where the flange would be at these joints, moved by `offset` [mm].
 inline blocks::MoveAbsoluteGoal moveLine(const std::array<double, 6>& joints_deg,

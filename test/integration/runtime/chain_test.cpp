@@ -9,7 +9,7 @@ using blocks::Phase;
 constexpr double kQuick = 20;  ///< times real time
 constexpr double kReal = 1;
 
-struct Chain : testing::Test {
+struct Chain : ::testing::Test {
   void power(double time_scale) {
     robot.emplace(time_scale);
     commander.emplace(robot->ports().status);
@@ -229,7 +229,7 @@ TEST_F(Chain, mayBeCommandedFromWithinTheObserver) {
   robot.emplace(kQuick);
   link::LinkSettings settings;
   settings.status_port = robot->ports().status;
-  test::EventLog<blocks::GoalId> ended;
+  testing::EventLog<blocks::GoalId> ended;
   std::unique_ptr<CommandRuntime> runtime;
   const auto observe = [&](const command::Action& action, Instant /*now*/) {
     if (const auto* const progressed = std::get_if<command::GoalProgressed>(&action)) {

@@ -46,7 +46,7 @@ class Watch {
   template <class Condition>
   bool waitUntil(Condition condition) {
     std::unique_lock<std::mutex> lock(mutex_);
-    return changed_.wait_for(lock, test::kDeadline, condition);
+    return changed_.wait_for(lock, testing::kDeadline, condition);
   }
 
   std::mutex mutex_;
@@ -105,16 +105,16 @@ void comeAndGo(Keeper& keeper, SimulatorPorts ports, int phase) {
 
 /// Of many looks, over some tries to connect: each of these has its socket for a moment.
 int fewestDescriptors() {
-  int fewest = test::openDescriptors();
-  for (int i = 0; i < 2000; ++i) fewest = std::min(fewest, test::openDescriptors());
+  int fewest = testing::openDescriptors();
+  for (int i = 0; i < 2000; ++i) fewest = std::min(fewest, testing::openDescriptors());
   return fewest;
 }
 
 /// What a process has, which must not grow.
 struct Held {
   int descriptors = fewestDescriptors();
-  int threads = test::runningThreads();
-  std::size_t memory = test::allocatedBytes().value_or(0);
+  int threads = testing::runningThreads();
+  std::size_t memory = testing::allocatedBytes().value_or(0);
 };
 
 TEST(Cycles, ofTheRobotAtAnyPhaseLeaveTheCommanderAsItWas) {
@@ -126,7 +126,7 @@ TEST(Cycles, ofTheRobotAtAnyPhaseLeaveTheCommanderAsItWas) {
   Keeper keeper(ports, settings);
   std::mt19937 random(20240611);
   std::uniform_int_distribution<int> any_phase(0, 5);
-  const int cycles = test::quickOrThorough(100, 1000);
+  const int cycles = testing::quickOrThorough(100, 1000);
   std::optional<Held> first;
   for (int i = 0; i < cycles; ++i) {
     comeAndGo(keeper, ports, any_phase(random));
@@ -141,19 +141,19 @@ TEST(Cycles, ofTheRobotAtAnyPhaseLeaveTheCommanderAsItWas) {
   EXPECT_LE(last.descriptors, first->descriptors);
   EXPECT_LE(last.threads, first->threads);
   EXPECT_LE(last.memory, first->memory + kMostGrowth);
-  test::Figure descriptors("G5", "descriptors left by the last 90 % of the cycles", "", 0);
+  testing::Figure descriptors("G5", "descriptors left by the last 90 % of the cycles", "", 0);
   descriptors.add(last.descriptors - first->descriptors);
-  test::Figure threads("G5", "threads left by them", "", 0);
+  testing::Figure threads("G5", "threads left by them", "", 0);
   threads.add(last.threads - first->threads);
-  test::Figure memory("G5", "memory left by them", "KiB", 1024);
+  testing::Figure memory("G5", "memory left by them", "KiB", 1024);
   memory.add((static_cast<double>(last.memory) - static_cast<double>(first->memory)) / 1024);
 }
 
 TEST(Cycles, bringTheLinkBackWhenTheRobotReturns) {
-  test::Figure figure("G5", "from the return of the robot until the link is Ready", "ms", 2000);
+  testing::Figure figure("G5", "from the return of the robot until the link is Ready", "ms", 2000);
   const auto ports = freePorts();
   Keeper keeper(ports, link::LinkSettings{});
-  for (int i = 0; i < test::quickOrThorough(2, 50); ++i) {
+  for (int i = 0; i < testing::quickOrThorough(2, 50); ++i) {
     ASSERT_TRUE(keeper.watch.linkReaches(LinkState::Connecting));
     const Robot robot(1, ports);
     const auto start = std::chrono::steady_clock::now();

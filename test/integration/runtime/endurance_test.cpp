@@ -9,7 +9,7 @@ namespace {
 
 TEST(Submit, fromManyThreadsGivesEachGoalItsOneEnd) {
   Robot robot(kFastestTimeScale);
-  test::EventLog<blocks::GoalId> ends;
+  testing::EventLog<blocks::GoalId> ends;
   link::LinkSettings settings;
   settings.status_port = 0;
   CommandRuntime runtime(testArm(), settings, [&](const command::Action& action, Instant /*now*/) {
@@ -45,13 +45,13 @@ TEST(Cycles, leaveNoThreadAndNoDescriptorBehind) {
     (void)commander.connect(robot.ports());
   };
   cycle();
-  const int descriptors = test::openDescriptors();
-  const int threads = test::runningThreads();
+  const int descriptors = testing::openDescriptors();
+  const int threads = testing::runningThreads();
   for (int i = 0; i < 100; ++i) {
     cycle();
   }
-  EXPECT_EQ(test::openDescriptors(), descriptors);
-  EXPECT_EQ(test::runningThreads(), threads);
+  EXPECT_EQ(testing::openDescriptors(), descriptors);
+  EXPECT_EQ(testing::runningThreads(), threads);
 }
 
 }  // namespace

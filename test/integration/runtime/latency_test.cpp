@@ -72,7 +72,7 @@ class Asker {
     }
   }
 
-  test::EventLog<Event> goals_;
+  testing::EventLog<Event> goals_;
   blocks::GoalId last_goal_ = 0;
   CommandRuntime runtime_;
 };
@@ -123,10 +123,10 @@ INSTANTIATE_TEST_SUITE_P(Of, StopPath, ::testing::Values(Reader::Calm, Reader::F
 
 /// Asks for a stop behind a hundred moves, again and again.
 template <class Ask>
-void measureStops(Reader reader, test::Figure& figure, const Ask& ask) {
+void measureStops(Reader reader, testing::Figure& figure, const Ask& ask) {
   ScriptPeer peer;
   Asker asker(peer.ports());
-  for (int i = 0; i < test::quickOrThorough(2, 100); ++i) {
+  for (int i = 0; i < testing::quickOrThorough(2, 100); ++i) {
     const auto round = static_cast<std::size_t>(i);
     const auto first = queueHundredMoves(asker, peer, round);
     const auto check = reader == Reader::Planning ? asker.submit(longSequence()) : 0;
@@ -151,25 +151,25 @@ std::string underLoad(const std::string& what, Reader reader) {
 }
 
 TEST_P(StopPath, isOpenForAStop) {
-  test::Figure figure("G4", underLoad("stop to its frame read by the robot", GetParam()), "ms", 20,
-                      test::Figure::Limited::NinetyNinthPercentile);
+  testing::Figure figure("G4", underLoad("stop to its frame read by the robot", GetParam()), "ms", 20,
+                         testing::Figure::Limited::NinetyNinthPercentile);
   measureStops(GetParam(), figure, [](Asker& asker, auto /*moving*/) { asker.submit(blocks::StopGoal{}); });
 }
 
 TEST_P(StopPath, isOpenForACancel) {
-  test::Figure figure("G4", underLoad("cancel to the stop frame read by the robot", GetParam()), "ms", 20,
-                      test::Figure::Limited::NinetyNinthPercentile);
+  testing::Figure figure("G4", underLoad("cancel to the stop frame read by the robot", GetParam()), "ms", 20,
+                         testing::Figure::Limited::NinetyNinthPercentile);
   measureStops(GetParam(), figure, [](Asker& asker, auto moving) { asker.cancel(moving); });
 }
 
 TEST(CommandLatency, ofFiftyGoalsASecond) {
   constexpr auto kPeriod = std::chrono::milliseconds(20);
-  test::Figure figure("G3", "goal to its frame read by the robot, 50 goals/s", "ms", 20,
-                      test::Figure::Limited::NinetyNinthPercentile);
+  testing::Figure figure("G3", "goal to its frame read by the robot, 50 goals/s", "ms", 20,
+                         testing::Figure::Limited::NinetyNinthPercentile);
   ScriptPeer peer;
   Asker asker(peer.ports());
   auto next = Clock::now();
-  for (int i = 0; i < test::quickOrThorough(10, 1000); ++i) {
+  for (int i = 0; i < testing::quickOrThorough(10, 1000); ++i) {
     std::this_thread::sleep_until(next += kPeriod);  // the load, not a wait for something
     auto move = moveJoints({i % 2 == 0 ? 5.0 : 0.0, 0, 90, 0, 90, 0});
     move.blending_enable = true;
@@ -183,10 +183,10 @@ TEST(CommandLatency, ofFiftyGoalsASecond) {
 }
 
 TEST(DeadPeer, isFoundByItsLifesignAndEndsAllThatIsUnderWay) {
-  test::Figure found("G6", "a robot falls silent in motion, until the link is lost", "ms", 3000);
+  testing::Figure found("G6", "a robot falls silent in motion, until the link is lost", "ms", 3000);
   // The goals wait for the three status frames that may show a reason beside the silence.
-  test::Figure ended("G6", "from there until all goals have ended", "ms", 100);
-  for (int i = 0; i < test::quickOrThorough(1, 20); ++i) {
+  testing::Figure ended("G6", "from there until all goals have ended", "ms", 100);
+  for (int i = 0; i < testing::quickOrThorough(1, 20); ++i) {
     Session session;
     session.robot = std::make_unique<Robot>(1);
     session.commander = std::make_unique<Commander>(session.robot->ports().status);

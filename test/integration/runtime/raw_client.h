@@ -40,7 +40,7 @@ class RawClient {
  private:
   bool readSome() {
     pollfd readable{socket_.native_handle(), POLLIN, 0};
-    const auto timeout = std::chrono::milliseconds(test::kDeadline).count();
+    const auto timeout = std::chrono::milliseconds(testing::kDeadline).count();
     if (poll(&readable, 1, static_cast<int>(timeout)) != 1) {
       return false;
     }

@@ -156,11 +156,11 @@ class ScriptPeer {
   std::optional<transport::ClientId> watcher_;
   std::chrono::steady_clock::time_point next_stream_;
   SimulatorPorts ports_;
-  test::EventLog<HeardScript> heard_;
+  testing::EventLog<HeardScript> heard_;
   std::atomic<bool> ended_{false};
   std::atomic<bool> floods_{false};
-  std::size_t flooded_ = 0;          ///< bytes to the script port
-  test::EventLog<int> floods_seen_;  ///< each kFlood of them
+  std::size_t flooded_ = 0;             ///< bytes to the script port
+  testing::EventLog<int> floods_seen_;  ///< each kFlood of them
   std::thread thread_;
 };
 

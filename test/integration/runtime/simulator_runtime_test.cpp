@@ -16,7 +16,7 @@ using protocol::encodeFrame;
 using simulator::LogLine;
 using simulator::RobotState;
 using simulator::SimulatedController;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 arm::ArmModel arm900() {
   return *arm::ArmModel::named("tm5-900");
@@ -134,7 +134,7 @@ TEST(SimulatorRuntime, refusesClientsWhileNoProjectRunsAndServesThemAgainOnTheSa
 }
 
 TEST(SimulatorRuntime, tellsItsStateAtTheRateAskedFor) {
-  test::EventLog<RobotState> states;
+  testing::EventLog<RobotState> states;
   SimulatorOptions options = anyPorts();
   options.state_period = std::chrono::milliseconds(2);
   const Simulator simulator(options, {[&](const RobotState& state) { states.add(state); }, {}});
@@ -145,7 +145,7 @@ TEST(SimulatorRuntime, tellsItsStateAtTheRateAskedFor) {
 }
 
 TEST(SimulatorRuntime, tellsItsLog) {
-  test::EventLog<std::string> lines;
+  testing::EventLog<std::string> lines;
   const Simulator simulator(anyPorts(), {{}, [&](const LogLine& line) { lines.add(line.text); }});
   RawClient client(simulator.ports.script);
   client.send(kListenQuery);
@@ -204,7 +204,7 @@ TEST(SimulatorRuntime, refusesOptionsThatMeanNothing) {
 }
 
 TEST(SimulatorRuntime, doesNothingAnyMoreOnceStopped) {
-  test::EventLog<RobotState> states;
+  testing::EventLog<RobotState> states;
   SimulatorOptions options = anyPorts();
   options.state_period = std::chrono::milliseconds(1);
   Simulator simulator(options, {[&](const RobotState& state) { states.add(state); }, {}});

@@ -38,19 +38,19 @@ double speedOf(Session& session) {
   return session.robot->state().velocities.cwiseAbs().maxCoeff();
 }
 
-class Teardown : public testing::TestWithParam<SessionState> {};
-INSTANTIATE_TEST_SUITE_P(Session, Teardown, testing::ValuesIn(sessionStates()),
+class Teardown : public ::testing::TestWithParam<SessionState> {};
+INSTANTIATE_TEST_SUITE_P(Session, Teardown, ::testing::ValuesIn(sessionStates()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST_P(Teardown, isQuickAndEndsEachGoal) {
-  test::Figure figure("G7", std::string("teardown, ") + GetParam().name, "ms", kLimitMs);
-  for (int i = 0; i < test::quickOrThorough(1, 100); ++i) {
+  testing::Figure figure("G7", std::string("teardown, ") + GetParam().name, "ms", kLimitMs);
+  for (int i = 0; i < testing::quickOrThorough(1, 100); ++i) {
     Session session;
     GetParam().reach(session);
     ASSERT_FALSE(HasFailure()) << "the state is not reached";
-    const auto stopping = test::timeOf([&] { session.commander->stop(); });
+    const auto stopping = testing::timeOf([&] { session.commander->stop(); });
     EXPECT_EQ(session.commander->told<command::GoalEnded>().size(), session.commander->submitted());
-    const auto destroying = test::timeOf([&] { session.commander.reset(); });
+    const auto destroying = testing::timeOf([&] { session.commander.reset(); });
     ASSERT_LT(stopping + destroying, kQuickEnough);
     figure.add(stopping + destroying);
   }
@@ -63,8 +63,8 @@ TEST(Stop, waitsOnceForARobotThatDoesNotConfirmItHoweverOftenItIsAskedFor) {
     session.beReady();
     session.move();
     session.fault("silence");
-    EXPECT_GE(test::timeOf([&] { session.commander->stop(); }), kRetirement);
-    again = std::min(again, test::timeOf([&] {
+    EXPECT_GE(testing::timeOf([&] { session.commander->stop(); }), kRetirement);
+    again = std::min(again, testing::timeOf([&] {
                        session.commander->stop();
                        session.commander.reset();
                      }));

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 using testing::DoubleNear;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using testing::Pointwise;
 
 struct Outcome {

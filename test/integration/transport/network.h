@@ -78,7 +78,7 @@ struct Server {
   std::uint16_t port = 0;
 };
 
-class Network : public testing::Test {
+class Network : public ::testing::Test {
  protected:
   template <class Condition>
   [[nodiscard]] bool runUntil(Condition condition) {

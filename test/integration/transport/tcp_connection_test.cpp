@@ -194,11 +194,11 @@ TEST_F(TcpConnectionTest, leavesNoDescriptorBehindInAHundredConnections) {
     ASSERT_TRUE(runUntil([&] { return served.closed.has_value(); }));
   };
   cycle();
-  const int before = test::openDescriptors();
+  const int before = testing::openDescriptors();
   for (int i = 0; i < 100; ++i) {
     cycle();
   }
-  EXPECT_EQ(test::openDescriptors(), before);
+  EXPECT_EQ(testing::openDescriptors(), before);
 }
 
 TEST(TcpConnectionEnd, isQuickInEveryState) {

@@ -55,12 +55,12 @@ TEST_F(TcpServerTest, opensAgainOnTheSamePortHoweverOften) {
   };
   cycle();
   settle(context);
-  const int before = test::openDescriptors();
+  const int before = testing::openDescriptors();
   for (int i = 0; i < 100; ++i) {
     cycle();
   }
   settle(context);
-  EXPECT_EQ(test::openDescriptors(), before);
+  EXPECT_EQ(testing::openDescriptors(), before);
 }
 
 TEST_F(TcpServerTest, doesNotServeAClientThatCameJustBeforeItWasClosedAndReopened) {

@@ -64,7 +64,7 @@ inline void failEachAllocationOf(const std::function<void(const FailingAllocatio
     }
     ++failures;
   }
-  testing::Test::RecordProperty("failed_allocations", std::to_string(failures));
+  ::testing::Test::RecordProperty("failed_allocations", std::to_string(failures));
   EXPECT_GT(failures, 100) << "the story is too short to tell anything";
 }
 

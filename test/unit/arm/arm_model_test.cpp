@@ -54,7 +54,7 @@ const std::vector<DataSheet> data_sheets = {
 
 TEST(ArmModel, knowsTheSixModelsOfTheFamily) {
   EXPECT_THAT(ArmModel::knownNames(),
-              testing::ElementsAre("tm5-700", "tm5-900", "tm12", "tm14", "tm12s", "tm14s"));
+              ::testing::ElementsAre("tm5-700", "tm5-900", "tm12", "tm14", "tm12s", "tm14s"));
 }
 
 TEST(ArmModel, everyModelHasTheLengthsOfItsDataSheet) {
@@ -89,8 +89,9 @@ TEST(ArmModel, everyModelHasTheLimitsAndRatingsOfItsDataSheet) {
 TEST(ArmModel, everyModelNamesItsJointsAsTheVendorsDriverDoes) {
   for (const std::string& name : ArmModel::knownNames()) {
     const ArmModel arm = model(name);
-    EXPECT_THAT(arm.jointNames(), testing::ElementsAre("shoulder_1_joint", "shoulder_2_joint", "elbow_joint",
-                                                       "wrist_1_joint", "wrist_2_joint", "wrist_3_joint"));
+    EXPECT_THAT(arm.jointNames(),
+                ::testing::ElementsAre("shoulder_1_joint", "shoulder_2_joint", "elbow_joint", "wrist_1_joint",
+                                       "wrist_2_joint", "wrist_3_joint"));
     EXPECT_EQ(arm.chain().getNrOfJoints(), 6U);
   }
 }
@@ -98,8 +99,8 @@ TEST(ArmModel, everyModelNamesItsJointsAsTheVendorsDriverDoes) {
 TEST(ArmModel, refusesAnUnknownNameWithTheKnownOnes) {
   const auto unknown = ArmModel::named("tm99");
   ASSERT_FALSE(unknown);
-  EXPECT_THAT(unknown.error().message,
-              testing::AllOf(testing::HasSubstr("\"tm99\""), testing::HasSubstr("tm5-700, tm5-900, tm12")));
+  EXPECT_THAT(unknown.error().message, ::testing::AllOf(::testing::HasSubstr("\"tm99\""),
+                                                        ::testing::HasSubstr("tm5-700, tm5-900, tm12")));
 }
 
 TEST(ArmModel, namesTheFirstJointOutsideItsLimits) {

@@ -24,7 +24,7 @@ inline ArmModel model(const std::string& name) {
 }
 
 /// "tm5-900" as a part of a test's name.
-inline std::string modelNameForTest(const testing::TestParamInfo<std::string>& model) {
+inline std::string modelNameForTest(const ::testing::TestParamInfo<std::string>& model) {
   std::string name = model.param;
   name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
   return name;

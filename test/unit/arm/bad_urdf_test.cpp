@@ -10,7 +10,7 @@
 namespace cobot_command::arm {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
@@ -25,7 +25,7 @@ struct BadUrdf {
   std::string message_has;
 };
 
-class BadUrdfTest : public testing::TestWithParam<BadUrdf> {};
+class BadUrdfTest : public ::testing::TestWithParam<BadUrdf> {};
 
 const std::vector<BadUrdf> bad_urdfs = {
     {"unknownRobot", "robot name=\"tm5-900\"", "robot name=\"ur5\"", "Known models: tm5-700"},
@@ -76,7 +76,7 @@ const std::vector<BadUrdf> bad_urdfs = {
     {"baseOfAnotherName", "<link name=\"base\"/>", "<link name=\"base\"/><link name=\"base\"/>", "base"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Of, BadUrdfTest, testing::ValuesIn(bad_urdfs),
+INSTANTIATE_TEST_SUITE_P(Of, BadUrdfTest, ::testing::ValuesIn(bad_urdfs),
                          [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST_P(BadUrdfTest, isRefusedWithAHelpfulMessageAndWithoutAWordOnTheConsole) {

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kPostures = 2000;
 
-class ForwardKinematics : public testing::TestWithParam<std::string> {
+class ForwardKinematics : public ::testing::TestWithParam<std::string> {
  protected:
   const ArmModel arm = model(GetParam());
   RandomPostures postures{arm};
 };
-INSTANTIATE_TEST_SUITE_P(EveryModel, ForwardKinematics, testing::ValuesIn(ArmModel::knownNames()),
+INSTANTIATE_TEST_SUITE_P(EveryModel, ForwardKinematics, ::testing::ValuesIn(ArmModel::knownNames()),
                          modelNameForTest);
 
 KDL::JntArray toKdl(const JointVector& joints) {

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kPostures = 10000;
 
-class InverseKinematics : public testing::TestWithParam<std::string> {
+class InverseKinematics : public ::testing::TestWithParam<std::string> {
  protected:
   const ArmModel arm = model(GetParam());
   RandomPostures postures{arm};
 };
-INSTANTIATE_TEST_SUITE_P(EveryModel, InverseKinematics, testing::ValuesIn(ArmModel::knownNames()),
+INSTANTIATE_TEST_SUITE_P(EveryModel, InverseKinematics, ::testing::ValuesIn(ArmModel::knownNames()),
                          modelNameForTest);
 
 TEST_P(InverseKinematics, everyBranchOfRandomPosturesReachesThePose) {

@@ -7,13 +7,13 @@
 namespace cobot_command::arm {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Reason = IkRefusal::Reason;
 
 constexpr PoseBits kRightyAboveNoFlip{};
 constexpr ControllerJoints kReady = {0, 0, 90, 0, 90, 0};
 
-class NearestTurn : public testing::Test {
+class NearestTurn : public ::testing::Test {
  protected:
   /// In degrees; empty when there is none.
   std::vector<double> turned(const ControllerJoints& joints, const ControllerJoints& reference,
@@ -72,7 +72,7 @@ TEST_F(NearestTurn, isNothingForWhatIsNotFinite) {
   }
 }
 
-class PostureFor : public testing::Test {
+class PostureFor : public ::testing::Test {
  protected:
   Result<JointVector, IkRefusal> posture(const Pose& flange, const PoseBits& bits) {
     return postureFor(arm, flange, bits, toJointVector(kReady));
@@ -104,7 +104,7 @@ TEST_F(PostureFor, refusesAPoseOutOfReachWithDistances) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().reason, Reason::OutOfReach);
   EXPECT_EQ(refused.error().joint, -1);
-  EXPECT_THAT(refused.error().message, testing::AllOf(HasSubstr("X 1200.00"), HasSubstr("at most 954.37")));
+  EXPECT_THAT(refused.error().message, ::testing::AllOf(HasSubstr("X 1200.00"), HasSubstr("at most 954.37")));
 }
 
 TEST_F(PostureFor, refusesBitsThatThePoseDoesNotAllowAndNamesThePossibleOnes) {
@@ -124,7 +124,7 @@ TEST_F(PostureFor, refusesBitsThatThePoseDoesNotAllowAndNamesThePossibleOnes) {
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().reason, Reason::BitsNotPossible);
         EXPECT_THAT(refused.error().message,
-                    testing::AllOf(HasSubstr(toString(bits)), HasSubstr(toString(branches[0].bits))));
+                    ::testing::AllOf(HasSubstr(toString(bits)), HasSubstr(toString(branches[0].bits))));
         ++refusals;
       }
     }
@@ -139,7 +139,7 @@ TEST_F(PostureFor, namesTheJointThatWouldLeaveItsLimits) {
   EXPECT_EQ(refused.error().reason, Reason::OutsideLimits);
   EXPECT_EQ(refused.error().joint, 2);
   EXPECT_THAT(refused.error().message,
-              testing::AllOf(HasSubstr("Joint 3"), HasSubstr("160.000"), HasSubstr("-155.000 to 155.000")));
+              ::testing::AllOf(HasSubstr("Joint 3"), HasSubstr("160.000"), HasSubstr("-155.000 to 155.000")));
 }
 
 TEST_F(PostureFor, refusesWhatIsNotFiniteOrNotAPose) {

@@ -69,8 +69,8 @@ const std::vector<Approach> approaches = {
     {"shoulderAndWrist", bringToShoulderAndWrist, coarse_offsets_and_zero},
     {"zeroPosture", bringToZero, coarse_offsets_and_zero}};
 
-class Singularity : public testing::TestWithParam<Approach> {};
-INSTANTIATE_TEST_SUITE_P(From, Singularity, testing::ValuesIn(approaches),
+class Singularity : public ::testing::TestWithParam<Approach> {};
+INSTANTIATE_TEST_SUITE_P(From, Singularity, ::testing::ValuesIn(approaches),
                          [](const auto& approach) { return std::string(approach.param.name); });
 
 TEST_P(Singularity, theGeneratingPostureIsFoundUnderItsBits) {
@@ -120,11 +120,11 @@ TEST_P(Singularity, noTwoBranchesShareTheirBitsExactlyThere) {
   }
 }
 
-class StraightWrist : public testing::TestWithParam<double> {
+class StraightWrist : public ::testing::TestWithParam<double> {
  protected:
   const ArmModel arm = model("tm5-900");
 };
-INSTANTIATE_TEST_SUITE_P(Joint5, StraightWrist, testing::Values(0.0, kPi));
+INSTANTIATE_TEST_SUITE_P(Joint5, StraightWrist, ::testing::Values(0.0, kPi));
 
 TEST_P(StraightWrist, takesJoint6FromTheReference) {
   RandomPostures postures(arm);

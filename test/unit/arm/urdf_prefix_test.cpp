@@ -9,8 +9,8 @@
 namespace cobot_command::arm {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(UrdfPrefix, standsBeforeEveryLinkAndJoint) {
   for (const std::string& name : ArmModel::knownNames()) {

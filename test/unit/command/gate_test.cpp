@@ -34,7 +34,7 @@ class GateTest : public ::testing::Test {
 };
 
 TEST_F(GateTest, isToldWhatWillMoveTheRobotBeforeItLeaves) {
-  rig.submit(test::moveJoints({60, 0, 90, 0, 90, 0}));
+  rig.submit(testing::moveJoints({60, 0, 90, 0, 90, 0}));
   ASSERT_EQ(asked.size(), 1U);
   EXPECT_EQ(asked[0].block, kBlock<MoveAbsoluteGoal>);
   EXPECT_TRUE(asked[0].planned);
@@ -45,7 +45,7 @@ TEST_F(GateTest, isToldWhatWillMoveTheRobotBeforeItLeaves) {
 
 TEST_F(GateTest, keepsAMoveBackWithTheReasonOfWhoClosedIt) {
   closeFrom(1);
-  const GoalId goal = rig.submit(test::moveJoints({60, 0, 90, 0, 90, 0}));
+  const GoalId goal = rig.submit(testing::moveJoints({60, 0, 90, 0, 90, 0}));
   ASSERT_TRUE(rig.outcome(goal));
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Rejected);
   EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kOrphanMoves);
@@ -59,7 +59,7 @@ TEST_F(GateTest, isAskedForEachMoveOfACycle) {
   cycle.cycles = 1;
   for (const double joint : {60.0, -30.0}) {
     PickAndPlaceStep step;
-    step.move = test::moveJoints({joint, 0, 90, 0, 90, 0});
+    step.move = testing::moveJoints({joint, 0, 90, 0, 90, 0});
     cycle.steps.push_back(step);
   }
   closeFrom(2);

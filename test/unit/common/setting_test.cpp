@@ -9,7 +9,7 @@ namespace cobot_command {
 namespace {
 
 using namespace setting_kinds;
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 using Form = SettingKind::Form;
 
 struct Machine {

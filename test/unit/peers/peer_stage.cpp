@@ -9,7 +9,7 @@
 namespace cobot_command::testing {
 namespace {
 
-using test::MisbehavingPeer;
+using testing::MisbehavingPeer;
 
 std::size_t heapInUse() {
   const struct mallinfo2 info = mallinfo2();
@@ -42,7 +42,7 @@ void PeerStage::shutDown() {
 }
 
 void PeerStage::step() {
-  const Instant end = now_ + test::kPeerTick;
+  const Instant end = now_ + testing::kPeerTick;
   for (auto due = core_.nextDeadline(); due && *due <= end; due = core_.nextDeadline()) {
     now_ = std::max(now_, *due);
     core_.advance(now_);
@@ -113,8 +113,8 @@ void PeerStage::take(const command::OpenConnection& open) {
   Connection connection;
   connection.id = open.id;
   connection.peer = strange != peers_.end()                 ? strange->second
-                    : open.channel == link::Channel::Script ? test::goodController()
-                                                            : test::goodStream();
+                    : open.channel == link::Channel::Script ? testing::goodController()
+                                                            : testing::goodStream();
   connections_[open.channel] = std::move(connection);
 }
 

@@ -19,7 +19,7 @@ class PeerStage {
   explicit PeerStage(link::LinkSettings settings);
 
   /// From the next connection on; without one there is a good controller.
-  void put(const test::MisbehavingPeer& peer);
+  void put(const testing::MisbehavingPeer& peer);
   void putGoodPeers() { peers_.clear(); }
 
   blocks::GoalId submit(const blocks::Goal& goal);
@@ -27,7 +27,7 @@ class PeerStage {
   /// Lets time pass until it is true; false when it does not become true in `within`.
   template <class Condition>
   [[nodiscard]] bool runUntil(Duration within, Condition condition) {
-    for (Duration passed{}; !condition(); passed += test::kPeerTick) {
+    for (Duration passed{}; !condition(); passed += testing::kPeerTick) {
       if (passed >= within) return false;
       step();
     }
@@ -54,11 +54,11 @@ class PeerStage {
     bool open = false;
     int ticks = 0;
     protocol::FrameDecoder decoder;
-    test::MisbehavingPeer peer;
+    testing::MisbehavingPeer peer;
   };
   struct Saying {
     link::ConnectionId to;
-    test::PeerTalk talk;
+    testing::PeerTalk talk;
   };
 
   void step();
@@ -83,7 +83,7 @@ class PeerStage {
 
   command::CommandCore core_;
   Instant now_{std::chrono::seconds(1000)};
-  std::map<link::Channel, test::MisbehavingPeer> peers_;
+  std::map<link::Channel, testing::MisbehavingPeer> peers_;
   std::map<link::Channel, Connection> connections_;
   std::deque<Saying> sayings_;
   blocks::GoalId last_goal_ = 0;

@@ -13,9 +13,9 @@ namespace {
 
 using namespace std::chrono_literals;
 using namespace blocks;
-using test::MisbehavingPeer;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using testing::MisbehavingPeer;
 
 /// One frame of 16 MB may be kept, and is copied on its way through.
 constexpr std::size_t kMostMemory = std::size_t{128} * 1024 * 1024;
@@ -119,13 +119,13 @@ void meetAll(const std::vector<MisbehavingPeer>& peers) {
 }
 
 TEST(MisbehavingPeers, thatCannotBeCommandedAreNamed) {
-  meetAll(test::peersThatCannotBeCommanded());
+  meetAll(testing::peersThatCannotBeCommanded());
 }
 TEST(MisbehavingPeers, thatAnswerStrangelyEndNoGoalWithoutACause) {
-  meetAll(test::peersThatAnswerStrangely());
+  meetAll(testing::peersThatAnswerStrangely());
 }
 TEST(MisbehavingPeers, ofTheStatusPortAreNamed) {
-  meetAll(test::peersOfTheStatusPort());
+  meetAll(testing::peersOfTheStatusPort());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ const std::string kDown = "Move_Line(\"CAP\",0,0,-80,0,0,0,100,200,";
 const std::string kSidewaysByRadius = "Move_Line(\"CAR\",0,80,0,0,0,0,100,200,";
 const std::string kStop = "0,false)";
 
-class BlendedScript : public testing::Test {
+class BlendedScript : public ::testing::Test {
  protected:
   ScriptPlanner planner{model(), workingPosture(), motion::Setting{}};
 

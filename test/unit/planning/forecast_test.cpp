@@ -44,7 +44,7 @@ std::string numbers(const arm::Pose& pose) {
   return fmt::format("{:.17g}", fmt::join(arm::toControllerPose(pose), ","));
 }
 
-class HalfTurns : public testing::Test {
+class HalfTurns : public ::testing::Test {
  protected:
   double uniform(double least, double most) {
     return std::uniform_real_distribution<double>(least, most)(random);

@@ -7,7 +7,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class Sampling : public testing::Test {
+class Sampling : public ::testing::Test {
  protected:
   ScriptPlanner planner{model(), workingPosture(), motion::Setting{}};
   PlannedStep step = append(planner, "Move_Line(\"CAP\",0,30,-40,0,0,0,100,200,0,false)");

@@ -7,7 +7,7 @@ namespace {
 
 using motion::Refusal;
 
-class ScriptPlannerTest : public testing::Test {
+class ScriptPlannerTest : public ::testing::Test {
  protected:
   ScriptPlanner planner{model(), workingPosture(), motion::Setting{}};
 

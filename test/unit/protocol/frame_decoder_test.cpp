@@ -10,9 +10,9 @@ namespace cobot_command::protocol {
 namespace {
 
 using Kind = DecodeFault::Kind;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 const std::string kGood = "$TMSCT,5,10,OK,*6D\r\n";
 
@@ -62,7 +62,7 @@ TEST(FrameDecoder, acceptsALowerCaseChecksum) {
   EXPECT_THAT(decode("$TMSCT,5,10,OK,*6d\r\n"), ElementsAre("TMSCT:10,OK"));
 }
 
-class FrameDecoderLength : public testing::TestWithParam<const char*> {
+class FrameDecoderLength : public ::testing::TestWithParam<const char*> {
  protected:
   static std::string frame(std::string_view data) {
     const std::string body = std::string("TMSCT,") + GetParam() + "," + std::string(data) + ",";
@@ -74,8 +74,8 @@ class FrameDecoderLength : public testing::TestWithParam<const char*> {
 
 class ReadableLength : public FrameDecoderLength {};
 INSTANTIATE_TEST_SUITE_P(FrameDecoder, ReadableLength,
-                         testing::Values("5", "05", "0x5", "0x05", "0b101",
-                                         "0b00000000000000000000000000000101"),
+                         ::testing::Values("5", "05", "0x5", "0x05", "0b101",
+                                           "0b00000000000000000000000000000101"),
                          kTextAsName);
 
 TEST_P(ReadableLength, isUnderstood) {
@@ -84,10 +84,10 @@ TEST_P(ReadableLength, isUnderstood) {
 
 class BadLength : public FrameDecoderLength {};
 INSTANTIATE_TEST_SUITE_P(FrameDecoder, BadLength,
-                         testing::Values("", "-5", "+5", " 5", "5 ", "five", "5.0", "4", "0", "0x", "0b",
-                                         "0b5", "0xg", "5x", "16777217", "2147483647", "4294967301",
-                                         "18446744073709551621", "99999999999999999999", "0x7fffffff",
-                                         "00000000000000000000000000000000000000000000000000000005"),
+                         ::testing::Values("", "-5", "+5", " 5", "5 ", "five", "5.0", "4", "0", "0x", "0b",
+                                           "0b5", "0xg", "5x", "16777217", "2147483647", "4294967301",
+                                           "18446744073709551621", "99999999999999999999", "0x7fffffff",
+                                           "00000000000000000000000000000000000000000000000000000005"),
                          kTextAsName);
 
 TEST_P(BadLength, isOneLengthFaultAtOnce) {

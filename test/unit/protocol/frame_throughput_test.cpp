@@ -37,7 +37,7 @@ std::string joined(const std::vector<std::string>& frames) {
 
 /// What is fed at once is as much as a socket gives at once.
 steady_clock::duration timeToDecode(const std::string& stream, std::size_t piece, std::size_t& decoded) {
-  return test::timeOf([&] {
+  return testing::timeOf([&] {
     FrameDecoder decoder;
     for (std::string_view rest = stream; !rest.empty();) {
       const auto taken = rest.substr(0, piece);
@@ -51,7 +51,7 @@ steady_clock::duration timeToDecode(const std::string& stream, std::size_t piece
 }
 
 steady_clock::duration timeToCopy(const std::vector<std::string>& frames) {
-  return test::timeOf([&] {
+  return testing::timeOf([&] {
     for (const std::string& frame : frames) {
       const std::string copy(frame);
       volatile char last = copy.back();  // so that it is made
@@ -66,13 +66,13 @@ double ratio(steady_clock::duration a, steady_clock::duration b) {
 
 TEST(FrameThroughput, isThatOfCopyingAFewTimesAndLinear) {
   constexpr std::size_t kPiece = 16384;
-  test::Figure in_pieces("G1", "decoding, beside copying the same frames", "times", 6);
-  test::Figure doubled("G1", "decoding twice as much", "times", 2.3);
-  test::Figure doubled_bytes("G1", "decoding twice as much byte by byte", "times", 2.3);
-  const int times = test::quickOrThorough(20, 2000);
+  testing::Figure in_pieces("G1", "decoding, beside copying the same frames", "times", 6);
+  testing::Figure doubled("G1", "decoding twice as much", "times", 2.3);
+  testing::Figure doubled_bytes("G1", "decoding twice as much byte by byte", "times", 2.3);
+  const int times = testing::quickOrThorough(20, 2000);
   const auto frames = manyFrames(times);
   const std::string once = joined(frames), twice = once + once;
-  for (int i = 0; i < test::quickOrThorough(1, 11); ++i) {
+  for (int i = 0; i < testing::quickOrThorough(1, 11); ++i) {
     std::size_t decoded = 0;
     const auto of_once = timeToDecode(once, kPiece, decoded);
     EXPECT_EQ(decoded, frames.size());

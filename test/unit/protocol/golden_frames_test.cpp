@@ -15,10 +15,10 @@
 namespace cobot_command::protocol {
 namespace {
 
-using testing::ElementsAre;
-using testing::SizeIs;
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
 
-class Golden : public testing::TestWithParam<GoldenFrame> {
+class Golden : public ::testing::TestWithParam<GoldenFrame> {
  protected:
   [[nodiscard]] std::string data() const {
     const std::string& bytes = GetParam().bytes;
@@ -27,7 +27,7 @@ class Golden : public testing::TestWithParam<GoldenFrame> {
   }
 };
 
-std::string name(const testing::TestParamInfo<GoldenFrame>& info) {
+std::string name(const ::testing::TestParamInfo<GoldenFrame>& info) {
   return testName(info.index, info.param.header + ' ' + info.param.meaning);
 }
 
@@ -41,8 +41,8 @@ std::vector<GoldenFrame> validOnes() {
 
 class ValidGolden : public Golden {};
 
-INSTANTIATE_TEST_SUITE_P(Frame, Golden, testing::ValuesIn(goldenFrames()), name);
-INSTANTIATE_TEST_SUITE_P(Frame, ValidGolden, testing::ValuesIn(validOnes()), name);
+INSTANTIATE_TEST_SUITE_P(Frame, Golden, ::testing::ValuesIn(goldenFrames()), name);
+INSTANTIATE_TEST_SUITE_P(Frame, ValidGolden, ::testing::ValuesIn(validOnes()), name);
 
 TEST(GoldenFrames, areAllHere) {
   EXPECT_THAT(goldenFrames(), SizeIs(79));
@@ -136,10 +136,10 @@ TEST(GoldenFrames, areAsTheReferenceSaysInEveryPair) {
 }
 
 /// The frames that we computed ourselves, TM 1.7, apart from those that are golden as well.
-class ComputedFrame : public testing::TestWithParam<const char*> {};
+class ComputedFrame : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(
     Frame, ComputedFrame,
-    testing::Values(
+    ::testing::Values(
         "$TMSCT,41,1,PTP(\"JPP\",0,0,90,0,90,0,35,200,0,false),*0F\r\n",
         "$TMSCT,73,2,PTP(\"CPP\",417.50,-122.30,343.90,180.00,0.00,90.00,10,200,0,false,0,2,4),*0C\r\n",
         "$TMSCT,70,3,Line(\"CAR\",417.50,-122.30,343.90,180.00,0.00,90.00,100,200,50,false),*78\r\n",

@@ -7,8 +7,8 @@
 namespace cobot_command::protocol {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using namespace std::string_literals;
 using Floats = std::vector<float>;
 using Strings = std::vector<std::string>;

@@ -8,8 +8,8 @@
 namespace cobot_command::protocol {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 template <class Message>
 Message fromController(std::string header, std::string data) {
@@ -47,15 +47,16 @@ TEST(ClientMessage, readsATagQueryAlsoOfATagThatCannotBe) {
   EXPECT_EQ(fromClient<TagQuery>("TMSTA", "01,88").tag, 88);
 }
 
-class MeaninglessClientData : public testing::TestWithParam<Frame> {};
+class MeaninglessClientData : public ::testing::TestWithParam<Frame> {};
 INSTANTIATE_TEST_SUITE_P(
     ClientMessage, MeaninglessClientData,
-    testing::Values(Frame{"TMSCT", ""}, Frame{"TMSCT", "Hello World"}, Frame{"TMSCT", ",Pause()"},
-                    Frame{"TMSCT", "a_1,Pause()"}, Frame{"TMSCT", "a-1,Pause()"},
-                    Frame{"TMSCT", " 1,Pause()"}, Frame{"TMSTA", ""}, Frame{"TMSTA", "XXXX"},
-                    Frame{"TMSTA", "0"}, Frame{"TMSTA", "00,x"}, Frame{"TMSTA", "01"}, Frame{"TMSTA", "01,"},
-                    Frame{"TMSTA", "01,x"}, Frame{"TMSTA", "01,-1"}, Frame{"TMSTA", "01,99999999999"},
-                    Frame{"TMSTA", "01,01,true"}, Frame{"TMSTA", "02"}, Frame{"TMSTA", "90,x"}),
+    ::testing::Values(Frame{"TMSCT", ""}, Frame{"TMSCT", "Hello World"}, Frame{"TMSCT", ",Pause()"},
+                      Frame{"TMSCT", "a_1,Pause()"}, Frame{"TMSCT", "a-1,Pause()"},
+                      Frame{"TMSCT", " 1,Pause()"}, Frame{"TMSTA", ""}, Frame{"TMSTA", "XXXX"},
+                      Frame{"TMSTA", "0"}, Frame{"TMSTA", "00,x"}, Frame{"TMSTA", "01"},
+                      Frame{"TMSTA", "01,"}, Frame{"TMSTA", "01,x"}, Frame{"TMSTA", "01,-1"},
+                      Frame{"TMSTA", "01,99999999999"}, Frame{"TMSTA", "01,01,true"}, Frame{"TMSTA", "02"},
+                      Frame{"TMSTA", "90,x"}),
     [](const auto& test) { return testName(test.index, test.param.header + " " + test.param.data); });
 
 TEST_P(MeaninglessClientData, isADataFault) {
@@ -131,18 +132,18 @@ TEST(ControllerMessage, readsEveryCommunicationError) {
   EXPECT_EQ(fromController<CommunicationError>("CPERR", "f1").code, Code::NotListening);
 }
 
-class MeaninglessControllerData : public testing::TestWithParam<Frame> {};
+class MeaninglessControllerData : public ::testing::TestWithParam<Frame> {};
 INSTANTIATE_TEST_SUITE_P(
     ControllerMessage, MeaninglessControllerData,
-    testing::Values(Frame{"TMSCT", ""}, Frame{"TMSCT", "0"}, Frame{"TMSCT", "OK"}, Frame{"TMSCT", "1,NG"},
-                    Frame{"TMSCT", "1,OK;"}, Frame{"TMSCT", "1,OK;x"}, Frame{"TMSCT", "1,OK2"},
-                    Frame{"TMSCT", "1,OK;-2"}, Frame{"TMSCT", "1,ERROR; 2"},
-                    Frame{"TMSCT", "1,ERROR;99999999999"}, Frame{"TMSCT", "a_b,OK"}, Frame{"TMSCT", ",OK"},
-                    Frame{"TMSTA", ""}, Frame{"TMSTA", "00"}, Frame{"TMSTA", "00,maybe"},
-                    Frame{"TMSTA", "01,08"}, Frame{"TMSTA", "01,x,true"}, Frame{"TMSTA", "01,08,True"},
-                    Frame{"TMSTA", "01,08,true,"}, Frame{"TMSTA", "90"}, Frame{"TMSTA", "89,x"},
-                    Frame{"TMSTA", "100,x"}, Frame{"TMSTA", "090,x"}, Frame{"CPERR", ""},
-                    Frame{"CPERR", "05"}, Frame{"CPERR", "1"}, Frame{"CPERR", "001"}, Frame{"CPERR", "-1"}),
+    ::testing::Values(Frame{"TMSCT", ""}, Frame{"TMSCT", "0"}, Frame{"TMSCT", "OK"}, Frame{"TMSCT", "1,NG"},
+                      Frame{"TMSCT", "1,OK;"}, Frame{"TMSCT", "1,OK;x"}, Frame{"TMSCT", "1,OK2"},
+                      Frame{"TMSCT", "1,OK;-2"}, Frame{"TMSCT", "1,ERROR; 2"},
+                      Frame{"TMSCT", "1,ERROR;99999999999"}, Frame{"TMSCT", "a_b,OK"}, Frame{"TMSCT", ",OK"},
+                      Frame{"TMSTA", ""}, Frame{"TMSTA", "00"}, Frame{"TMSTA", "00,maybe"},
+                      Frame{"TMSTA", "01,08"}, Frame{"TMSTA", "01,x,true"}, Frame{"TMSTA", "01,08,True"},
+                      Frame{"TMSTA", "01,08,true,"}, Frame{"TMSTA", "90"}, Frame{"TMSTA", "89,x"},
+                      Frame{"TMSTA", "100,x"}, Frame{"TMSTA", "090,x"}, Frame{"CPERR", ""},
+                      Frame{"CPERR", "05"}, Frame{"CPERR", "1"}, Frame{"CPERR", "001"}, Frame{"CPERR", "-1"}),
     [](const auto& test) { return testName(test.index, test.param.header + " " + test.param.data); });
 
 TEST_P(MeaninglessControllerData, isADataFault) {

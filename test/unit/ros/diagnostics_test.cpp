@@ -7,7 +7,7 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 using LinkState = command::CommandStatus::LinkState;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 DiagnosticsView ready() {
   DiagnosticsView view;

@@ -15,13 +15,13 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 constexpr auto kPatience = milliseconds(200);
 
 /// A core that writes down what it is told, and a tf that knows the frames in `known`.
-class Intake : public testing::Test {
+class Intake : public ::testing::Test {
  protected:
   void move(blocks::GoalId id, const std::string& frame, milliseconds at = milliseconds(0)) {
     intake.submit(

@@ -9,8 +9,8 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 cobot_command::Transformation six(double first) {
   cobot_command::Transformation message;

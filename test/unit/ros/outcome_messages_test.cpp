@@ -7,8 +7,8 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 const JointNames kNames = jointNames("left_");
 const ClockPair kClocks{ros::Time(1000), Instant(std::chrono::seconds(50))};

@@ -13,9 +13,9 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -211,7 +211,7 @@ TEST(Parameters, areWarnedOfWhenTheyAreMisspelt) {
   EXPECT_THAT(simulated->warnings.front(), HasSubstr("did you mean project_speed?"));
 }
 
-class Described : public testing::Test {
+class Described : public ::testing::Test {
  protected:
   static std::string urdf(const std::string& model, const std::string& prefix = {}) {
     return arm::withPrefix(arm::ArmModel::urdfOf(model), prefix).value();

@@ -16,10 +16,10 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 /// A file with one step; `changed` replaces its line that begins with the same key, or is added.
 std::string fileWith(const std::string& changed) {

@@ -14,7 +14,7 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr auto kDeadline = std::chrono::seconds(30);
 

@@ -10,7 +10,7 @@
 namespace cobot_command::runtime {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// "setting found" of the first fault; "" when there is none.
 std::string faultOf(const GivenValues& values) {

@@ -14,9 +14,9 @@
 namespace cobot_command::script {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 /// The only command of the text.
 ScriptCommand read(std::string_view text) {
@@ -43,10 +43,10 @@ void PrintTo(const TextPair& pair, std::ostream* out) {
   *out << pair.read;
 }
 
-class KnownText : public testing::TestWithParam<TextPair> {};
+class KnownText : public ::testing::TestWithParam<TextPair> {};
 INSTANTIATE_TEST_SUITE_P(
     ScriptCommand, KnownText,
-    testing::Values(
+    ::testing::Values(
         TextPair{"PTP(\"JPP\",0,0,90,0,90,0,35,200,0,false)", "PTP(\"JPP\",0,0,90,0,90,0,35,200,0,false)"},
         TextPair{"PTP(\"CPP\",417.50,-122.30,343.90,180.00,0.00,90.00,10,200,0,false,0,2,4)",
                  "PTP(\"CPP\",417.5,-122.3,343.9,180,0,90,10,200,0,false,0,2,4)"},
@@ -247,7 +247,7 @@ TEST(ToTextDeathTest, assertsThatANameIsOne) {
 #endif
 
 /// Numbers of the C++ and C library with a decimal comma, as in a German locale, for the time of a test.
-class DecimalComma : public testing::Test {
+class DecimalComma : public ::testing::Test {
  protected:
   struct Comma : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }

@@ -9,9 +9,9 @@
 namespace cobot_command::script {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 std::vector<std::string> textsOf(std::string_view script) {
   const auto read = readScript(script);
@@ -95,7 +95,7 @@ void PrintTo(const Unreadable& unreadable, std::ostream* out) {
   *out << unreadable.script;
 }
 
-class NotRead : public testing::TestWithParam<Unreadable> {};
+class NotRead : public ::testing::TestWithParam<Unreadable> {};
 
 TEST_P(NotRead, saysWhy) {
   const auto read = readScript(GetParam().script);
@@ -106,34 +106,34 @@ TEST_P(NotRead, saysWhy) {
 // What only the robot knows.
 INSTANTIATE_TEST_SUITE_P(
     Robot, NotRead,
-    testing::Values(Unreadable{"ChangeLoad(var_of_the_project)", "ChangeLoad(string) is not defined"},
-                    Unreadable{"float[] now = Robot[0].Joint", "Robot"},
-                    Unreadable{"byte in = IO[\"ControlBox\"].DI[0]", "known to the robot only"},
-                    Unreadable{"byte out = IO[\"ControlBox\"].DO[0]", "known to the robot only"},
-                    Unreadable{"IO[\"ExtModule0\"].DO[2]=1", "known to the robot only"},
-                    Unreadable{"Vision_DoJob(\"a\")", "Vision_DoJob"}),
+    ::testing::Values(Unreadable{"ChangeLoad(var_of_the_project)", "ChangeLoad(string) is not defined"},
+                      Unreadable{"float[] now = Robot[0].Joint", "Robot"},
+                      Unreadable{"byte in = IO[\"ControlBox\"].DI[0]", "known to the robot only"},
+                      Unreadable{"byte out = IO[\"ControlBox\"].DO[0]", "known to the robot only"},
+                      Unreadable{"IO[\"ExtModule0\"].DO[2]=1", "known to the robot only"},
+                      Unreadable{"Vision_DoJob(\"a\")", "Vision_DoJob"}),
     [](const auto& test) { return testName(test.index, test.param.script); });
 
 // What no robot takes.
 INSTANTIATE_TEST_SUITE_P(
     Controller, NotRead,
-    testing::Values(Unreadable{"PTP(\"TPP\",1,2,3,4,5,6,7,8,9,true)", "PTP takes the formats JPP, CPP"},
-                    Unreadable{"PTP(\"JPP\",1,2,3,4,5,6,7,8,9,true,0,2,4)", "a pose is for CPP only"},
-                    Unreadable{"Move_Line(\"JPP\",1,2,3,4,5,6,7,8,9,true)", "TPP, TPR, TAP, TAR"},
-                    Unreadable{"PLine(\"CPP\",1,2,3,4,5,6,100,200,50)", "JAP, CAP"},
-                    Unreadable{"string format = \"TPP\"\nPTP(format,1,2,3,4,5,6,7,8,9,true)", "JPP, CPP"},
-                    Unreadable{"QueueTag(0)", "1 to 15"}, Unreadable{"QueueTag(1,2)", "0 to 1"},
-                    Unreadable{"int tag = 16\nQueueTag(tag)", "1 to 15"}, Unreadable{"PVTEnter(2)", "0 to 1"},
-                    Unreadable{"StopAndClearBuffer(3)", "0 to 2"}, Unreadable{"ScriptExit(2)", "0 to 1"},
-                    Unreadable{"IO[\"EndModule\"].DO[4]=1", "4"},
-                    Unreadable{"IO[\"EndModule\"].DO[0]=2", "2"},
-                    Unreadable{"byte two = 2\nIO[\"EndModule\"].DO[0] = two", "0 or 1"},
-                    Unreadable{"ChangeBase(\"\")", "is no name"},
-                    Unreadable{"ChangeBase(\"a\tb\")", "is no name"}, Unreadable{"pause()", "pause"},
-                    Unreadable{"Pause(1)", "Pause"}, Unreadable{"PTP()", "PTP"},
-                    Unreadable{"ChangeBase(1,2,3,4,5)", "ChangeBase"}, Unreadable{"Pause(", ""},
-                    Unreadable{"Pause() Resume()", ""}, Unreadable{"ChangeLoad(1 2)", ""},
-                    Unreadable{"int n = 1 / 0", ""}),
+    ::testing::Values(Unreadable{"PTP(\"TPP\",1,2,3,4,5,6,7,8,9,true)", "PTP takes the formats JPP, CPP"},
+                      Unreadable{"PTP(\"JPP\",1,2,3,4,5,6,7,8,9,true,0,2,4)", "a pose is for CPP only"},
+                      Unreadable{"Move_Line(\"JPP\",1,2,3,4,5,6,7,8,9,true)", "TPP, TPR, TAP, TAR"},
+                      Unreadable{"PLine(\"CPP\",1,2,3,4,5,6,100,200,50)", "JAP, CAP"},
+                      Unreadable{"string format = \"TPP\"\nPTP(format,1,2,3,4,5,6,7,8,9,true)", "JPP, CPP"},
+                      Unreadable{"QueueTag(0)", "1 to 15"}, Unreadable{"QueueTag(1,2)", "0 to 1"},
+                      Unreadable{"int tag = 16\nQueueTag(tag)", "1 to 15"},
+                      Unreadable{"PVTEnter(2)", "0 to 1"}, Unreadable{"StopAndClearBuffer(3)", "0 to 2"},
+                      Unreadable{"ScriptExit(2)", "0 to 1"}, Unreadable{"IO[\"EndModule\"].DO[4]=1", "4"},
+                      Unreadable{"IO[\"EndModule\"].DO[0]=2", "2"},
+                      Unreadable{"byte two = 2\nIO[\"EndModule\"].DO[0] = two", "0 or 1"},
+                      Unreadable{"ChangeBase(\"\")", "is no name"},
+                      Unreadable{"ChangeBase(\"a\tb\")", "is no name"}, Unreadable{"pause()", "pause"},
+                      Unreadable{"Pause(1)", "Pause"}, Unreadable{"PTP()", "PTP"},
+                      Unreadable{"ChangeBase(1,2,3,4,5)", "ChangeBase"}, Unreadable{"Pause(", ""},
+                      Unreadable{"Pause() Resume()", ""}, Unreadable{"ChangeLoad(1 2)", ""},
+                      Unreadable{"int n = 1 / 0", ""}),
     [](const auto& test) { return testName(test.index, test.param.script); });
 
 TEST(ScriptReader, takesNoNumberThatIsNotFinite) {

@@ -5,7 +5,7 @@
 namespace cobot_command::simulator::test {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 // --- Connections.
 TEST_F(FaultsTest, fallSilentOnTheScriptPort) {
@@ -70,7 +70,7 @@ TEST_F(FaultsTest, pretendToBeSomethingElse) {
   EXPECT_EQ(robot.ask(robot.connect(), "00"), kListening);
   robot.events();
   robot.operate(DropConnections{});
-  EXPECT_THAT(robot.events(), testing::Contains("x77"));
+  EXPECT_THAT(robot.events(), ::testing::Contains("x77"));
 }
 
 // --- The status port.

@@ -8,9 +8,9 @@
 namespace cobot_command::simulator::test {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class ControlLineTest : public testing::Test {
+class ControlLineTest : public ::testing::Test {
  protected:
   OperatorReply say(const std::string& line) { return control(robot.controller(), line, robot.now()); }
   void expectDone(const std::string& line) {
@@ -122,22 +122,21 @@ struct BadLine {
 void PrintTo(const BadLine& bad, std::ostream* out) {
   *out << bad.line;
 }
-class BadLineTest : public ControlLineTest, public testing::WithParamInterface<BadLine> {};
+class BadLineTest : public ControlLineTest, public ::testing::WithParamInterface<BadLine> {};
 INSTANTIATE_TEST_SUITE_P(
     ControlLine, BadLineTest,
-    testing::Values(BadLine{"dance", "unknown command \"dance\": help"}, BadLine{"run fast", "\"fast\""},
-                    BadLine{"estop", "press or release"}, BadLine{"safeguard opened", "open or close"},
-                    BadLine{"speed fast", "5 to 100"}, BadLine{"speed 50%", "5 to 100"},
-                    BadLine{"speed 7", "in steps of 5"}, BadLine{"speed 50 60", "\"60\""},
-                    BadLine{"error joint", "0x14058"}, BadLine{"error 99999999999", "0x14058"},
-                    BadLine{"input Elsewhere 1 1", "ControlBox and EndModule"},
-                    BadLine{"input EndModule x 1", "the number of the input"},
-                    BadLine{"input EndModule 1 2", "0 or 1"}, BadLine{"input EndModule 4 1", "0 to 3"},
-                    BadLine{"fault", "unknown fault"}, BadLine{"fault nothing", "unknown fault \"nothing\""},
-                    BadLine{"fault drop_tag once", "give a count"},
-                    BadLine{"fault drop_tag off now", "\"now\""},
-                    BadLine{"fault delay_reply 1 soon", "in seconds"},
-                    BadLine{"fault delay_reply 1", "in seconds"}, BadLine{"fault delay_reply 0 61", "to 60"}),
+    ::testing::Values(
+        BadLine{"dance", "unknown command \"dance\": help"}, BadLine{"run fast", "\"fast\""},
+        BadLine{"estop", "press or release"}, BadLine{"safeguard opened", "open or close"},
+        BadLine{"speed fast", "5 to 100"}, BadLine{"speed 50%", "5 to 100"},
+        BadLine{"speed 7", "in steps of 5"}, BadLine{"speed 50 60", "\"60\""},
+        BadLine{"error joint", "0x14058"}, BadLine{"error 99999999999", "0x14058"},
+        BadLine{"input Elsewhere 1 1", "ControlBox and EndModule"},
+        BadLine{"input EndModule x 1", "the number of the input"}, BadLine{"input EndModule 1 2", "0 or 1"},
+        BadLine{"input EndModule 4 1", "0 to 3"}, BadLine{"fault", "unknown fault"},
+        BadLine{"fault nothing", "unknown fault \"nothing\""}, BadLine{"fault drop_tag once", "give a count"},
+        BadLine{"fault drop_tag off now", "\"now\""}, BadLine{"fault delay_reply 1 soon", "in seconds"},
+        BadLine{"fault delay_reply 1", "in seconds"}, BadLine{"fault delay_reply 0 61", "to 60"}),
     [](const auto& test) { return testName(test.index, test.param.line); });
 
 TEST_P(BadLineTest, isRefusedWithWhatToDo) {

@@ -11,7 +11,7 @@ namespace cobot_command::simulator::test {
 inline constexpr const char* kMove = "PTP(\"JPP\",20,0,90,0,90,0,100,200,0,false)\r\nQueueTag(1)";
 inline const std::string kListening = protocol::encodeFrame("TMSTA", "00,true,Listen1");
 
-class FaultsTest : public testing::Test {
+class FaultsTest : public ::testing::Test {
  protected:
   void fault(const std::string& name, int count = 0, const std::string& text = {}, double seconds = 0) {
     const OperatorReply reply = robot.operate(SetFault{name, true, count, seconds, text});

@@ -11,8 +11,8 @@
 namespace cobot_command::simulator::test {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 constexpr const char* kBack = "PTP(\"JPP\",0,0,90,0,90,0,100,200,0,false)\r\nQueueTag(2)";
 

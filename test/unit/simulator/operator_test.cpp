@@ -6,12 +6,12 @@
 namespace cobot_command::simulator::test {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 constexpr const char* kMove = "PTP(\"JPP\",90,0,90,0,90,0,100,200,0,false)\r\nQueueTag(1)";
 
-class OperatorTest : public testing::Test {
+class OperatorTest : public ::testing::Test {
  protected:
   explicit OperatorTest(Settings settings = {}) : robot(std::move(settings)) {}
 

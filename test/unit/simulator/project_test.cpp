@@ -5,8 +5,8 @@
 namespace cobot_command::simulator::test {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 constexpr const char* kMove = "PTP(\"JPP\",90,0,90,0,90,0,100,200,0,false)";
 

@@ -56,7 +56,7 @@ std::string mutated(std::string frame, std::mt19937& random) {
   return keeps_frame ? protocol::encodeFrame(frame.substr(1, 5), text) : text;
 }
 
-class RobustnessTest : public testing::TestWithParam<unsigned> {
+class RobustnessTest : public ::testing::TestWithParam<unsigned> {
  protected:
   /// Answers on a fresh connection, whatever state the others are in.
   void expectAnswers(SimulatedRobot& robot) {
@@ -102,7 +102,7 @@ TEST_P(RobustnessTest, answersAfterMutatedFrames) {
   expectAnswers(robot);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RobustnessTest, testing::Range(0U, 10U));
+INSTANTIATE_TEST_SUITE_P(Seeds, RobustnessTest, ::testing::Range(0U, 10U));
 
 TEST(Robustness, takesClientsThatItDoesNotKnowAndThoseThatLeaveTwice) {
   SimulatedRobot robot;
@@ -148,7 +148,7 @@ TEST(Robustness, letsAThousandScriptsWaitAndRefusesFurtherOnes) {
   robot.script(client, "b", "Resume()");
   EXPECT_EQ(robot.heard(client), error("b", "1"));
   robot.script(client, "c", "StopAndClearBuffer(1)");
-  EXPECT_THAT(robot.heard(client), testing::EndsWith(ok("a1000"))) << "a priority command does not wait";
+  EXPECT_THAT(robot.heard(client), ::testing::EndsWith(ok("a1000"))) << "a priority command does not wait";
 }
 
 TEST(Robustness, takesSettingsOutOfRange) {

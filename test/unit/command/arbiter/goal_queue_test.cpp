@@ -19,7 +19,7 @@ class GoalQueueTest : public ::testing::Test {
     queue_.came(id);
     Waiting waiting;
     waiting.id = id;
-    waiting.goal = test::moveJoints({});
+    waiting.goal = testing::moveJoints({});
     waiting.end.emplace();
     queue_.push(std::move(waiting));
   }
@@ -91,7 +91,7 @@ TEST_F(GoalQueueTest, endsAllAndTellsUpToWhichGoalTheyFell) {
 
 TEST_F(GoalQueueTest, knowsOfAGoalThatFellBeforeItCame) {
   queue_.dropAll("a cancel", 7);
-  const blocks::Goal move = test::moveJoints({});
+  const blocks::Goal move = testing::moveJoints({});
   EXPECT_EQ(queue_.fell(7, move), "a cancel");
   EXPECT_FALSE(queue_.fell(8, move));
   EXPECT_FALSE(queue_.fell(7, blocks::StopGoal())) << "what halts the robot falls with nobody";
@@ -101,8 +101,8 @@ TEST_F(GoalQueueTest, asksWhichGoalIsTheNewestWhereGoalsWaitInFrontOfTheCore) {
   GoalQueue queue(board_, plans_, actions_, [] { return blocks::GoalId(40); });
   queue.came(3);
   queue.dropAll("an error");
-  EXPECT_TRUE(queue.fell(40, test::moveJoints({})));
-  EXPECT_FALSE(queue.fell(41, test::moveJoints({})));
+  EXPECT_TRUE(queue.fell(40, testing::moveJoints({})));
+  EXPECT_FALSE(queue.fell(41, testing::moveJoints({})));
 }
 
 TEST_F(GoalQueueTest, failsATakeOverWhoseStopWasNotConfirmed) {

@@ -41,7 +41,7 @@ class ForecastTest : public ::testing::Test {
     return forecast_.order(*blocks::GoalRules(goal).command(), now_).value();
   }
   [[nodiscard]] static blocks::MoveAbsoluteGoal blended() {
-    blocks::MoveAbsoluteGoal goal = test::moveJoints(kAside);
+    blocks::MoveAbsoluteGoal goal = testing::moveJoints(kAside);
     goal.blending_enable = true;
     return goal;
   }
@@ -88,7 +88,7 @@ TEST_F(ForecastTest, startsAtTheEndOfABlendedMotionThatIsUnderWay) {
 
 TEST_F(ForecastTest, startsAtTheTargetOfAMotionWhoseTagIsThere) {
   stream(home_);
-  CommandOrder order = orderOf(test::moveJoints(kAside));
+  CommandOrder order = orderOf(testing::moveJoints(kAside));
   order.tag = 1;
   forecast_.sent(order, now_);
   forecast_.accepted(order, now_);
@@ -140,14 +140,14 @@ TEST_F(ForecastTest, knowsNothingBehindAScriptThatSaysMoreThanThisLayerKnows) {
 TEST_F(ForecastTest, tellsThePathOfWhatGoesOut) {
   stream(home_);
   actions_.clear();
-  send(test::moveJoints(kAside));
+  send(testing::moveJoints(kAside));
   ASSERT_FALSE(actions_.empty());
   EXPECT_TRUE(std::holds_alternative<PathPlanned>(actions_.front()));
 }
 
 TEST_F(ForecastTest, refusesWhatTheArmCannotReach) {
   stream(home_);
-  const blocks::Goal goal = test::moveJoints({0, 0, 359, 0, 0, 0});
+  const blocks::Goal goal = testing::moveJoints({0, 0, 359, 0, 0, 0});
   const auto order = forecast_.order(*blocks::GoalRules(goal).command(), now_);
   ASSERT_FALSE(order);
   EXPECT_NE(order.error().error_id, 0);
@@ -160,7 +160,7 @@ class ForecastWithoutModel : public ForecastTest {
 
 TEST_F(ForecastWithoutModel, plansNothingAndKnowsTheTargetOfJointsAllTheSame) {
   stream(home_);
-  const CommandOrder order = orderOf(test::moveJoints(kAside));
+  const CommandOrder order = orderOf(testing::moveJoints(kAside));
   EXPECT_FALSE(order.plan);
   ASSERT_TRUE(order.target);
   EXPECT_TRUE(order.target->joints.isApprox(arm::toJointVector(kAside)));
@@ -168,7 +168,7 @@ TEST_F(ForecastWithoutModel, plansNothingAndKnowsTheTargetOfJointsAllTheSame) {
 
 TEST_F(ForecastWithoutModel, answersACheckWithThat) {
   stream(home_);
-  const blocks::Goal goal = test::moveJoints(kAside);
+  const blocks::Goal goal = testing::moveJoints(kAside);
   const auto dropped = std::make_shared<const std::atomic<bool>>(false);
   const PlanAnswer answer = forecast_.workFor(goal, forecast_.origin(now_))(dropped)();
   EXPECT_EQ(answer.outcome.ending, blocks::Ending::Rejected);

@@ -28,7 +28,7 @@ class CommandWindowTest : public ::testing::Test {
   }
 
   void send(const std::array<double, 6>& joints_deg, blocks::CommandKey key) {
-    const blocks::Goal goal = test::moveJoints(joints_deg);
+    const blocks::Goal goal = testing::moveJoints(joints_deg);
     blocks::Command command = *blocks::GoalRules(goal).command();
     command.key = key;
     auto order = window_.prepare(command, now_);

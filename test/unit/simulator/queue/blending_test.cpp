@@ -16,7 +16,7 @@ const std::string kSideways = "Move_Line(\"CAP\",0,80,0,0,0,0,100,200,100,false)
 const std::string kDown = "Move_Line(\"CAP\",0,0,-80,0,0,0,100,200,0,false)";
 const std::string kEnd = "\r\n";
 
-class BlendingTest : public testing::Test {
+class BlendingTest : public ::testing::Test {
  protected:
   /// Lets time go by in steps of 1 ms, and looks for a step in position or speed.
   void expectSmooth(Duration duration) {

@@ -5,13 +5,13 @@
 namespace cobot_command::simulator::test {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 constexpr const char* kGood = "PTP(\"JPP\",10,0,90,0,90,0,100,200,0,false)";
 constexpr const char* kOutOfReach = "PTP(\"CPP\",2000,0,300,180,0,90,10,200,0,false)";
 
-class MotionErrorTest : public testing::Test {
+class MotionErrorTest : public ::testing::Test {
  protected:
   SimulatedRobot robot;
   ClientId client = robot.connect();
@@ -120,7 +120,7 @@ void PrintTo(const Case& test_case, std::ostream* out) {
   *out << test_case.script;
 }
 
-class ErrorCodeTest : public testing::TestWithParam<Case> {};
+class ErrorCodeTest : public ::testing::TestWithParam<Case> {};
 
 TEST_P(ErrorCodeTest, namesTheReason) {
   SimulatedRobot robot;
@@ -135,7 +135,7 @@ TEST_P(ErrorCodeTest, namesTheReason) {
 // The start is 417.5, -122.3, 361.05, 180, 0, 90 in the posture 0, 0, 90, 0, 90, 0 of a TM5-700.
 INSTANTIATE_TEST_SUITE_P(
     Motions, ErrorCodeTest,
-    testing::Values(
+    ::testing::Values(
         Case{"PTP(\"CPP\",2000,0,300,180,0,90,10,200,0,false)", 0x01, "UNREACHABLE"},
         Case{"Line(\"CAP\",2000,0,300,180,0,90,100,200,0,false)", 0x01, "UNREACHABLE"},
         Case{"PTP(\"CPP\",417.5,-122.3,361.05,180,0,90,10,200,0,false,0,2,9)", 0x14058, "POSE_BITS"},

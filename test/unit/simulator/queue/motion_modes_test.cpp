@@ -11,7 +11,7 @@ namespace {
 
 const std::string kEnd = "\r\n";
 
-class ModesTest : public testing::Test {
+class ModesTest : public ::testing::Test {
  protected:
   void expectSmooth(Duration duration) {
     constexpr double kStep = 1e-3;

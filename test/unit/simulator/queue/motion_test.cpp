@@ -12,7 +12,7 @@ namespace {
 
 using arm::ControllerPose;
 
-class MotionTest : public testing::Test {
+class MotionTest : public ::testing::Test {
  protected:
   void run(const std::string& script) {
     robot.script(client, "1", script + "\r\nQueueTag(1)");

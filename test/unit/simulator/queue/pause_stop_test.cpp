@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kMove = "PTP(\"JPP\",90,20,60,0,90,0,100,200,0,false)\r\nQueueTag(1)";
 constexpr const char* kNext = "PTP(\"JPP\",0,0,90,0,90,0,100,200,0,false)\r\nQueueTag(2)";
 
-class PauseStopTest : public testing::Test {
+class PauseStopTest : public ::testing::Test {
  protected:
   void moveFor(Duration duration) {
     robot.script(client, "1", kMove);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kMove = "PTP(\"JPP\",10,0,90,0,90,0,100,200,0,false)\r\n";
 
-class OutputsTest : public testing::Test {
+class OutputsTest : public ::testing::Test {
  protected:
   void script(const std::string& text) { robot.script(client, "1", text); }
   bool gripper() { return robot.state().outputs.end_module[0]; }

@@ -5,7 +5,7 @@
 namespace cobot_command::simulator::test {
 namespace {
 
-class ListenNodeTest : public testing::Test {
+class ListenNodeTest : public ::testing::Test {
  protected:
   std::string exchange(const std::string& bytes) {
     robot.heard(client);

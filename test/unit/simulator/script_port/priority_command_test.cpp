@@ -5,7 +5,7 @@
 namespace cobot_command::simulator::test {
 namespace {
 
-class PriorityCommandTest : public testing::Test {
+class PriorityCommandTest : public ::testing::Test {
  protected:
   void SetUp() override {
     robot.script(client, "1", "PTP(\"JPP\",90,0,90,0,90,0,50,200,0,false)\r\nQueueTag(1,1)\r\nQueueTag(2)");

@@ -13,7 +13,7 @@ Settings project() {
   return settings;
 }
 
-class ScriptAttributesTest : public testing::Test {
+class ScriptAttributesTest : public ::testing::Test {
  protected:
   std::string run(const std::string& script) {
     robot.heard(client);

@@ -11,7 +11,7 @@ std::string sent(const std::string& payload) {
   return protocol::encodeFrame("TMSTA", "90," + payload);
 }
 
-class ScriptLanguageTest : public testing::Test {
+class ScriptLanguageTest : public ::testing::Test {
  protected:
   /// What the client hears of a script, when it need not wait for the arm.
   std::string run(const std::string& script) { return run(robot, client, script); }
@@ -181,7 +181,7 @@ TEST_F(ScriptLanguageTest, refusesByNameWhatIsNotSimulated) {
   EXPECT_EQ(run("Pause()\r\nVPoint[\"v\"].Value[0]=1"), error("1", "2"));
   std::string log;
   for (const LogLine& line : robot.log()) log += line.text + '\n';
-  EXPECT_THAT(log, testing::HasSubstr("line 2: VPoint[..].Value is known, but not simulated"));
+  EXPECT_THAT(log, ::testing::HasSubstr("line 2: VPoint[..].Value is known, but not simulated"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ std::string lines(std::initializer_list<std::string> of) {
   return script;
 }
 
-class ScriptTest : public testing::Test {
+class ScriptTest : public ::testing::Test {
  protected:
   SimulatedRobot robot;
   ClientId client = robot.connect();

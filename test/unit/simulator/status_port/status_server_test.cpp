@@ -14,7 +14,7 @@ std::vector<float> floats(const StatusFrame& frame, const std::string& name) {
   return protocol::item::asFloats(itemNamed(frame, name)).value_or(std::vector<float>{});
 }
 
-class StatusServerTest : public testing::Test {
+class StatusServerTest : public ::testing::Test {
  protected:
   StatusFrame nextFrame() {
     robot.heard(status);

@@ -8,7 +8,7 @@ namespace {
 
 using protocol::ItemFormat;
 using protocol::StatusFrame;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// A robot with these settings, and the first frame of its stream.
 struct Streaming {
@@ -74,7 +74,7 @@ TEST(StatusVariables, existOnTheStatusPortWhenTheyAreStreamed) {
   EXPECT_EQ(stream.read("g_hidden"), "04,NotExist;g_hidden");
 }
 
-class ItemsOfAVersion : public testing::TestWithParam<std::tuple<const char*, const char*, bool>> {};
+class ItemsOfAVersion : public ::testing::TestWithParam<std::tuple<const char*, const char*, bool>> {};
 
 TEST_P(ItemsOfAVersion, areThoseOfThatVersion) {
   const auto& [version, name, exists] = GetParam();
@@ -84,12 +84,12 @@ TEST_P(ItemsOfAVersion, areThoseOfThatVersion) {
 
 INSTANTIATE_TEST_SUITE_P(
     StatusItems, ItemsOfAVersion,
-    testing::Values(std::tuple("1.76", "Joint_Speed", false), std::tuple("1.76", "DHTable", false),
-                    std::tuple("1.76", "Error_Content", true), std::tuple("1.76", "Ext7_AI", true),
-                    std::tuple("1.80", "Joint_Speed", true), std::tuple("1.80", "Error_Content", false),
-                    std::tuple("1.80", "Robot_Mode", true), std::tuple("1.80", "Joint_Torque_Min", false),
-                    std::tuple("1.82", "Robot_Mode", false), std::tuple("1.82", "Joint_Torque_Min", false),
-                    std::tuple("1.84", "Joint_Torque_Min", true), std::tuple("1.84", "Ctrl_AO1", false)));
+    ::testing::Values(std::tuple("1.76", "Joint_Speed", false), std::tuple("1.76", "DHTable", false),
+                      std::tuple("1.76", "Error_Content", true), std::tuple("1.76", "Ext7_AI", true),
+                      std::tuple("1.80", "Joint_Speed", true), std::tuple("1.80", "Error_Content", false),
+                      std::tuple("1.80", "Robot_Mode", true), std::tuple("1.80", "Joint_Torque_Min", false),
+                      std::tuple("1.82", "Robot_Mode", false), std::tuple("1.82", "Joint_Torque_Min", false),
+                      std::tuple("1.84", "Joint_Torque_Min", true), std::tuple("1.84", "Ctrl_AO1", false)));
 
 TEST(StatusItems, tellTheToolAsItWasChanged) {
   Settings settings;

@@ -7,9 +7,9 @@ namespace cobot_command::simulator::test {
 namespace {
 
 using protocol::StatusFrame;
-using testing::StartsWith;
+using ::testing::StartsWith;
 
-class StatusWriting : public testing::Test {
+class StatusWriting : public ::testing::Test {
  protected:
   StatusWriting() { listen("10.0.0.7"); }
 
