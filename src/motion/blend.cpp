@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "path_check.h"
-#include "pline_motion.h"
+#include "kinds/pline_motion.h"
+#include "paths/path_check.h"
 
 #include "cobot_command/arm/forward_kinematics.h"
 

@@ -2,12 +2,12 @@
 
 #include <utility>
 
-#include "input_check.h"
-#include "path_motion.h"
-#include "pline_motion.h"
-#include "ptp_motion.h"
-#include "pvt_motion.h"
-#include "relative_motion.h"
+#include "kinds/path_motion.h"
+#include "kinds/pline_motion.h"
+#include "kinds/ptp_motion.h"
+#include "kinds/pvt_motion.h"
+#include "kinds/relative_motion.h"
+#include "paths/input_check.h"
 
 namespace cobot_command::motion {
 namespace {

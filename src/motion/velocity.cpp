@@ -4,11 +4,11 @@
 #include <memory>
 #include <utility>
 
-#include "input_check.h"
-#include "joint_velocity.h"
-#include "path_check.h"
-#include "path_trajectory.h"
-#include "twist_path.h"
+#include "curves/twist_path.h"
+#include "kinds/joint_velocity.h"
+#include "paths/input_check.h"
+#include "paths/path_check.h"
+#include "paths/path_trajectory.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"

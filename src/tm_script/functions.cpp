@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
-#include "conversion.h"
-#include "declaration.h"
-#include "library.h"
-#include "refused_functions.h"
+#include "library/declaration.h"
+#include "library/library.h"
+#include "library/refused_functions.h"
+#include "values/conversion.h"
 #include <fmt/format.h>
 
 namespace cobot_command::tm_script {

@@ -34,7 +34,7 @@ struct Blended {
   }
 };
 
-class Blending : public testing::Test {
+class Blending : public ::testing::Test {
  protected:
   using Make = std::function<Command(const arm::Pose& tcp)>;
 
@@ -207,7 +207,7 @@ const Kind kKinds[] = {
      }},
 };
 
-class BlendingOfPairs : public Blending, public testing::WithParamInterface<std::pair<int, int>> {
+class BlendingOfPairs : public Blending, public ::testing::WithParamInterface<std::pair<int, int>> {
  protected:
   [[nodiscard]] Blended pair(const Blend& how) const {
     const Kind& one = kKinds[GetParam().first];
@@ -275,11 +275,11 @@ std::vector<std::pair<int, int>> allPairs() {
   return pairs;
 }
 
-std::string nameOf(const testing::TestParamInfo<std::pair<int, int>>& pair) {
+std::string nameOf(const ::testing::TestParamInfo<std::pair<int, int>>& pair) {
   return std::string(kKinds[pair.param.first].name) + "Then" + kKinds[pair.param.second].name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, BlendingOfPairs, testing::ValuesIn(allPairs()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Kinds, BlendingOfPairs, ::testing::ValuesIn(allPairs()), nameOf);
 
 /// Moves J1 only, in any way: to reach what no planned motion does.
 class AnyMotion final : public Trajectory {

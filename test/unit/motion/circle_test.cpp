@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "circle_path.h"
+#include "curves/circle_path.h"
 #include "motion_support.h"
 #include <kdl/path_circle.hpp>
 #include <kdl/rotational_interpolation_sa.hpp>

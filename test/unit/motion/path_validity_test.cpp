@@ -5,9 +5,9 @@
 #include <map>
 #include <random>
 
-#include "circle_path.h"
+#include "curves/circle_path.h"
+#include "curves/tcp_path.h"
 #include "motion_support.h"
-#include "tcp_path.h"
 
 #include "cobot_command/arm/inverse_kinematics.h"
 

@@ -16,7 +16,7 @@ MovePLine straight(double x, double y, double z, double speed = 0.1, double turn
 }
 
 /// What the arm does with lines that are all known at the start.
-class PLines : public testing::Test {
+class PLines : public ::testing::Test {
  protected:
   struct Part {
     Duration begin;

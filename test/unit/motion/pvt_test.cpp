@@ -94,7 +94,7 @@ TEST(PvtOfJoints, isRefusedWithoutPointsOrTimeOrRestAtItsEnd) {
   }
 }
 
-class PvtOfPoses : public testing::Test {
+class PvtOfPoses : public ::testing::Test {
  protected:
   [[nodiscard]] Result<TrajectoryPtr, Refusal> planPoses(std::vector<PvtPosePoint> points) const {
     return plan(arm, workingPosture(), Pvt{std::move(points)}, setting);

@@ -1,4 +1,4 @@
-#include "trapezoid.h"
+#include "profiles/trapezoid.h"
 
 #include <cmath>
 

@@ -85,7 +85,7 @@ TEST(JointVelocity, isRefusedWhereItIsFasterThanRatedOrTooCloseToALimit) {
   EXPECT_EQ(no_number.error().reason, Refusal::Reason::NotFinite);
 }
 
-class ToolVelocity : public testing::Test {
+class ToolVelocity : public ::testing::Test {
  protected:
   [[nodiscard]] VelocityMotion drive(const TcpVelocity& velocity, const JointState& now,
                                      std::optional<Duration> lasting = 1s) const {

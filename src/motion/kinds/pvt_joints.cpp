@@ -1,0 +1,150 @@
+// PVT in joint space, in closed form.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "kinds/pvt_motion.h"
+#include "paths/input_check.h"
+#include "paths/path_check.h"
+#include "profiles/cubic.h"
+#include <fmt/format.h>
+
+#include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::motion {
+namespace {
+
+struct Segment {
+  double begin;
+  double duration;
+  Cubic<6> cubic;
+};
+
+class PvtTrajectory final : public Trajectory {
+ public:
+  PvtTrajectory(std::vector<Segment> segments, const arm::JointVector& end)
+      : segments_(std::move(segments)),
+        end_(end),
+        duration_(fromSeconds(segments_.back().begin + segments_.back().duration)) {}
+
+  [[nodiscard]] Duration duration() const override { return duration_; }
+  [[nodiscard]] Duration rampTime() const override { return Duration::zero(); }
+  [[nodiscard]] JointState at(Duration time) const override {
+    if (time >= duration_) return {end_, arm::JointVector::Zero()};
+    const double seconds = std::max(0.0, toSeconds(time));
+    const auto behind = std::upper_bound(segments_.begin() + 1, segments_.end(), seconds,
+                                         [](double at, const Segment& one) { return at < one.begin; });
+    const Segment& segment = *(behind - 1);
+    const double within = std::min(seconds - segment.begin, segment.duration);
+    return {segment.cubic.at(within), segment.cubic.slopeAt(within)};
+  }
+
+ private:
+  std::vector<Segment> segments_;
+  arm::JointVector end_;
+  Duration duration_;
+};
+
+/// Where a joint turns round within a segment, and where it is fastest; and the end of the segment.
+struct Extremes {
+  std::array<double, 3> of_position;
+  std::array<double, 2> of_velocity;
+};
+
+Extremes extremes(const Segment& segment, Eigen::Index joint) {
+  const double a = 3.0 * segment.cubic.cube(joint);
+  const double b = segment.cubic.square(joint);  // a t^2 + 2 b t + c is the velocity
+  const double c = segment.cubic.slope(joint);
+  const auto within = [&](double time) {  // NaN, too, is outside
+    return time > 0.0 && time < segment.duration ? time : segment.duration;
+  };
+  const double root = std::sqrt(b * b - a * c);
+  const double q = -(b + std::copysign(root, b));
+  return {{within(q / a), within(c / q), segment.duration}, {within(-b / a), segment.duration}};
+}
+
+class Check {
+ public:
+  Check(const arm::ArmModel& arm, const Setting& setting, double duration)
+      : arm_(arm), setting_(setting), duration_(duration) {}
+
+  [[nodiscard]] std::optional<Refusal> find(const Segment& segment) const {
+    for (std::size_t i = 0; i < arm::kJointCount; ++i) {
+      const auto joint = static_cast<Eigen::Index>(i);
+      const arm::JointLimit& limit = arm_.limits()[i];
+      const Extremes at = extremes(segment, joint);
+      for (const double time : at.of_position) {
+        const double found = segment.cubic.at(time)[joint];
+        if (found < limit.lower || found > limit.upper) return outside(segment, time, joint, found);
+      }
+      for (const double time : at.of_velocity) {
+        const double needed = std::abs(segment.cubic.slopeAt(time)[joint]);
+        if (needed > limit.max_velocity * (1.0 + kSpeedTolerance)) {
+          return tooFast(segment, time, joint, needed);
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] Refusal refusal(Refusal::Reason reason, const Segment& segment, double time,
+                                Eigen::Index joint, std::string what) const {
+    const arm::JointVector there = segment.cubic.at(time);
+    return {
+        reason, (segment.begin + time) / duration_, static_cast<int>(joint),
+        setting_.base.inverse() * arm::forwardKinematics(arm_, there) * setting_.tcp,
+        fmt::format("{:.3f} s behind the start of the PVT J{} {}", segment.begin + time, joint + 1, what)};
+  }
+  [[nodiscard]] Refusal outside(const Segment& segment, double time, Eigen::Index joint, double found) const {
+    const arm::JointLimit& limit = arm_.limits()[static_cast<std::size_t>(joint)];
+    return refusal(
+        Refusal::Reason::JointLimit, segment, time, joint,
+        fmt::format("would reach {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose other points or velocities",
+                    radToDeg(found), radToDeg(limit.lower), radToDeg(limit.upper)));
+  }
+  [[nodiscard]] Refusal tooFast(const Segment& segment, double time, Eigen::Index joint,
+                                double needed) const {
+    const double rated = arm_.limits()[static_cast<std::size_t>(joint)].max_velocity;
+    return refusal(
+        Refusal::Reason::JointSpeed, segment, time, joint,
+        fmt::format(
+            "would need {:.1f} deg/s, rated {:.1f} deg/s: give the point more time or another velocity",
+            radToDeg(needed), radToDeg(rated)));
+  }
+
+  const arm::ArmModel& arm_;
+  const Setting& setting_;
+  double duration_;
+};
+
+}  // namespace
+
+Result<TrajectoryPtr, Refusal> planJointPvt(const arm::ArmModel& arm, const arm::JointVector& start,
+                                            const std::vector<PvtJointPoint>& points,
+                                            const Setting& setting) {
+  std::vector<Segment> segments;
+  double end = 0.0;
+  arm::JointVector position = start;
+  arm::JointVector velocity = arm::JointVector::Zero();
+  for (const PvtJointPoint& point : points) {
+    const double duration = point.duration / setting.speed_override;
+    const arm::JointVector next = point.velocity * setting.speed_override;
+    segments.push_back({end, duration, Cubic<6>(duration, position, velocity, point.position, next)});
+    position = point.position;
+    velocity = next;
+    end += duration;
+  }
+  if (auto too_long = checkDuration(end)) return refuse(std::move(*too_long));
+  const Check check(arm, setting, end);
+  for (const Segment& segment : segments) {
+    if (auto found = check.find(segment)) return refuse(std::move(*found));
+  }
+  return TrajectoryPtr(std::make_shared<PvtTrajectory>(std::move(segments), position));
+}
+
+}  // namespace cobot_command::motion

@@ -1,0 +1,152 @@
+#include "paths/path_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "paths/path_refusals.h"
+
+#include "cobot_command/arm/forward_kinematics.h"
+
+namespace cobot_command::motion {
+namespace {
+
+using Reason = Refusal::Reason;
+
+struct Sample {
+  double time = 0.0;
+  double progress = 0.0;
+  arm::JointVector joints;
+};
+
+bool isSingular(const arm::ArmModel& arm, const arm::JointVector& joints) {
+  const arm::SingularityDistance distance = arm::singularityDistance(arm, joints);
+  return std::min({distance.shoulder, distance.elbow, distance.wrist}) < kSingular;
+}
+
+class PathCheck {
+ public:
+  explicit PathCheck(const TimedPath& timed) : timed_(timed), arm_(timed.postures.arm()) {}
+
+  Result<FollowedPath, Refusal> follow(const arm::JointVector& start);
+
+ private:
+  [[nodiscard]] std::optional<Refusal> checkPosture(const Sample& sample) const;
+  void checkSpeed(const Sample& from, const Sample& to);
+  [[nodiscard]] bool isJump(const Sample& from, const Sample& to) const {
+    return (to.joints - from.joints).cwiseAbs().maxCoeff() > kJump;
+  }
+  [[nodiscard]] double way(const Sample& from, const Sample& to) const {
+    const TcpCurve& path = timed_.postures.path();
+    return (to.progress - from.progress) * (path.length() + path.turn());
+  }
+  [[nodiscard]] Result<Sample, Refusal> sampleAt(double time, const Sample& previous) const;
+  /// From one good sample to the next one, looking closer where a joint jumps.
+  Result<Sample, Refusal> advance(const Sample& from, double time);
+
+  TimedPath timed_;
+  const arm::ArmModel& arm_;
+  std::optional<SpeedOffence> offence_;
+};
+
+std::optional<Refusal> PathCheck::checkPosture(const Sample& sample) const {
+  if (const int joint = arm_.firstJointOutsideLimits(sample.joints); joint >= 0) {
+    return jointLimitRefusal(timed_, sample.progress, joint, sample.joints[joint]);
+  }
+  if (isSingular(arm_, sample.joints)) {
+    return singularRefusal(timed_, sample.progress, sample.joints);
+  }
+  return std::nullopt;
+}
+
+void PathCheck::checkSpeed(const Sample& from, const Sample& to) {
+  const double period = to.time - from.time;
+  for (std::size_t i = 0; i < arm::kJointCount; ++i) {
+    const auto joint = static_cast<Eigen::Index>(i);
+    const double needed = std::abs(to.joints[joint] - from.joints[joint]) / period;
+    const double excess = needed / arm_.limits()[i].max_velocity;
+    if (excess <= 1.0 + kSpeedTolerance) {
+      continue;
+    }
+    if (!offence_) {
+      offence_ = SpeedOffence{to.progress, static_cast<int>(i), needed, 1.0};
+    }
+    // A lower top speed slows the cruise in proportion, the ramps (whose acceleration falls with it) with its
+    // square root; whichever is slower at this point counts.
+    const double share = timed_.profile.shareOfTopSpeed(0.5 * (from.time + to.time));
+    offence_->usable_share =
+        std::min(offence_->usable_share, std::max(share / excess, 1.0 / (excess * excess)));
+  }
+}
+
+Result<Sample, Refusal> PathCheck::sampleAt(double time, const Sample& previous) const {
+  Sample sample;
+  sample.time = time;
+  sample.progress = timed_.profile.progress(time);
+  auto joints = timed_.postures.at(sample.progress, previous.joints);
+  if (!joints) {
+    return refuse(reachRefusal(timed_, sample.progress, joints.error()));
+  }
+  sample.joints = *joints;
+  return sample;
+}
+
+Result<Sample, Refusal> PathCheck::advance(const Sample& from, double time) {
+  auto to = sampleAt(time, from);
+  if (!to) {
+    return to;
+  }
+  if (isJump(from, *to)) {
+    if (way(from, *to) < kJumpWay) {
+      return refuse(singularRefusal(timed_, from.progress, from.joints));
+    }
+    auto middle = advance(from, 0.5 * (from.time + time));
+    return middle ? advance(*middle, time) : middle;
+  }
+  if (auto refusal = checkPosture(*to)) {
+    return refuse(std::move(*refusal));
+  }
+  checkSpeed(from, *to);
+  return to;
+}
+
+Result<FollowedPath, Refusal> PathCheck::follow(const arm::JointVector& start) {
+  constexpr std::size_t kKeepEvery = 64;  // a joint turns less than half a turn meanwhile
+  const double duration = timed_.profile.duration();
+  const auto steps = static_cast<std::size_t>(std::ceil(duration / kSamplePeriod));
+  const double period = duration / static_cast<double>(steps);
+
+  Sample sample{0.0, 0.0, start};
+  if (auto refusal = checkPosture(sample)) {
+    return refuse(std::move(*refusal));
+  }
+  FollowedPath followed;
+  followed.period = period * static_cast<double>(kKeepEvery);
+  followed.postures.reserve(steps / kKeepEvery + 1);
+  followed.postures.push_back(start);
+  for (std::size_t i = 1; i <= steps; ++i) {
+    auto next = advance(sample, i == steps ? duration : static_cast<double>(i) * period);
+    if (!next) {
+      return refuse(std::move(next.error()));
+    }
+    sample = *next;
+    if (i % kKeepEvery == 0) {
+      followed.postures.push_back(sample.joints);
+    }
+  }
+  if (offence_) {
+    return refuse(jointSpeedRefusal(timed_, *offence_));
+  }
+  followed.end = sample.joints;
+  return followed;
+}
+
+}  // namespace
+
+Result<FollowedPath, Refusal> checkPath(const TimedPath& timed, const arm::JointVector& start) {
+  return PathCheck(timed).follow(start);
+}
+
+}  // namespace cobot_command::motion
