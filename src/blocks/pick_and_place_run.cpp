@@ -59,8 +59,8 @@ void PickAndPlaceRun::endPart(const Outcome& outcome, Instant now) {
   under_way_ = false;
   if (outcome.ending == Ending::Aborted || outcome.ending == Ending::Rejected) {
     if (outcome.error_id == motion_error::kLinkDropped) {
-      found_.failed_step = static_cast<int>(step_);
-      fail({motion_error::kLinkDropped, outcome.error_description, outcome.remedy}, now);
+      const Block part = state_ == State::Setting ? kBlock<SetOutputGoal> : kBlock<MoveAbsoluteGoal>;
+      fail(failureOf(state_ == State::Waiting ? kBlock<WaitForInputGoal> : part, outcome), now);
       return;
     }
     const int id = state_ == State::Setting ? own_error::kOutputFailed : own_error::kStepFailed;
@@ -104,7 +104,6 @@ void PickAndPlaceRun::commandRefused(CommandKey /*key*/, const Failure& failure,
 }
 
 void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now) {
-  found_.failed_step = static_cast<int>(step_);
   StepReport& report = found_.steps[step_];
   report.error_id = step_failure.error_id;
   report.error_description = step_failure.found;
@@ -154,6 +153,7 @@ void PickAndPlaceRun::linkLost(const std::string& reason, std::optional<Duration
     return;
   }
   failure_ = {motion_error::kLinkDropped, reason, ""};
+  found_.failed_step = static_cast<int>(step_);
   if (patience) waits_until_ = now + *patience;
   fire(patience ? Event::Unexplained : Event::Failed, now);
 }
@@ -207,6 +207,7 @@ std::optional<Instant> PickAndPlaceRun::nextDeadline() const {
 }
 
 void PickAndPlaceRun::fail(Failure failure, Instant now) {
+  found_.failed_step = static_cast<int>(step_);
   failure_ = std::move(failure);
   fire(Event::Failed, now);
 }

@@ -83,6 +83,13 @@ Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
   return outcome;
 }
 
+Failure failureOf(Block block, const Outcome& outcome) {
+  const std::string& text = outcome.error_description;
+  const std::string introduction = describe(entryOf(block, outcome.error_id), "") + ": ";
+  const bool introduced = text.compare(0, introduction.size(), introduction) == 0;
+  return {outcome.error_id, introduced ? text.substr(introduction.size()) : "", outcome.remedy};
+}
+
 Outcome commandAborted(std::string why) {
   Outcome outcome;
   outcome.ending = Ending::CommandAborted;

@@ -152,7 +152,7 @@ TEST(SimulatorRuntime, tellsItsLog) {
   EXPECT_TRUE(lines.waitUntil([](const auto& seen) {
     return std::any_of(seen.begin(), seen.end(),
                        [](const std::string& line) { return line.find("connected") != std::string::npos; });
-  })) << testing::PrintToString(lines.events());
+  })) << ::testing::PrintToString(lines.events());
 }
 
 TEST(SimulatorRuntime, saysWhatToDoWhenAPortIsTaken) {

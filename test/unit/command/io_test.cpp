@@ -264,6 +264,27 @@ TEST(CycleWithAnInput, endsInTheWaitWhenItIsCancelledOrTheLinkIsLost) {
   EXPECT_EQ(rig.outcome(id)->error_id, motion_error::kLinkDropped);
 }
 
+TEST(CycleWithAnInput, saysOnceWhyItsLinkWasLost) {
+  Cell rig;
+  const GoalId id = untilTheInput(rig, gripping());
+  rig.close("gone");
+  rig.pass(500ms);
+  const std::string& text = rig.outcome(id)->error_description;
+  const std::string begin = text.substr(0, text.find(':'));
+  EXPECT_EQ(text.find(begin), text.rfind(begin)) << text;
+  EXPECT_THAT(text, HasSubstr("gone"));
+}
+
+TEST(CycleWithAnInput, namesTheStepAtWhichTheEmergencyStopWasPressed) {
+  Cell rig;
+  const GoalId id = untilTheInput(rig, gripping());
+  rig.pass(15ms);
+  rig.status(inputs(false).emergencyStop());
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->error_id, own_error::kEmergencyStop);
+  EXPECT_EQ(rig.outcome(id)->failed_step, 0);
+}
+
 TEST(CycleWithAnInput, namesTheStepAtWhichTheLinkWasLostAndKeepsThatReason) {
   Cell rig;
   const GoalId id = untilTheInput(rig, gripping());

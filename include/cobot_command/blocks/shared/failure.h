@@ -38,6 +38,10 @@ struct Failure {
 /// Precondition: the block's catalogue has the id.
 [[nodiscard]] Outcome toOutcome(Block block, Ending ending, const Failure& failure);
 
+/// The failure that became that outcome of the block; for who passes it on under its own name. Precondition:
+/// as for toOutcome().
+[[nodiscard]] Failure failureOf(Block block, const Outcome& outcome);
+
 /// As the tables of the blocks have them; those of one id keep their order.
 void sortByTable(std::vector<Failure>& failures);
 
