@@ -14,6 +14,7 @@ namespace {
 
 // Deep enough that a subscriber that is late for a moment loses nothing at 66 messages a second.
 constexpr std::uint32_t kQueueSize = 100;
+constexpr double kFreshEnough = 0.1;  // [s], for whoever begins to listen
 
 const arm::JointVector* pointerTo(const std::optional<arm::JointVector>& value) {
   return value ? &*value : nullptr;
@@ -46,19 +47,31 @@ StatusPublisher::StatusPublisher(ros::NodeHandle node, JointNames joint_names, s
 
 void StatusPublisher::publish(const link::RobotStatus& status) {
   const ros::Time stamp = ros::Time::now();
-  if (status.joints) {
+  if (status.joints && joint_states_.getNumSubscribers() > 0) {
     joint_states_.publish(jointState(joint_names_, *status.joints, pointerTo(status.joint_velocities),
                                      pointerTo(status.joint_torques), stamp));
   }
-  if (status.tool) {
+  if (status.tool && tool_pose_.getNumSubscribers() > 0) {
     geometry_msgs::PoseStamped message;
     message.header.stamp = stamp;
     message.header.frame_id = base_frame_;
     message.pose = toPoseMessage(*status.tool);
     tool_pose_.publish(message);
   }
-  robot_status_.publish(toMessage(status, stamp));
+  publishRobotStatus(toMessage(status, stamp));
   sendActiveFrames(stamp);
+}
+
+/// A latched message costs as much as one that is listened to: without a listener it is only kept fresh.
+void StatusPublisher::publishRobotStatus(cobot_command::RobotStatus message) {
+  const ros::Time stamp = message.header.stamp;
+  message.header.stamp = robot_status_told_.header.stamp;
+  const bool is_news = message != robot_status_told_ || stamp < message.header.stamp ||
+                       stamp - message.header.stamp >= ros::Duration(kFreshEnough);
+  if (!is_news && robot_status_.getNumSubscribers() == 0) return;
+  message.header.stamp = stamp;
+  robot_status_.publish(message);
+  robot_status_told_ = std::move(message);
 }
 
 void StatusPublisher::publish(const robot::ActiveFrames& frames) {
@@ -90,7 +103,7 @@ void StatusPublisher::sendActiveFrames(const ros::Time& stamp) {
 void StatusPublisher::publish(const command::CommandStatus& status, const ClockPair& clocks) {
   command_status_.publish(toMessage(status, clocks));
   if (streaming_ && !status.status_stream) {
-    robot_status_.publish(toMessage(link::RobotStatus{}, clocks.ros_now));
+    publishRobotStatus(toMessage(link::RobotStatus{}, clocks.ros_now));
   }
   streaming_ = status.status_stream;
 }

@@ -179,13 +179,17 @@ void SimulatedControllerNode::offerServices() {
 
 void SimulatedControllerNode::publish(const simulator::RobotState& state) {
   const ros::Time stamp = ros::Time::now();
-  joint_states_.publish(jointState(joint_names_, state.joints, &state.velocities, nullptr, stamp));
-  geometry_msgs::PoseStamped tool;
-  tool.header.stamp = stamp;
-  tool.header.frame_id = base_frame_;
-  tool.pose = toPoseMessage(state.flange * state.tcp);
-  tool_pose_.publish(tool);
-  status_.publish(toMessage(asStreamed(state), stamp));
+  if (joint_states_.getNumSubscribers() > 0) {
+    joint_states_.publish(jointState(joint_names_, state.joints, &state.velocities, nullptr, stamp));
+  }
+  if (tool_pose_.getNumSubscribers() > 0) {
+    geometry_msgs::PoseStamped tool;
+    tool.header.stamp = stamp;
+    tool.header.frame_id = base_frame_;
+    tool.pose = toPoseMessage(state.flange * state.tcp);
+    tool_pose_.publish(tool);
+  }
+  if (status_.getNumSubscribers() > 0) status_.publish(toMessage(asStreamed(state), stamp));
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -10,6 +10,7 @@
 #include <ros/publisher.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include "cobot_command/RobotStatus.h"
 #include "cobot_command/command/command_core.h"
 #include "cobot_command/ros/shared/conversions.h"
 
@@ -35,6 +36,7 @@ class StatusPublisher {
   void publish(const command::FrameTraced& trace, const ClockPair& clocks);
 
  private:
+  void publishRobotStatus(cobot_command::RobotStatus message);
   void sendActiveFrames(const ros::Time& stamp);
 
   JointNames joint_names_;
@@ -49,6 +51,7 @@ class StatusPublisher {
   ros::Publisher frames_;
   ros::Publisher status_frames_;
   tf2_ros::TransformBroadcaster tf_;
+  cobot_command::RobotStatus robot_status_told_;  ///< the last one
   robot::ActiveFrames active_frames_;
   ros::Time frames_sent_;  ///< the stamp of the last ones in tf
   bool streaming_ = false;
