@@ -81,11 +81,11 @@ INSTANTIATE_TEST_SUITE_P(Of, BadUrdfTest, ::testing::ValuesIn(bad_urdfs),
 
 TEST_P(BadUrdfTest, isRefusedWithAHelpfulMessageAndWithoutAWordOnTheConsole) {
   const std::string urdf = replaced(ArmModel::urdfOf("tm5-900"), GetParam().from, GetParam().to);
-  testing::internal::CaptureStderr();
-  testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStdout();
   const auto refused = ArmModel::fromUrdf(urdf);
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr(GetParam().message_has));
   // A whole sentence that ends with what to do.

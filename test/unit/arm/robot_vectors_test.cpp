@@ -58,7 +58,7 @@ TEST(RobotVectors, forwardKinematicsGivesEveryListedPoseWithItsBits) {
   for (const ForwardVector& vector : forward_vectors) {
     const ArmModel arm = model(vector.model);
     const JointVector joints = toJointVector(vector.joints);
-    SCOPED_TRACE(std::string(vector.model) + testing::PrintToString(vector.joints));
+    SCOPED_TRACE(std::string(vector.model) + ::testing::PrintToString(vector.joints));
     EXPECT_THAT(toControllerPose(forwardKinematics(arm, joints)),
                 testing::Pointwise(testing::DoubleNear(5.1e-4), vector.pose));
     EXPECT_EQ(poseBitsOf(arm, joints).numbers(), vector.bits);

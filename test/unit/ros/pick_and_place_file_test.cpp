@@ -289,9 +289,9 @@ TEST(PickAndPlaceFile, packagesAreFoundByManyThreadsAtOnce) {
 }
 
 TEST(PickAndPlaceFile, whatIsWrongWithALocationIsNotToldOnStandardErrorBesides) {
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   const std::string error = locationError("package://no_such_package_at_all/a.yaml");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   EXPECT_THAT(error, HasSubstr("is not found"));
 }
 

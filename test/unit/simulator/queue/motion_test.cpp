@@ -21,7 +21,7 @@ class MotionTest : public ::testing::Test {
   }
   static void expectPose(const ControllerPose& pose, const ControllerPose& expected) {
     EXPECT_TRUE(arm::toPose(pose).isApprox(arm::toPose(expected), 1e-9))
-        << testing::PrintToString(pose) << " is not " << testing::PrintToString(expected);
+        << ::testing::PrintToString(pose) << " is not " << ::testing::PrintToString(expected);
   }
   // The start: joints 0, 0, 90, 0, 90, 0.
   static constexpr ControllerPose kStart{417.5, -122.3, 361.05, 180, 0, 90};
