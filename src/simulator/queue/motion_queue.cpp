@@ -45,11 +45,6 @@ void MotionQueue::push(QueueEntry entry) {
   waiting_.push(std::move(entry));
 }
 
-void MotionQueue::closePvt() {
-  errors_.motionQueued();
-  waiting_.closePvt();
-}
-
 // --- Time --------------------------------------------------------------------------------------------------
 
 bool MotionQueue::run(Instant now) {
@@ -127,7 +122,11 @@ void MotionQueue::takeOver(Instant now) {
 
 void MotionQueue::apply(const QueueEntry& entry, Instant now) {
   std::visit(Overloaded{[&](const MotionRequest& request) { start(request, now); },
-                        [&](const VelocityMode& mode) { start(mode, now); },
+                        [&](const VelocityMode& mode) {
+                          if (errors_.stands()) return fail(*error());
+                          velocities_.begin(mode, now);
+                          if (mode.first) drive(*mode.first, now);
+                        },
                         [&](const QueuedTag& tag) { reports_.settle({tag}, !error()); },
                         [](const PvtMark&) {},  // the PVT is over
                         [&](const script::WriteOutput& write) { reports_.add(write); },
@@ -188,12 +187,6 @@ void MotionQueue::halt(Instant now) {
 }
 
 // --- Velocities --------------------------------------------------------------------------------------------
-
-void MotionQueue::start(const VelocityMode& mode, Instant now) {
-  if (errors_.stands()) return fail(*error());
-  velocities_.begin(mode, now);
-  if (mode.first) drive(*mode.first, now);
-}
 
 std::optional<std::string> MotionQueue::setVelocity(const Velocity& velocity, Instant now) {
   const bool of_tcp = isOfTcp(velocity);

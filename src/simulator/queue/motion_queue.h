@@ -49,10 +49,8 @@ class MotionQueue {
   void pause(Instant now, Holder holder = Holder::Project);
   void resume(Instant now, Holder holder = Holder::Project);
 
-  /// From its open() on points, and what is queued between them.
+  /// While it is open it takes points, and all that is pushed; what it makes of them is to be pushed then.
   [[nodiscard]] PvtRecorder& pvt() { return waiting_.pvt(); }
-  /// The whole is queued.
-  void closePvt();
 
   /// Why not, if it cannot be taken: no mode of this kind is there or waits, or the arm is held.
   [[nodiscard]] std::optional<std::string> setVelocity(const Velocity& velocity, Instant now);
@@ -97,7 +95,6 @@ class MotionQueue {
   [[nodiscard]] std::optional<Instant> markAt() const;
   void apply(const QueueEntry& entry, Instant now);
   void start(const MotionRequest& request, Instant now);
-  void start(const VelocityMode& mode, Instant now);
   void drive(const Velocity& velocity, Instant now);
   void fail(RobotError error);
   void giveUp();

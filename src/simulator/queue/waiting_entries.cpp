@@ -1,7 +1,6 @@
 #include "queue/waiting_entries.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace cobot_command::simulator {
@@ -32,11 +31,6 @@ bool movesOrChangesTcp(const QueueEntry& entry) {
 void WaitingEntries::push(QueueEntry entry) {
   if (pvt_.isOpen()) return pvt_.add(std::move(entry));
   entries_.push_back(std::move(entry));
-}
-
-void WaitingEntries::closePvt() {
-  std::vector<QueueEntry> all = pvt_.close();
-  std::move(all.begin(), all.end(), std::back_inserter(entries_));
 }
 
 QueueEntry WaitingEntries::take() {

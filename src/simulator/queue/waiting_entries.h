@@ -17,8 +17,6 @@ class WaitingEntries {
   /// Behind all others; while a PVT is open, between its points.
   void push(QueueEntry entry);
   [[nodiscard]] PvtRecorder& pvt() { return pvt_; }
-  /// Precondition: it is open.
-  void closePvt();
 
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   [[nodiscard]] const QueueEntry& front() const { return entries_.front(); }

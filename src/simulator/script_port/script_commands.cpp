@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "robot/tmflow_version.h"
 
@@ -145,7 +146,7 @@ tm_script::CallAnswer ScriptCommands::execute(const script::PvtPoint& point) {
 
 tm_script::CallAnswer ScriptCommands::execute(const script::PvtExit&) {
   if (!queue_.pvt().isOpen()) return outsidePvt("PVTExit");
-  queue_.closePvt();
+  for (QueueEntry& entry : queue_.pvt().close()) queue_.push(std::move(entry));
   return done();
 }
 

@@ -77,7 +77,7 @@ TEST(WaitingEntries, countMotionsAndAllEntriesWithThePointsOfPvt) {
   waiting.pvt().add(pointOf(1));
   EXPECT_EQ(waiting.motionCount(), 1);
   EXPECT_EQ(waiting.size(), 4U);
-  waiting.closePvt();
+  for (const QueueEntry& entry : waiting.pvt().close()) waiting.push(entry);
   EXPECT_EQ(waiting.motionCount(), 2);
   EXPECT_EQ(waiting.size(), 5U);
 }
