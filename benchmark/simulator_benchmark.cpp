@@ -80,6 +80,7 @@ BENCHMARK_CAPTURE(run, plines, kPLines, Stream::Off);
 BENCHMARK_CAPTURE(run, pvt_of_poses, kPvt, Stream::Off);
 BENCHMARK_CAPTURE(run, program, kProgram, Stream::Off);
 BENCHMARK_CAPTURE(run, ptp_streamed, kPtp, Stream::On);
+BENCHMARK_CAPTURE(run, lines_streamed, kLines, Stream::On);
 BENCHMARK_CAPTURE(parsing, ptp, kPtp);
 BENCHMARK_CAPTURE(parsing, blended_lines, kBlended);
 BENCHMARK_CAPTURE(parsing, program, kProgram);

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -21,16 +23,40 @@ struct IsArray<std::vector<T>> : std::true_type {};
 
 // --- To the wire -------------------------------------------------------------------------------------------
 
-void appendBinary(std::string& bytes, const std::string& text) {
-  bytes += text;
+std::size_t binarySize(const std::string& text) {
+  return text.size();
 }
 template <class Number>
-void appendBinary(std::string& bytes, Number number) {
-  if constexpr (std::is_same_v<Number, bool>) {
-    bytes += number ? '\1' : '\0';
+std::size_t binarySize(Number) {
+  return sizeof(Word<Number>);
+}
+template <class T>
+std::size_t binarySize(const std::vector<T>& values) {
+  if constexpr (std::is_same_v<T, std::string>) {
+    std::size_t size = values.empty() ? 0 : (values.size() - 1) * kBinarySeparator.size();
+    for (const std::string& text : values) size += text.size();
+    return size;
   } else {
-    appendNumber(bytes, number);
+    return values.size() * sizeof(Word<T>);
   }
+}
+
+// Each writes binarySize() bytes, and gives the place behind them.
+char* writeBinary(char* place, std::string_view text) {
+  return std::copy(text.begin(), text.end(), place);
+}
+template <class Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
+char* writeBinary(char* place, Number number) {
+  writeNumber(place, number);
+  return place + sizeof(Word<Number>);
+}
+template <class T>
+char* writeBinary(char* place, const std::vector<T>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0 && std::is_same_v<T, std::string>) place = writeBinary(place, kBinarySeparator);
+    place = writeBinary(place, static_cast<const T&>(values[i]));
+  }
+  return place;
 }
 
 /// The library writes the shortest digits of its own type of reals.
@@ -66,25 +92,17 @@ std::string stringText(const T& value) {
 
 template <class T>
 std::string scalarText(ItemFormat format, const T& value) {
-  if (format == ItemFormat::String) return stringText(value);
-  if (format == ItemFormat::Json) return jsonText(value);
-  std::string bytes;
-  appendBinary(bytes, value);
-  return bytes;
+  return format == ItemFormat::String ? stringText(value) : jsonText(value);
 }
 
 template <class T>
 std::string arrayText(ItemFormat format, const std::vector<T>& values) {
-  std::string_view separator = ",";
-  if (format == ItemFormat::Binary) separator = std::is_same_v<T, std::string> ? kBinarySeparator : "";
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i > 0) text += separator;
+    if (i > 0) text += ',';
     text += scalarText<T>(format, values[i]);
   }
-  if (format == ItemFormat::String) return '{' + text + '}';
-  if (format == ItemFormat::Json) return '[' + text + ']';
-  return text;
+  return format == ItemFormat::String ? '{' + text + '}' : '[' + text + ']';
 }
 
 // --- From the wire -----------------------------------------------------------------------------------------
@@ -204,9 +222,30 @@ std::size_t elementCount(const ItemValue& value) {
       value);
 }
 
-std::string encodeValue(ItemFormat format, const ItemValue& value) {
+bool appendBinaryItem(std::string& content, std::string_view name, const ItemValue& value) {
+  assert(!name.empty());
   return std::visit(
       [&](const auto& held) {
+        const std::size_t size = binarySize(held);
+        if (size > kMaxItemBytes) return false;
+        const std::size_t start = content.size();
+        content.resize(start + 2 * sizeof(std::uint16_t) + name.size() + size);
+        char* place = writeBinary(content.data() + start, static_cast<std::uint16_t>(name.size()));
+        place = writeBinary(place, name);
+        writeBinary(writeBinary(place, static_cast<std::uint16_t>(size)), held);
+        return true;
+      },
+      value);
+}
+
+std::string encodeValue(ItemFormat format, const ItemValue& value) {
+  return std::visit(
+      [&](const auto& held) -> std::string {
+        if (format == ItemFormat::Binary) {
+          std::string bytes(binarySize(held), '\0');
+          writeBinary(bytes.data(), held);
+          return bytes;
+        }
         if constexpr (IsArray<std::decay_t<decltype(held)>>::value) {
           return arrayText(format, held);
         } else {

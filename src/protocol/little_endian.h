@@ -21,14 +21,20 @@ using Word = std::conditional_t<
     std::conditional_t<sizeof(Number) == 4, std::uint32_t,
                        std::conditional_t<sizeof(Number) == 2, std::uint16_t, std::uint8_t>>>;
 
+/// Precondition: there is place for sizeof(Number) bytes.
 template <class Number>
-void appendNumber(std::string& bytes, Number number) {
+void writeNumber(char* place, Number number) {
   static_assert(std::is_integral_v<Number> || std::numeric_limits<Number>::is_iec559);
   Word<Number> word{};
   std::memcpy(&word, &number, sizeof(word));
   boost::endian::native_to_little_inplace(word);
-  std::array<char, sizeof(word)> raw;
-  std::memcpy(raw.data(), &word, sizeof(word));
+  std::memcpy(place, &word, sizeof(word));
+}
+
+template <class Number>
+void appendNumber(std::string& bytes, Number number) {
+  std::array<char, sizeof(number)> raw;
+  writeNumber(raw.data(), number);
   bytes.append(raw.data(), raw.size());
 }
 

@@ -119,7 +119,9 @@ Result<StatusFrame, MessageFault> parseStatusFrame(const Frame& frame) {
 
 std::string encode(const StatusFrame& frame) {
   assert(isAlphanumeric(frame.id) && frame.mode >= 0);
-  return encodeFrame(header::kItems, fmt::format("{},{},{}", frame.id, frame.mode, frame.content));
+  std::string data = fmt::format("{},{},", frame.id, frame.mode);
+  data += frame.content;
+  return encodeFrame(header::kItems, data);
 }
 
 Result<std::vector<StatusItem>, MessageFault> parseBinaryItems(std::string_view content) {

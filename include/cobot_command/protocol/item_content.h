@@ -45,6 +45,10 @@ inline constexpr std::size_t kMaxRequestedItems = 1024;
 [[nodiscard]] std::optional<ItemValue> parseValue(ItemFormat format, std::string_view bytes,
                                                   const ItemValue& type);
 
+/// Adds an item to the content of a frame in BINARY, as encodeItems() would. False, and nothing is added, for
+/// a value of more than kMaxItemBytes.
+[[nodiscard]] bool appendBinaryItem(std::string& content, std::string_view name, const ItemValue& value);
+
 /// The content of a frame of the stream, of a write request, or of the answer to a read request.
 /// Precondition: the values are encodeValue() of that format; with BINARY, at most kMaxItemBytes each.
 [[nodiscard]] std::string encodeItems(ItemFormat format, const std::vector<StatusItem>& items);

@@ -72,6 +72,7 @@ ItemTable::ItemTable(const Settings& settings, const tm_script::Variables& varia
 }
 
 std::vector<Item> ItemTable::stream(const ItemSource& source) const {
+  if (!source.hidden.on) return stream_;
   std::vector<Item> items;
   std::copy_if(stream_.begin(), stream_.end(), std::back_inserter(items),
                [&](const Item& item) { return !isHidden(item.name, source.hidden); });

@@ -13,6 +13,7 @@ namespace {
 template <class Numbers>
 Floats floatsOf(const Numbers& numbers) {
   Floats floats;
+  floats.reserve(std::size(numbers));
   for (const double number : numbers) floats.push_back(static_cast<float>(number));
   return floats;
 }
@@ -27,6 +28,7 @@ ItemValues::ItemValues(const ItemSource& from)
 
 Floats floats(const Eigen::Ref<const Eigen::VectorXd>& numbers, double factor) {
   Floats floats;
+  floats.reserve(static_cast<std::size_t>(numbers.size()));
   for (const double number : numbers) floats.push_back(static_cast<float>(factor * number) + 0.0F);  // no -0
   return floats;
 }
@@ -46,12 +48,14 @@ Floats massCenter(const script::ToolInertia& inertia) {
 
 Floats degrees(const arm::JointVector& joints) {
   Floats floats;
+  floats.reserve(arm::kJointCount);
   for (const double joint : joints) floats.push_back(static_cast<float>(radToDeg(joint)));
   return floats;
 }
 
 Floats twistFloats(const Twist& twist) {
   Floats floats;
+  floats.reserve(static_cast<std::size_t>(twist.size()));
   for (int i = 0; i < 6; ++i) {
     floats.push_back(static_cast<float>(i < 3 ? mToMm(twist[i]) : radToDeg(twist[i])));
   }

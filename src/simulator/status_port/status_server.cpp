@@ -32,15 +32,24 @@ std::string described(const StatusFrame& frame) {
                                             fmt::format("{},{},{}", frame.id, frame.mode, frame.content)});
 }
 
+std::string binaryContentOf(const std::vector<Item>& items, const ItemValues& values) {
+  constexpr std::size_t kUsualItem = 32;  // bytes
+  std::string content;
+  content.reserve(items.size() * kUsualItem);
+  for (const Item& item : items) {
+    // A script can make a text that BINARY cannot say.
+    static_cast<void>(protocol::appendBinaryItem(content, item.name, item.read(values)));
+  }
+  return content;
+}
+
 std::string contentOf(ItemFormat format, const std::vector<Item>& items, const ItemSource& source) {
   const ItemValues values(source);
+  if (format == ItemFormat::Binary) return binaryContentOf(items, values);
   std::vector<protocol::StatusItem> found;
   found.reserve(items.size());
   for (const Item& item : items) {
-    std::string value = protocol::encodeValue(format, item.read(values));
-    // A script can make a text that BINARY cannot say.
-    if (format == ItemFormat::Binary && value.size() > protocol::kMaxItemBytes) continue;
-    found.push_back({std::string(item.name), std::move(value)});
+    found.push_back({std::string(item.name), protocol::encodeValue(format, item.read(values))});
   }
   return protocol::encodeItems(format, found);
 }

@@ -17,23 +17,23 @@ void spoilChecksum(std::string& frame) {
 
 }  // namespace
 
-void Outgoing::send(const Message& message, const std::vector<ClientId>& clients) {
+void Outgoing::send(Message message, const std::vector<ClientId>& clients) {
   if (clients.empty()) return;
   MessageFaults& faults = faults_.of(message.kind);
   if (message.port == Port::Script && faults_.silence.on) return logFault("not sent", message);
   if (faults.drop.take()) return logFault("not sent", message);
-  Late letter{message, clients, 1};
+  Late letter{std::move(message), clients, 1};
   if (faults.corrupt.take()) {
-    logFault("sent with a wrong checksum", message);
+    logFault("sent with a wrong checksum", letter.message);
     spoilChecksum(letter.message.bytes);
   }
   if (faults.duplicate.take()) {
-    logFault("sent twice", message);
+    logFault("sent twice", letter.message);
     letter.copies = 2;
   }
   const Duration delay = fromSeconds(faults.delay.seconds);
   if (!faults.delay.take()) return put(letter.message, letter.clients, letter.copies);
-  logFault("sent later", message);
+  logFault("sent later", letter.message);
   late_.emplace(outbox_.now() + delay, std::move(letter));
 }
 

@@ -40,6 +40,33 @@ TEST(ItemContent, isWrittenAsInTheManualsFrames) {
             "\x04\0g_ss\x0C\0Hello\0\0World"s);
 }
 
+TEST(ItemContent, isTheSameInBinaryItemByItem) {
+  const std::vector<Named> values{{"bit", true},
+                                  {"byte", std::uint8_t{200}},
+                                  {"number", std::int32_t{-5}},
+                                  {"real", 0.1F},
+                                  {"double", 0.1},
+                                  {"text", "Hello"s},
+                                  {"bits", std::vector<bool>{true, false}},
+                                  {"bytes", std::vector<std::uint8_t>{1, 2, 3}},
+                                  {"numbers", std::vector<std::int32_t>{-1, 70000}},
+                                  {"reals", Floats{1, -0.1F}},
+                                  {"doubles", std::vector<double>{1, -0.1}},
+                                  {"texts", Strings{"Hi", "", "TM"}},
+                                  {"none", Floats{}}};
+  std::string appended;
+  for (const Named& named : values) EXPECT_TRUE(appendBinaryItem(appended, named.name, named.value));
+  EXPECT_EQ(appended, content(ItemFormat::Binary, values));
+}
+
+TEST(ItemContent, leavesOutWhatBinaryCannotSay) {
+  std::string appended;
+  EXPECT_TRUE(appendBinaryItem(appended, "longest", std::string(kMaxItemBytes, 'x')));
+  const std::string before = appended;
+  EXPECT_FALSE(appendBinaryItem(appended, "longer", std::string(kMaxItemBytes + 1, 'x')));
+  EXPECT_EQ(appended, before);
+}
+
 TEST(ItemContent, hasAsFewDigitsAsAFloatNeeds) {
   for (const char* digits :
        {"-179.400269", "125.000435", "-1.29178234E-05", "224.894272", "0.1", "3.4028235E+38"}) {
