@@ -281,7 +281,7 @@ TEST(CycleWithAnInput, namesTheStepAtWhichTheEmergencyStopWasPressed) {
   rig.pass(15ms);
   rig.status(inputs(false).emergencyStop());
   ASSERT_NE(rig.outcome(id), nullptr);
-  EXPECT_EQ(rig.outcome(id)->error_id, own_error::kEmergencyStop);
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("emergency stop"));
   EXPECT_EQ(rig.outcome(id)->failed_step, 0);
 }
 
