@@ -218,6 +218,7 @@ ErrorTable CheckSequenceGoal::errors() {
            "where the robot is, or where what was sent will leave it")
       .shared(own_error::kNoModel, "the command layer knows no model of the arm")
       .shared({own_error::kPlanningBudget, own_error::kShutDown})
+      .shared(own_error::kQueueFull, "as many checks wait to be planned as may")
       .shared(own_error::kStepCount, "there are no steps, or more than 200")
       .shared({own_error::kStepRefused})
       .row(own_error::kStepsUnreadable, "Steps cannot be read",

@@ -39,6 +39,15 @@ class Planning(CobotTestCase):
         self.assertEqual(state, GoalStatus.RECALLED, result.error_description)
         self.assertIn("while it was planned", result.error_description)
 
+    def test_takes_no_more_checks_than_may_wait(self):
+        checks = [self.robot.send(sequence(*slow_lines(200))).wait_until_known() for _ in range(64)]
+        self.assert_rejected(self.robot.run(sequence(*slow_lines(1))), 0x216)
+        self.assert_rejected(self.robot.run(slow_lines(1, check_only=True)[0]), 0x216)
+        for check in checks:
+            check.cancel()
+        for check in checks:
+            self.assertEqual(check.finish()[0], GoalStatus.RECALLED)
+
     def test_of_a_cycle_is_ended_with_its_goal(self):
         steps = [step(line) for line in slow_lines(50)]
         sent = self.robot.send(cycle(*steps)).wait_until_queued()

@@ -53,7 +53,7 @@ const char* toString(Phase phase) {
 }
 
 Failure tooManyWait(std::size_t waiting) {
-  return {own_error::kQueueFull, fmt::format("{} commands wait", waiting), ""};
+  return {own_error::kQueueFull, fmt::format("{} wait", waiting), ""};
 }
 
 std::string foundSteps(std::size_t count, std::size_t most) {

@@ -120,8 +120,9 @@ constexpr SharedError kParameterErrors[] = {
      "cannot occur as long as one command at a time is accepted: all 15 tags are open"},
     {own_error::kBufferModeUnknown, "BufferMode unknown", "Use 0 (REFUSE), 1 (BUFFERED) or 2 (ABORTING)",
      "buffer_mode is none of them"},
-    {own_error::kQueueFull, "Too many commands wait", "Wait until a command is done",
-     "buffer_mode BUFFERED, and the queue of this layer is full; or as many wait for a frame or a file"},
+    {own_error::kQueueFull, "Too many commands wait", "Wait until one is done, or cancel one",
+     "buffer_mode BUFFERED, and the queue of this layer is full; or as many wait for a frame or a file, or "
+     "as checks to be planned"},
     {own_error::kOutputInvalid, "Output invalid",
      "Use 0 to 3 of EndModule, or 0 to 15 of ControlBox; the analog one is 0 of ControlBox",
      "the output is of another module, or the module has no such number"},

@@ -104,6 +104,7 @@ void Arbiter::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant no
 
 void Arbiter::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
   Failures failures = blocks::GoalRules(goal).violations();
+  if (desk_.size() >= kMostWaiting) failures.push_back(blocks::tooManyWait(desk_.size()));
   blocks::sortByTable(failures);
   if (rejected(id, goal, std::move(failures))) return;
   static_cast<void>(plans_.ask(id, goal, turns_.originBehindAll(now), PlanDesk::Haste::Check));

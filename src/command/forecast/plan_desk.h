@@ -34,6 +34,7 @@ class PlanDesk {
 
   PlanDesk(Duration budget, std::vector<Action>& actions) : budget_(budget), actions_(actions) {}
 
+  [[nodiscard]] std::size_t size() const { return open_.size(); }
   enum class Haste { Check, Turn };
   PlanJobId ask(blocks::Block block, blocks::GoalId goal, Haste haste, MakeWork make);
   /// For who does it at once, instead of proceed(). Precondition: it has not begun.

@@ -232,5 +232,19 @@ TEST(CycleThatIsPlanned, isRefusedWhenTheRobotIsInErrorBeforeItsPlanIsMade) {
   EXPECT_TRUE(rig.nothingSent());
 }
 
+TEST(PlanningBeside, takesNoMoreChecksThanMayWait) {
+  Planned rig;
+  for (std::size_t i = 0; i < kMostWaiting; ++i) {
+    EXPECT_EQ(rig.outcome(rig.submit(toJoints(10, true))), nullptr) << i;
+  }
+  const GoalId one_more = rig.submit(sequence());
+  ASSERT_NE(rig.outcome(one_more), nullptr);
+  EXPECT_EQ(rig.outcome(one_more)->error_id, own_error::kQueueFull);
+  EXPECT_THAT(rig.outcome(one_more)->error_description, HasSubstr("64"));
+
+  rig.finishPlan();
+  EXPECT_EQ(rig.outcome(rig.submit(sequence())), nullptr) << "there is room again";
+}
+
 }  // namespace
 }  // namespace cobot_command::testing

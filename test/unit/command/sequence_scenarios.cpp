@@ -49,6 +49,12 @@ Scenarios checkSequenceScenarios() {
          return checked(CoreRig(model()), goal);
        }},
       {row(own_error::kNoModel), [] { return checked(CoreRig(), sequence()); }},
+      {row(own_error::kQueueFull),
+       [] {
+         CoreRig rig(model(), link::LinkSettings{}, Planning::Beside);
+         for (std::size_t i = 0; i < kMostWaiting; ++i) rig.submit(sequence());
+         return *rig.outcome(rig.submit(sequence()));
+       }},
       {row(own_error::kShutDown),
        [] {
          CoreRig rig;

@@ -196,8 +196,7 @@ TEST_F(Intake, isBoundedLikeTheQueueOfTheCoreAndLetsPastWhatHalts) {
   move(full + 1, "");
   give(full + 2, blocks::CheckSequenceGoal{});
   give(full + 3, blocks::StopGoal{});
-  EXPECT_THAT(told,
-              ElementsAre("refuse 65: Too many commands wait: 64 commands wait", "submit 66", "submit 67"));
+  EXPECT_THAT(told, ElementsAre("refuse 65: Too many commands wait: 64 wait", "submit 66", "submit 67"));
   EXPECT_EQ(forgotten.count(full + 1), 1U);
 }
 
