@@ -1,7 +1,8 @@
 # Shared by the scripts beside it: builds with sanitizers, in folders of their own. To be sourced behind setup.sh.
 
 # The rooms that read what a peer sent, and those that decide what becomes of it. Their tests run once with every change,
-# watched, in a build of their own; the build of everything leaves them out then.
+# watched, in a build of their own; the build of everything leaves them out then. What is quick (corpora, the package in
+# the hands of another project) runs in both.
 readonly core_tests=(protocol tm_script script link robot blocks command peers simulator)
 core_tests_pattern=$(IFS='|' && echo "^((${core_tests[*]})[.]|fuzz[.]|package[.]|locale[.](${core_tests[*]})_)")
 readonly core_tests_pattern

@@ -59,8 +59,7 @@ void PickAndPlaceRun::endPart(const Outcome& outcome, Instant now) {
   under_way_ = false;
   if (outcome.ending == Ending::Aborted || outcome.ending == Ending::Rejected) {
     if (outcome.error_id == motion_error::kLinkDropped) {
-      const Block part = state_ == State::Setting ? kBlock<SetOutputGoal> : kBlock<MoveAbsoluteGoal>;
-      fail(failureOf(state_ == State::Waiting ? kBlock<WaitForInputGoal> : part, outcome), now);
+      fail(failureOf(blockOfPart(), outcome), now);
       return;
     }
     const int id = state_ == State::Setting ? own_error::kOutputFailed : own_error::kStepFailed;
@@ -78,6 +77,12 @@ void PickAndPlaceRun::endPart(const Outcome& outcome, Instant now) {
   }
   if (std::exchange(owes_exit_, false)) return;  // the dwell goes on, or is over
   goOn(now);
+}
+
+Block PickAndPlaceRun::blockOfPart() const {
+  if (state_ == State::Setting) return kBlock<SetOutputGoal>;
+  if (state_ == State::Waiting) return kBlock<WaitForInputGoal>;
+  return owes_exit_ ? kBlock<ExitListenNodeGoal> : kBlock<MoveAbsoluteGoal>;
 }
 
 void PickAndPlaceRun::goOn(Instant now) {

@@ -56,6 +56,8 @@ class PickAndPlaceRun final : public Run {
   void fire(Event event, Instant now);
   /// Of the step: a command, or the wait for an input.
   void endPart(const Outcome& outcome, Instant now);
+  /// Whose errors the part under way has.
+  [[nodiscard]] Block blockOfPart() const;
   /// Behind a part of the step that is over.
   void goOn(Instant now);
   void startWait(Instant now);

@@ -141,6 +141,13 @@ bool setsVelocities(const std::vector<std::string>& lines) {
                      [](const std::string& line) { return line.find("ContinueV") != std::string::npos; });
 }
 
+/// Looked for in the text, too.
+bool letsGo(const std::vector<std::string>& lines) {
+  return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return hasWord(line, "Resume") || hasWord(line, "PVTResume") || hasWord(line, "ScriptExit");
+  });
+}
+
 /// Pause(), and not PVTPause(), which holds a PVT alone and is not shown as a pause.
 bool pauses(const std::string& line) {
   for (std::size_t at = line.find("Pause("); at != std::string::npos; at = line.find("Pause(", at + 1)) {
@@ -201,6 +208,7 @@ Order orderOf(const RunScriptGoal& goal, const arm::Pose& /*base*/) {
   order.moves = true;
   order.lines = linesOf(goal);
   order.stands_at_end = !setsVelocities(order.lines);
+  order.lets_go = letsGo(order.lines);
   order.pauses = std::any_of(order.lines.begin(), order.lines.end(), pauses);
   if (const auto read = script::readScript(fmt::format("{}", fmt::join(order.lines, "\r\n")))) {
     order.commands.emplace();

@@ -29,8 +29,7 @@ bool isBeforeConnection(Trouble trouble) {
 
 }  // namespace
 
-ScriptLink::ScriptLink(const LinkSettings& settings, Wire& wire)
-    : settings_(settings), wire_(wire), back_off_(settings.retry_min, settings.retry_max) {}
+ScriptLink::ScriptLink(const LinkSettings& settings, Wire& wire) : settings_(settings), wire_(wire) {}
 
 void ScriptLink::start(const std::string& host, int port, Instant now) {
   host_ = host;
@@ -238,11 +237,11 @@ void ScriptLink::act(ScriptLinkAction action, Instant now) {
     case ScriptLinkAction::Lose:
       outputs_.push_back(LinkLost{diagnosis_});
       drop();
-      retry_at_ = now + back_off_.next();
+      retry_at_ = now + back_off_.next(settings_.retry_min, settings_.retry_max);
       return;
     case ScriptLinkAction::Retry:
       drop();
-      retry_at_ = now + back_off_.next();
+      retry_at_ = now + back_off_.next(settings_.retry_min, settings_.retry_max);
       return;
     case ScriptLinkAction::Release:
       drop();

@@ -19,8 +19,7 @@ bool isOfScriptPort(const protocol::Frame& frame) {
 
 }  // namespace
 
-StatusLink::StatusLink(const LinkSettings& settings, Wire& wire)
-    : settings_(settings), wire_(wire), back_off_(settings.retry_min, settings.retry_max) {}
+StatusLink::StatusLink(const LinkSettings& settings, Wire& wire) : settings_(settings), wire_(wire) {}
 
 void StatusLink::start(const std::string& host, int port, Instant now) {
   host_ = host;
@@ -165,7 +164,7 @@ void StatusLink::act(StatusLinkAction action, Instant now) {
       return;
     case StatusLinkAction::Retry:
       drop();
-      deadline_ = now + back_off_.next();
+      deadline_ = now + back_off_.next(settings_.retry_min, settings_.retry_max);
       return;
     case StatusLinkAction::Release:
       drop();

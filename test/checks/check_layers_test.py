@@ -38,7 +38,7 @@ class CheckLayers(unittest.TestCase):
         self.assertIn("the wing blocks/shared", "".join(faults_of('#include "cobot_command/blocks/goal.h"', "blocks", "shared")))
 
     def test_leaves_what_a_wing_may_use(self):
-        for line in ('#include "board/output_board.h"', '#include "forecast/preflight.h"', '#include "runs/stop_run.h"'):
+        for line in ('#include "board/output_board.h"', '#include "forecast/forecast.h"', '#include "runs/stop_run.h"'):
             self.assertEqual(faults_of(line, "command", "runs"), [])
         self.assertEqual(faults_of('#include "runs/stop_run.h"', "command"), [])
         self.assertEqual(faults_of('#include "cobot_command/command/actions.h"', "command", "board"), [])

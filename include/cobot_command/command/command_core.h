@@ -59,9 +59,10 @@ class CommandCore {
   /// afterwards. Call retire() first, and wait a little, so that the stop is heard.
   void shutDown(Instant now);
 
-  /// Other deadlines, periods and tolerances from now on, also while connected; what was begun keeps those
-  /// that it began with, but for the lifesign, which comes as the new period says. `first_tag` and
-  /// `planning_budget` stay as they were.
+  /// Other deadlines, periods and limits from now on, also while connected. A deadline that runs already
+  /// stays; a lifesign that would come later than the new period says comes sooner. Limits (tolerances,
+  /// misses) count at once. A link that is up keeps its status port; `first_tag` and `planning_budget` stay
+  /// as they were. Precondition: all are in the ranges of the node's parameters (README).
   void useSettings(const link::LinkSettings& settings, Instant now);
 
   // --- Connections.

@@ -9,20 +9,16 @@ namespace cobot_command::link {
 
 class BackOff {
  public:
-  BackOff(Duration minimum, Duration maximum) : minimum_(minimum), maximum_(maximum), next_(minimum) {}
-
   /// How long to wait before the next try.
-  [[nodiscard]] Duration next() {
-    const Duration wait = std::min(next_, maximum_);
-    next_ = std::min(next_ * 2, maximum_);
+  [[nodiscard]] Duration next(Duration minimum, Duration maximum) {
+    const Duration wait = std::min(std::max(next_, minimum), maximum);
+    next_ = wait * 2;
     return wait;
   }
-  void reset() { next_ = minimum_; }
+  void reset() { next_ = {}; }
 
  private:
-  Duration minimum_;
-  Duration maximum_;
-  Duration next_;
+  Duration next_{};
 };
 
 }  // namespace cobot_command::link

@@ -63,7 +63,7 @@ std::optional<Origin> Turns::originBehindAll(Instant now) const {
 // --- Begins.
 
 void Turns::dispatch(Instant now) {
-  while (hasRoom() && !desks_.stops.busy() && !desks_.stops.holdsBack()) {
+  while (desks_.window.empty() && !desks_.stops.busy() && !desks_.stops.holdsBack()) {
     if (run_) {
       if (!continueRun(now)) return;
     } else if (!desks_.queue.empty()) {

@@ -1,5 +1,5 @@
-// Whose turn it is: one goal at a time is under way, and as many commands of it at the controller as it may
-// have there. Blended motions end with their acceptance, so the next one goes out while they still run.
+// Whose turn it is: one goal at a time is under way, and one command of it at the controller. Blended motions
+// end with their acceptance, so the next one goes out while they still run.
 #pragma once
 
 #include <memory>
@@ -59,7 +59,6 @@ class Turns {
  private:
   using Failures = std::vector<blocks::Failure>;
 
-  [[nodiscard]] bool hasRoom() const { return desks_.window.size() < (run_ ? run_->window() : 1); }
   bool beginNext(Instant now);
   [[nodiscard]] Failures objectionsTo(const Waiting& next) const;
   void begin(const Waiting& next, Instant now);

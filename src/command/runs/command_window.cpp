@@ -8,9 +8,15 @@
 namespace cobot_command::command {
 namespace {
 
-/// A raw script may, unless it was planned and has no motion.
+/// A raw script may, unless it was planned, has no motion, and sets nothing in motion that goes on.
 bool mayMoveBy(const CommandOrder& order) {
-  return order.moves && !(order.plan && order.plan->motions.empty());
+  const bool known_to_stand =
+      order.plan && order.plan->motions.empty() && order.stands_at_end && !order.lets_go;
+  return order.moves && !known_to_stand;
+}
+
+bool leavesNodeBy(const CommandOrder& order) {
+  return order.exits_node || order.exits_afterwards || order.has_exit;
 }
 
 /// How the ScriptExit() behind a motion ended, with what is to be told of the motion.
@@ -33,26 +39,27 @@ blocks::Outcome withMotion(const blocks::Outcome& exit, const blocks::Outcome& m
 Result<CommandOrder, blocks::Failure> CommandWindow::prepare(const blocks::Command& command, Instant now) {
   auto order = forecast_.order(command, now);
   if (!order) return order;
-  if (auto closed = objectionTo(*order, now)) return refuse(std::move(*closed));
   const blocks::GoalTraits& traits = command.traits;
+  order->exits_node = traits.exits_node && !traits.awaits_motion;
+  order->exits_afterwards = traits.exits_node && traits.awaits_motion;
+  if (auto closed = objectionTo(*order, now)) return refuse(std::move(*closed));
   // A tag is opened last, for what will be sent.
   if (traits.awaits_motion) {
     order->tag = context_.tags.open(traits.command_id);
     if (!order->tag) return refuse(blocks::Failure{blocks::own_error::kNoFreeTag, "", ""});
   }
   order->command_id_ack = traits.command_id != 0 ? traits.command_id : order->tag.value_or(0);
-  order->exits_node = traits.exits_node && !order->tag;
-  order->exits_afterwards = traits.exits_node && order->tag;
   addLastLines(*order);
   return order;
 }
 
 std::optional<blocks::Failure> CommandWindow::objectionTo(const CommandOrder& order, Instant now) const {
-  if (!gate_ || !mayMoveBy(order)) return std::nullopt;
+  if (!gate_ || !(mayMoveBy(order) || leavesNodeBy(order))) return std::nullopt;
   Departure departure;
   departure.block = order.block;
   departure.lines = order.lines;
-  departure.planned = order.plan.has_value();
+  departure.planned = order.plan.has_value() || !mayMoveBy(order);
+  departure.leaves_node = leavesNodeBy(order);
   if (order.plan) {
     departure.motions = order.plan->motions;
     departure.tcp = order.plan->tcp;

@@ -1,7 +1,8 @@
 // The commands that the controller has and that have not ended: those of the goal whose turn it is, in the
 // order of sending, and those that go out beside all others.
 //
-// A goal decides how many of its own may be under way (Run::window()); each is told by its key.
+// Each has its key, by which its goal is told of it. Turns sends one behind the other: what is planned behind
+// one that waits for its tag, and what falls with one that fails, is for whoever sends several.
 #pragma once
 
 #include <list>

@@ -58,11 +58,17 @@ bool ConnectRun::isSameController(const blocks::ConnectGoal& goal) const {
          goal.status_port.value_or(settings_.status_port) == statusPort();
 }
 
+/// The link that is made keeps its status port, whatever the settings become.
+void ConnectRun::take(const blocks::ConnectGoal& goal) {
+  goal_ = goal;
+  if (!goal_.status_port) goal_.status_port = settings_.status_port;
+}
+
 void ConnectRun::execute(blocks::GoalId id, const blocks::ConnectGoal& goal, Instant now) {
   const bool take_over = busy() && isSameController(goal);
   if (busy() && !take_over) end(blocks::Outcome{}, now);
   id_ = id;
-  goal_ = goal;
+  take(goal);
   reported_.reset();
   times_ =
       take_over && connected_ ? blocks::LinkTimes{times_.last_connected, std::nullopt} : blocks::LinkTimes{};
@@ -78,7 +84,7 @@ void ConnectRun::execute(blocks::GoalId id, const blocks::ConnectGoal& goal, Ins
 
 void ConnectRun::keep(const blocks::ConnectGoal& target, Instant now) {
   id_.reset();
-  goal_ = target;
+  take(target);
   fire(Event::Execute, now);
 }
 

@@ -61,6 +61,7 @@ class ConnectRun {
   [[nodiscard]] std::optional<Instant> lastLost() const { return times_.last_lost; }
 
  private:
+  void take(const blocks::ConnectGoal& goal);
   void fire(ConnectEvent event, Instant now);
   void act(ConnectAction action, Instant now);
   void end(blocks::Outcome outcome, Instant now);

@@ -79,8 +79,9 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
       [this](const command::Action& action, Instant now) { onAction(action, now); },
-      [this](const std::string& frame) { return frames_.whereNow(frame); },
-      [this] { return last_goal_.load(); });
+      command::CorePorts{[this](const std::string& frame) { return frames_.whereNow(frame); },
+                         [this] { return last_goal_.load(); },
+                         {}});
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;

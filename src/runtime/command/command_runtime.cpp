@@ -46,10 +46,10 @@ link::OpenFailure toOpenFailure(const transport::NetworkError& error) {
 class CommandRuntime::Impl {
  public:
   Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
-       blocks::FrameFinder frames, const command::NewestGoal& newest)
+       command::CorePorts ports)
       : observer_(std::move(observer)),
-        newest_(newest),
-        core_(std::move(arm), settings, {std::move(frames), newest, {}}, command::Planning::Beside),
+        newest_(ports.newest),
+        core_(std::move(arm), settings, std::move(ports), command::Planning::Beside),
         start_(Clock::now()),
         timer_(thread_.context()) {
     thread_.post([this] { advance(); });
@@ -195,15 +195,17 @@ class CommandRuntime::Impl {
 };
 
 CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
-                               Observer observer, blocks::FrameFinder frames,
-                               const command::NewestGoal& newest)
-    : impl_(
-          std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(frames), newest)) {}
+                               Observer observer, command::CorePorts ports)
+    : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(ports))) {}
 
 CommandRuntime::~CommandRuntime() = default;
 
 bool CommandRuntime::submit(blocks::GoalId id, blocks::Goal goal) {
   return impl_->post([id, goal = std::move(goal)](auto& core, Instant now) { core.submit(id, goal, now); });
+}
+
+void CommandRuntime::useSettings(const link::LinkSettings& settings) {
+  impl_->post([settings](auto& core, Instant now) { core.useSettings(settings, now); });
 }
 
 void CommandRuntime::keepConnected(blocks::ConnectGoal target) {

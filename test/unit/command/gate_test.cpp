@@ -83,6 +83,36 @@ TEST_F(GateTest, isAskedForAScriptOfWhichNobodyKnowsWhatItDoes) {
   EXPECT_TRUE(rig.nothingSent());
 }
 
+TEST_F(GateTest, isAskedForWhatSetsTheArmInMotionWithoutAMotionOfItsOwn) {
+  closeFrom(1);
+  for (const char* lines : {"ContinueVJog()\r\nSetContinueVJog(10,0,0,0,0,0)",
+                            "SetContinueVJog(10,0,0,0,0,0)", "Resume()", "PVTResume()"}) {
+    asked.clear();
+    RunScriptGoal script;
+    script.script = lines;
+    const GoalId goal = rig.submit(script);
+    EXPECT_EQ(asked.size(), 1U) << lines;
+    EXPECT_NE(rig.outcome(goal), nullptr) << lines;
+    EXPECT_TRUE(rig.nothingSent()) << lines;
+  }
+}
+
+TEST_F(GateTest, isAskedForAnExitFromTheNodeAsTheProjectGoesOnThen) {
+  closeFrom(1);
+  RunScriptGoal script;
+  script.script = "ScriptExit(1)";
+  MoveAbsoluteGoal move = testing::moveJoints({60, 0, 90, 0, 90, 0});
+  move.exit_node = true;
+  for (const Goal& goal : {Goal(ExitListenNodeGoal()), Goal(script), Goal(move)}) {
+    asked.clear();
+    const GoalId id = rig.submit(goal);
+    ASSERT_EQ(asked.size(), 1U) << toString(blockOf(goal));
+    EXPECT_TRUE(asked[0].leaves_node);
+    EXPECT_NE(rig.outcome(id), nullptr);
+    EXPECT_TRUE(rig.nothingSent());
+  }
+}
+
 TEST_F(GateTest, isNotAskedForWhatMovesNothing) {
   closeFrom(1);
   ChangeBaseGoal base;
@@ -91,7 +121,7 @@ TEST_F(GateTest, isNotAskedForWhatMovesNothing) {
   EXPECT_TRUE(asked.empty());
 }
 
-TEST_F(GateTest, isNotAskedForAStopOrAPause) {
+TEST_F(GateTest, isNotAskedForAStopAPauseOrAResume) {
   closeFrom(1);
   rig.submit(StopGoal{});
   EXPECT_THAT(rig.takeScript().script, HasSubstr("StopAndClearBuffer"));
@@ -99,6 +129,10 @@ TEST_F(GateTest, isNotAskedForAStopOrAPause) {
   pause.command = static_cast<int>(ProgramCommand::Pause);
   rig.submit(pause);
   EXPECT_THAT(rig.takeScript().script, HasSubstr("Pause"));
+  ProgramControlGoal resume;
+  resume.command = static_cast<int>(ProgramCommand::Resume);
+  rig.submit(resume);
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("Resume"));
   EXPECT_TRUE(asked.empty());
 }
 

@@ -56,5 +56,24 @@ TEST_F(LiveSettings, leaveWhatWasAskedForBeforeItsTime) {
   rig.discardSent();
 }
 
+TEST(LiveStatusPort, staysThatOfTheLinkThatIsUp) {
+  CoreRig rig{std::nullopt, link::LinkSettings{}};
+  rig.core.keepConnected(CoreRig::robot(), rig.now);
+  rig.pump();
+  rig.open();
+  rig.open(link::Channel::Status);
+  rig.status({});
+  link::LinkSettings settings;
+  settings.status_port = 5895;
+  rig.core.useSettings(settings, rig.now);
+  rig.pump();
+  ConnectGoal other = CoreRig::robot();
+  other.status_port = 5895;
+  rig.submit(other);
+  const auto opening = rig.pendingOpen(link::Channel::Script);
+  EXPECT_TRUE(opening) << "another port of the stream is another controller: the link is made anew";
+  rig.discardSent();
+}
+
 }  // namespace
 }  // namespace cobot_command::testing

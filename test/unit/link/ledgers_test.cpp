@@ -219,12 +219,19 @@ TEST(TagLedger, takesTheOldestSuspectWhenNothingElseIsLeft) {
 }
 
 TEST(BackOff, doublesUpToItsMaximumAndStartsAnew) {
-  BackOff back_off(100ms, 1s);
+  BackOff back_off;
   for (const Duration wait : {100ms, 200ms, 400ms, 800ms, 1000ms, 1000ms}) {
-    EXPECT_EQ(back_off.next(), Duration(wait));
+    EXPECT_EQ(back_off.next(100ms, 1s), Duration(wait));
   }
   back_off.reset();
-  EXPECT_EQ(back_off.next(), Duration(100ms));
+  EXPECT_EQ(back_off.next(100ms, 1s), Duration(100ms));
+}
+
+TEST(BackOff, keepsToLimitsThatHaveChanged) {
+  BackOff back_off;
+  EXPECT_EQ(back_off.next(100ms, 1s), Duration(100ms));
+  EXPECT_EQ(back_off.next(500ms, 1s), Duration(500ms));
+  EXPECT_EQ(back_off.next(10ms, 300ms), Duration(300ms));
 }
 
 }  // namespace

@@ -35,9 +35,7 @@ class Run {
   [[nodiscard]] virtual bool leavesMotions() const { return false; }
   /// It moves nothing: what is planned behind it begins where the robot is.
   [[nodiscard]] virtual bool leavesTheRobot() const { return false; }
-  /// How many of its commands the controller may have at once; those behind the first wait in its queue.
-  [[nodiscard]] virtual std::size_t window() const { return 1; }
-  /// What has to be sent now; nothing while as many are under way, or when there is nothing to send.
+  /// What has to be sent now; nothing while a command is under way, or when there is nothing to send.
   [[nodiscard]] virtual std::optional<Command> next() const { return std::nullopt; }
   /// Whether the exit_node of the command that is done now counts.
   [[nodiscard]] virtual bool leavesNode() const { return true; }

@@ -30,9 +30,9 @@ class CommandRuntime {
   /// and cancel(), which take effect after it has returned.
   using Observer = std::function<void(const command::Action&, Instant now)>;
 
-  /// `frames`, `newest`: see CommandCore; called on the core's thread, `newest` by cancel() and finish() too.
+  /// `ports`: asked on the core's thread, `newest` by cancel() and finish() too.
   CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, Observer observer,
-                 blocks::FrameFinder frames = {}, const command::NewestGoal& newest = {});
+                 command::CorePorts ports = {});
   ~CommandRuntime();  ///< stop()
   CommandRuntime(const CommandRuntime&) = delete;
   CommandRuntime& operator=(const CommandRuntime&) = delete;
@@ -46,6 +46,8 @@ class CommandRuntime {
   /// See CommandCore. The report comes when the core's thread has come to it, so it is not to be waited for
   /// in the observer, and behind a long planning for long. Nothing once stop() has closed the core.
   std::optional<std::future<command::FinishReport>> finish(blocks::FinishAfter after);
+  /// See CommandCore.
+  void useSettings(const link::LinkSettings& settings);
   /// See CommandCore.
   void keepConnected(blocks::ConnectGoal target);
 
