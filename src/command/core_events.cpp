@@ -19,7 +19,7 @@ constexpr const char* kShuttingDown = "the command layer is shutting down";
 CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings, CorePorts ports,
                         Planning planning)
     : settings_(settings),
-      links_(settings_, actions_),
+      links_(settings_, actions_, std::move(ports.traced)),
       tags_(settings_.first_tag),
       board_(actions_),
       keeper_(settings_, links_, robot_, board_),

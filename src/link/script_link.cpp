@@ -131,7 +131,9 @@ void ScriptLink::transmit(const protocol::ClientMessage& message, Request reques
   request.handed_over = now;
   ledger_.add(std::move(request));
   std::string bytes = protocol::encode(message);
-  wire_.trace(now, Channel::Script, true, bytes, protocol::describe(message));
+  if (wire_.isTraced(Channel::Script)) {
+    wire_.trace(now, Channel::Script, true, bytes, protocol::describe(message));
+  }
   wire_.send(*connection_, std::move(bytes));
 }
 

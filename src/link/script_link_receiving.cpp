@@ -54,6 +54,7 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
   }
   const std::uint64_t late_before = late_replies_;
   std::visit([&](const auto& value) { take(value, now); }, *message);
+  if (!wire_.isTraced(Channel::Script)) return;
   wire_.trace(now, Channel::Script, false, bytes,
               protocol::describe(*message) + (late_replies_ > late_before ? " (nobody waits for it)" : ""));
 }
@@ -61,6 +62,7 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
 void ScriptLink::fault(std::string_view bytes, const std::string& meaning, Instant now) {
   ++decode_faults_;
   foreign_bytes_ = true;
+  if (!wire_.isTraced(Channel::Script)) return;
   wire_.trace(now, Channel::Script, false, bytes, "not understood: " + meaning);
 }
 

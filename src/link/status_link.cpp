@@ -99,14 +99,16 @@ std::optional<RobotStatus> StatusLink::next(Instant now) {
 }
 
 std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instant now) {
-  const std::string bytes = protocol::encodeFrame(frame.header, frame.data);
   const auto status_frame = protocol::parseStatusFrame(frame);
   if (!status_frame) {
-    fault(bytes, status_frame.error().message, now);
+    fault(protocol::encodeFrame(frame.header, frame.data), status_frame.error().message, now);
     if (isOfScriptPort(frame)) heard_ = Heard::ScriptPort;
     return std::nullopt;
   }
-  wire_.trace(now, Channel::Status, false, bytes, protocol::describe(frame));
+  if (wire_.isTraced(Channel::Status)) {
+    wire_.trace(now, Channel::Status, false, protocol::encodeFrame(frame.header, frame.data),
+                protocol::describe(frame));
+  }
   if (status_frame->mode != static_cast<int>(protocol::StatusMode::WriteBinary)) {
     diagnosis_ = fmt::format(
         "the status stream is sent in mode {} ({}), only BINARY can be read: set it in TMflow, Setting > "
@@ -141,6 +143,7 @@ std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instan
 
 void StatusLink::fault(std::string_view bytes, std::string meaning, Instant now) {
   ++decode_faults_;
+  if (!wire_.isTraced(Channel::Status)) return;
   wire_.trace(now, Channel::Status, false, bytes, "not a frame: " + std::move(meaning));
 }
 

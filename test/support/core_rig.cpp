@@ -16,7 +16,8 @@ CoreRig::CoreRig(std::optional<arm::ArmModel> arm, link::LinkSettings settings, 
             [this] { return last_goal_; },
             [this](const Departure& departure, Instant at) {
               return gate ? gate(departure, at) : std::nullopt;
-            }},
+            },
+            {}},
            planning) {}
 
 CoreRig::~CoreRig() {

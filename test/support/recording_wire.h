@@ -17,6 +17,7 @@ class RecordingWire : public link::Wire {
   }
   void close(link::ConnectionId id) override { closed.push_back(id); }
   void send(link::ConnectionId /*id*/, std::string bytes) override { sent.push_back(std::move(bytes)); }
+  [[nodiscard]] bool isTraced(link::Channel /*channel*/) const override { return true; }
   void trace(Instant /*now*/, link::Channel /*channel*/, bool /*sent*/, std::string_view bytes,
              std::string meaning) override {
     traced.push_back(std::string(bytes) + " | " + meaning);

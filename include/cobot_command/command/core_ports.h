@@ -1,9 +1,12 @@
 // Whom the core of a robot asks, in the middle of an event.
 #pragma once
 
+#include <functional>
+
 #include "cobot_command/blocks/shared/frame_finder.h"
 #include "cobot_command/command/gate.h"
 #include "cobot_command/command/waiting_goals.h"
+#include "cobot_command/link/connection.h"
 
 namespace cobot_command::command {
 
@@ -15,6 +18,8 @@ struct CorePorts {
   NewestGoal newest;
   /// Before a frame leaves that may move the robot; without it, all may.
   Gate gate;
+  /// Whether somebody listens to the frames of that channel (FrameTraced); without it, somebody always does.
+  std::function<bool(link::Channel channel)> traced;
 };
 
 }  // namespace cobot_command::command

@@ -22,6 +22,8 @@ class Wire {
   /// Closes a connection or gives up opening it: nothing is told of it any more.
   virtual void close(ConnectionId id) = 0;
   virtual void send(ConnectionId id, std::string bytes) = 0;
+  /// Somebody listens to the flight recorder: what nobody reads is not described.
+  [[nodiscard]] virtual bool isTraced(Channel channel) const = 0;
   /// A frame or a faulty piece of stream for the flight recorder.
   virtual void trace(Instant now, Channel channel, bool sent, std::string_view bytes,
                      std::string meaning) = 0;

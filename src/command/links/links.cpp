@@ -6,8 +6,9 @@
 
 namespace cobot_command::command {
 
-Links::Links(const link::LinkSettings& settings, std::vector<Action>& actions)
-    : actions_(actions), script_(settings, *this), status_(settings, *this) {}
+Links::Links(const link::LinkSettings& settings, std::vector<Action>& actions,
+             std::function<bool(link::Channel)> traced)
+    : actions_(actions), traced_(std::move(traced)), script_(settings, *this), status_(settings, *this) {}
 
 template <typename Deliver>
 void Links::deliver(link::ConnectionId id, Deliver to) {
@@ -59,6 +60,10 @@ void Links::close(link::ConnectionId id) {
 
 void Links::send(link::ConnectionId id, std::string bytes) {
   actions_.emplace_back(SendBytes{id, std::move(bytes)});
+}
+
+bool Links::isTraced(link::Channel channel) const {
+  return !traced_ || traced_(channel);
 }
 
 void Links::trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,8 +17,9 @@ namespace cobot_command::command {
 
 class Links : private link::Wire {
  public:
-  /// Both have to live longer.
-  Links(const link::LinkSettings& settings, std::vector<Action>& actions);
+  /// Settings and actions have to live longer. `traced`: see CorePorts.
+  Links(const link::LinkSettings& settings, std::vector<Action>& actions,
+        std::function<bool(link::Channel)> traced = {});
   Links(const Links&) = delete;
   Links& operator=(const Links&) = delete;
 
@@ -41,6 +43,7 @@ class Links : private link::Wire {
                           Duration timeout) override;
   void close(link::ConnectionId id) override;
   void send(link::ConnectionId id, std::string bytes) override;
+  [[nodiscard]] bool isTraced(link::Channel channel) const override;
   void trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,
              std::string meaning) override;
 
@@ -48,6 +51,7 @@ class Links : private link::Wire {
   void deliver(link::ConnectionId id, Deliver to);
 
   std::vector<Action>& actions_;
+  std::function<bool(link::Channel)> traced_;
   link::ConnectionId last_ = 0;
   link::ScriptLink script_;
   link::StatusLink status_;

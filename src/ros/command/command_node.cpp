@@ -81,7 +81,8 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       [this](const command::Action& action, Instant now) { onAction(action, now); },
       command::CorePorts{[this](const std::string& frame) { return frames_.whereNow(frame); },
                          [this] { return last_goal_.load(); },
-                         {}});
+                         {},
+                         [this](link::Channel channel) { return publisher_.isHeard(channel); }});
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;

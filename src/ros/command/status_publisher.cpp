@@ -109,8 +109,15 @@ void StatusPublisher::publish(const command::CommandStatus& status, const ClockP
 }
 
 void StatusPublisher::publish(const command::FrameTraced& trace, const ClockPair& clocks) {
-  const ros::Publisher& topic = trace.channel == link::Channel::Script ? frames_ : status_frames_;
-  if (topic.getNumSubscribers() > 0) topic.publish(toMessage(trace, clocks));
+  if (isHeard(trace.channel)) topicOf(trace.channel).publish(toMessage(trace, clocks));
+}
+
+bool StatusPublisher::isHeard(link::Channel channel) const {
+  return topicOf(channel).getNumSubscribers() > 0;
+}
+
+const ros::Publisher& StatusPublisher::topicOf(link::Channel channel) const {
+  return channel == link::Channel::Script ? frames_ : status_frames_;
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -31,11 +31,13 @@ class StatusPublisher {
   void publish(const robot::ActiveFrames& frames);
   /// Latched, for RViz.
   void publish(const command::PathPlanned& path);
-  /// The frames of each port on a topic of its own: the stream would drown the commands. Costs nothing while
-  /// nobody listens.
+  /// The frames of each port on a topic of its own: the stream would drown the commands.
   void publish(const command::FrameTraced& trace, const ClockPair& clocks);
+  /// Somebody listens to the frames of that port.
+  [[nodiscard]] bool isHeard(link::Channel channel) const;
 
  private:
+  [[nodiscard]] const ros::Publisher& topicOf(link::Channel channel) const;
   void publishRobotStatus(cobot_command::RobotStatus message);
   void sendActiveFrames(const ros::Time& stamp);
 

@@ -73,6 +73,23 @@ TEST_F(LinksTest, countsWhatComesOfAConnectionThatNobodyOwnsAnyMore) {
   EXPECT_TRUE(take<SendBytes>().empty());
 }
 
+TEST_F(LinksTest, describesNoFrameThatNobodyReads) {
+  bool listens = false;
+  Links links(settings_, actions_, [&](link::Channel channel) {
+    EXPECT_EQ(channel, link::Channel::Script);
+    return listens;
+  });
+  links.script().start("robot", 5890, now_);
+  links.opened(take<OpenConnection>().at(0).id, now_);
+  EXPECT_TRUE(take<FrameTraced>().empty());
+
+  listens = true;
+  links.advance(*links.nextDeadline());
+  const auto traced = take<FrameTraced>();
+  ASSERT_EQ(traced.size(), 1U);
+  EXPECT_FALSE(traced[0].meaning.empty());
+}
+
 TEST_F(LinksTest, wakesForTheLinkThatIsDueFirst) {
   EXPECT_FALSE(links_.nextDeadline());
   links_.script().start("robot", 5890, now_);
