@@ -63,7 +63,7 @@ void Arbiter::take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
   }
 }
 
-bool Arbiter::rejected(blocks::GoalId id, const blocks::Goal& goal, Failures failures) {
+bool Arbiter::rejected(blocks::GoalId id, const blocks::Goal& goal, const Failures& failures) {
   if (failures.empty()) return false;
   const blocks::Block block = blockOf(goal);
   parts_.board.reject(block, id, toRejection(block, failures));
@@ -96,7 +96,7 @@ void Arbiter::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant no
     failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
   }
   blocks::sortByTable(failures);
-  if (rejected(id, goal, std::move(failures))) return;
+  if (rejected(id, goal, failures)) return;
   const blocks::Command command = *rules.command();
   parts_.board.accept(command.block, id, command.traits.command_id);
   window_.sendBeside(command, id, now);
@@ -106,7 +106,7 @@ void Arbiter::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant 
   Failures failures = blocks::GoalRules(goal).violations();
   if (desk_.size() >= kMostWaiting) failures.push_back(blocks::tooManyWait(desk_.size()));
   blocks::sortByTable(failures);
-  if (rejected(id, goal, std::move(failures))) return;
+  if (rejected(id, goal, failures)) return;
   static_cast<void>(plans_.ask(id, goal, turns_.originBehindAll(now), PlanDesk::Haste::Check));
 }
 
@@ -114,7 +114,7 @@ void Arbiter::queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::Buffe
   Failures failures = blocks::GoalRules(goal).violations();
   append(failures, turns_.objectionsToAny(mode));
   blocks::sortByTable(failures);
-  if (!rejected(id, goal, std::move(failures))) enqueue(id, goal, mode, now);
+  if (!rejected(id, goal, failures)) enqueue(id, goal, mode, now);
 }
 
 void Arbiter::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now) {

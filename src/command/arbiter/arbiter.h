@@ -80,7 +80,7 @@ class Arbiter {
   void queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
   void enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
   /// True when there are any: then it has ended with them.
-  bool rejected(blocks::GoalId id, const blocks::Goal& goal, std::vector<blocks::Failure> failures);
+  bool rejected(blocks::GoalId id, const blocks::Goal& goal, const std::vector<blocks::Failure>& failures);
   /// Everything that is Busy is to end as CommandAborted, with a stop when it moves; `newest`: see
   /// GoalQueue::dropAll().
   void abortAll(const std::string& why, blocks::GoalId newest, Instant now);
