@@ -67,9 +67,15 @@ class Client(threading.Thread):
         self._numbers = itertools.count(1)
         self._due = []  # heap of (time, number, what to do then, whether it is owed)
         self._open = {}  # goal id: block
-        self.has_sent_all = False
+        self.has_sent_all = threading.Event()  # or ended
 
     def run(self):
+        try:
+            self._live()
+        finally:
+            self.has_sent_all.set()
+
+    def _live(self):
         sent, next_time, most_open = 0, time.monotonic(), 1
         while sent < self._share or self._open or any(owed for *_, owed in self._due):
             self._forget_ended()
@@ -81,7 +87,8 @@ class Client(threading.Thread):
                 sent += 1
                 most_open = self._random.choice((1, 1, 2, 4, 8))
                 next_time = now + self._random.choice((0, 0, 0.005, 0.05))
-                self.has_sent_all = sent == self._share
+                if sent == self._share:
+                    self.has_sent_all.set()
             else:
                 self._watch.wait_for_change(self._pause(sent, now, next_time))
 

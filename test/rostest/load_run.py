@@ -71,11 +71,11 @@ class Load:
                    for k in range(CLIENTS)]
         for client in clients:
             client.start()
-        deadline = None
-        while any(c.is_alive() for c in clients) and (deadline is None or time.monotonic() < deadline):
-            clients[0].join(0.2) if clients[0].is_alive() else time.sleep(0.05)
-            if deadline is None and all(c.has_sent_all for c in clients):
-                deadline = time.monotonic() + DEADLINE
+        for client in clients:
+            client.has_sent_all.wait()
+        deadline = time.monotonic() + DEADLINE
+        for client in clients:
+            client.join(max(0, deadline - time.monotonic()))
         self.settle()
         return self.judge()
 

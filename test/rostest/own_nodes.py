@@ -7,8 +7,6 @@ import tempfile
 import time
 import xmlrpc.client
 
-import rospy
-
 from cobot_test import program
 from waiting import DEADLINE, wait_until
 
@@ -86,11 +84,7 @@ class Master(Process):
         self.port = port or free_port()
         self.uri = f"http://localhost:{self.port}/"
         super().__init__("rosmaster", "--core", "-p", str(self.port))
-        deadline = time.monotonic() + DEADLINE
-        while not self._answers():
-            if time.monotonic() > deadline:
-                raise AssertionError("the master does not answer")
-            rospy.sleep(0.05)
+        wait_until(self._answers, "the answer of the master")
 
     def _answers(self):
         try:

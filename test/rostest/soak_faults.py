@@ -5,7 +5,6 @@ import os
 import random
 import signal
 import threading
-import time
 
 import rospy
 from std_srvs.srv import SetBool, Trigger
@@ -13,6 +12,7 @@ from std_srvs.srv import SetBool, Trigger
 import process_watch
 import soak_wire
 from cobot_command.srv import RaiseError, SetFault, SetProjectSpeed
+from waiting import wait_until
 
 CONTROLLER = "simulated_controller"
 SERVICES = {"raise_error": RaiseError, "set_emergency_stop": SetBool, "set_fault": SetFault,  # all others are Triggers
@@ -142,11 +142,7 @@ class Faults(threading.Thread):
         """It is started again by whoever launched it."""
         before = process_watch.pid_of(CONTROLLER)
         os.kill(before, how)
-        deadline = time.monotonic() + DEADLINE
-        while not self._has_come_back(before):
-            if time.monotonic() > deadline:
-                raise RuntimeError("the simulated controller does not come back")
-            time.sleep(0.1)
+        wait_until(lambda: self._has_come_back(before), "another simulated controller", DEADLINE)
 
     @staticmethod
     def _has_come_back(before):
