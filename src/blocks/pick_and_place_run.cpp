@@ -101,10 +101,8 @@ void PickAndPlaceRun::goOn(Instant now) {
 }
 
 void PickAndPlaceRun::commandRefused(CommandKey /*key*/, const Failure& failure, Instant now) {
-  const bool sets = state_ == State::Setting;
-  const Outcome refusal =
-      toOutcome(sets ? kBlock<SetOutputGoal> : kBlock<MoveAbsoluteGoal>, Ending::Rejected, failure);
-  failStep(sets ? own_error::kOutputFailed : own_error::kStepRefused,
+  const Outcome refusal = toOutcome(blockOfPart(), Ending::Rejected, failure);
+  failStep(state_ == State::Setting ? own_error::kOutputFailed : own_error::kStepRefused,
            {refusal.error_id, refusal.error_description, ""}, refusal.remedy, now);
 }
 
@@ -157,8 +155,7 @@ void PickAndPlaceRun::linkLost(const std::string& reason, std::optional<Duration
     followWait(now);
     return;
   }
-  failure_ = {motion_error::kLinkDropped, reason, ""};
-  found_.failed_step = static_cast<int>(step_);
+  blame({motion_error::kLinkDropped, reason, ""});
   if (patience) waits_until_ = now + *patience;
   fire(patience ? Event::Unexplained : Event::Failed, now);
 }
@@ -211,9 +208,14 @@ std::optional<Instant> PickAndPlaceRun::nextDeadline() const {
   return under_way_ || held_since_ ? std::nullopt : waits_until_;
 }
 
-void PickAndPlaceRun::fail(Failure failure, Instant now) {
+/// The step that is under way.
+void PickAndPlaceRun::blame(Failure failure) {
   found_.failed_step = static_cast<int>(step_);
   failure_ = std::move(failure);
+}
+
+void PickAndPlaceRun::fail(Failure failure, Instant now) {
+  blame(std::move(failure));
   fire(Event::Failed, now);
 }
 

@@ -66,6 +66,7 @@ class PickAndPlaceRun final : public Run {
   void startDwell(Instant now);
   void tellFailure();
   void nextStep();
+  void blame(Failure failure);
   void fail(Failure failure, Instant now);
   void failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now);
   void tell(Progress progress);

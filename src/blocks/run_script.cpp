@@ -141,10 +141,10 @@ bool setsVelocities(const std::vector<std::string>& lines) {
                      [](const std::string& line) { return line.find("ContinueV") != std::string::npos; });
 }
 
-/// Looked for in the text, too.
+/// Resume(), PVTResume(): looked for in the text, too.
 bool letsGo(const std::vector<std::string>& lines) {
   return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
-    return hasWord(line, "Resume") || hasWord(line, "PVTResume") || hasWord(line, "ScriptExit");
+    return hasWord(line, "Resume") || hasWord(line, "PVTResume");
   });
 }
 

@@ -228,6 +228,7 @@ bool appendBinaryItem(std::string& content, std::string_view name, const ItemVal
       [&](const auto& held) {
         const std::size_t size = binarySize(held);
         if (size > kMaxItemBytes) return false;
+        // The fields of encodeBinaryItems(), in one go: a status stream writes forty of them in each frame.
         const std::size_t start = content.size();
         content.resize(start + 2 * sizeof(std::uint16_t) + name.size() + size);
         char* place = writeBinary(content.data() + start, static_cast<std::uint16_t>(name.size()));

@@ -248,8 +248,8 @@ void Arbiter::settleBeside(Instant now) {
   const char* unanswered = nullptr;
   for (const CommandWindow::Ended& ended : window_.takeEndedBeside()) {
     const bool got_no_reply = ended.outcome.error_id == blocks::motion_error::kReceiveReply;
-    if (got_no_reply && ended.order.stops_unanswered) unanswered = toString(ended.order.block);
-    parts_.board.end(ended.order.block, ended.order.goal, ended.outcome);
+    if (got_no_reply && ended.stops_unanswered) unanswered = toString(ended.block);
+    parts_.board.end(ended.block, ended.goal, ended.outcome);
   }
   if (unanswered != nullptr) {
     stopAll(fmt::format("stopped, as {} got no reply", unanswered), queue_.newest(), now);

@@ -6,9 +6,12 @@
 
 namespace cobot_command::command {
 
+std::deque<Waiting>::iterator GoalQueue::at(blocks::GoalId id) {
+  return std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& w) { return w.id == id; });
+}
+
 Waiting* GoalQueue::find(blocks::GoalId id) {
-  const auto found =
-      std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& w) { return w.id == id; });
+  const auto found = at(id);
   return found == waiting_.end() ? nullptr : &*found;
 }
 
@@ -24,12 +27,11 @@ Waiting GoalQueue::take() {
 }
 
 bool GoalQueue::drop(blocks::GoalId id, const std::string& why) {
-  const auto found =
-      std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& w) { return w.id == id; });
+  const auto found = at(id);
   if (found == waiting_.end()) return false;
   const blocks::Block block = blocks::blockOf(found->goal);
   waiting_.erase(found);
-  static_cast<void>(plans_.drop(id));
+  forgetPlan(id);
   forgetForecasts();
   board_.end(block, id, blocks::commandAborted(why));
   return true;
@@ -41,7 +43,7 @@ void GoalQueue::dropAll(const std::string& why, blocks::GoalId newest) {
     actions_.emplace_back(fell_);
   }
   for (const Waiting& waiting : std::exchange(waiting_, {})) {
-    static_cast<void>(plans_.drop(waiting.id));
+    forgetPlan(waiting.id);
     board_.end(blocks::blockOf(waiting.goal), waiting.id, blocks::commandAborted(why));
   }
 }

@@ -73,6 +73,8 @@ class GoalQueue {
   void tellPlaces(const std::function<std::string(int place)>& text);
 
  private:
+  [[nodiscard]] std::deque<Waiting>::iterator at(blocks::GoalId id);
+
   OutputBoard& board_;
   PlanDesk& plans_;
   std::vector<Action>& actions_;

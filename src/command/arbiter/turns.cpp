@@ -192,7 +192,7 @@ void Turns::endCommand(CommandWindow::Ended ended, Instant now) {
     return;
   }
   if (ended.outcome.ending == blocks::Ending::Aborted) parts_.robot.takeBackAcknowledgement();
-  run_->commandEnded(ended.order.key, ended.outcome, now);
+  run_->commandEnded(ended.key, ended.outcome, now);
   run_->robotChanged(parts_.robot, now);
 }
 

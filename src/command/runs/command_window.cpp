@@ -71,7 +71,7 @@ std::optional<blocks::Failure> CommandWindow::objectionTo(const CommandOrder& or
 
 void CommandWindow::send(CommandOrder order, Instant now) {
   forecast_.sent(order, now);
-  ordered_.push_back({CommandRun(std::move(order), context_, now), {}});
+  ordered_.emplace_back(std::move(order), context_, now);
 }
 
 void CommandWindow::sendBeside(const blocks::Command& command, blocks::GoalId goal, Instant now) {
@@ -86,14 +86,14 @@ void CommandWindow::sendBeside(const blocks::Command& command, blocks::GoalId go
 
 void CommandWindow::leaveNode(Ended done, Instant now) {
   CommandOrder exit;
-  exit.block = done.order.block;
-  exit.goal = done.order.goal;
-  exit.key = done.order.key;
-  exit.command_id_ack = done.order.command_id_ack;
+  exit.block = done.block;
+  exit.goal = done.goal;
+  exit.key = done.key;
+  exit.command_id_ack = done.command_id_ack;
   exit.commands.emplace();
   exit.exits_node = true;
   addLastLines(exit);
-  ordered_.push_back({CommandRun(std::move(exit), context_, now), std::move(done.outcome)});
+  ordered_.emplace_back(std::move(exit), context_, now, std::move(done.outcome));
 }
 
 // --- What is there.
@@ -212,15 +212,20 @@ std::vector<std::pair<blocks::CommandKey, blocks::Progress>> CommandWindow::take
   return all;
 }
 
+CommandWindow::Ended CommandWindow::endOf(const CommandRun& run) {
+  const CommandOrder& order = run.order();
+  const bool leaves_node = order.exits_afterwards && run.outcome().ending == blocks::Ending::Done;
+  return {order.block,           order.goal, order.key, order.command_id_ack, run.outcome(), leaves_node,
+          order.stops_unanswered};
+}
+
 std::optional<CommandWindow::Ended> CommandWindow::takeEnded() {
   const auto first =
       std::find_if(ordered_.begin(), ordered_.end(), [](const Sent& sent) { return sent.run.ended(); });
   if (first == ordered_.end()) return std::nullopt;
-  const Sent sent = std::move(*first);
+  Ended ended = endOf(first->run);
+  if (first->motion_in_front) ended.outcome = withMotion(ended.outcome, *first->motion_in_front);
   ordered_.erase(first);
-  Ended ended{sent.run.order(), sent.run.outcome(), false};
-  if (sent.motion) ended.outcome = withMotion(ended.outcome, *sent.motion);
-  ended.leaves_node = ended.order.exits_afterwards && ended.outcome.ending == blocks::Ending::Done;
   if (ended.outcome.ending == blocks::Ending::Aborted) forecast_.forgetPath();
   return ended;
 }
@@ -228,7 +233,7 @@ std::optional<CommandWindow::Ended> CommandWindow::takeEnded() {
 std::vector<CommandWindow::Ended> CommandWindow::takeEndedBeside() {
   std::vector<Ended> ended;
   for (const CommandRun& run : beside_) {
-    if (run.ended()) ended.push_back({run.order(), run.outcome(), false});
+    if (run.ended()) ended.push_back(endOf(run));
   }
   beside_.remove_if([](const CommandRun& run) { return run.ended(); });
   return ended;

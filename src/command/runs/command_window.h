@@ -25,9 +25,13 @@ namespace cobot_command::command {
 class CommandWindow {
  public:
   struct Ended {
-    CommandOrder order;
+    blocks::Block block{};
+    blocks::GoalId goal = 0;
+    blocks::CommandKey key = 0;
+    int command_id_ack = 0;
     blocks::Outcome outcome;
-    bool leaves_node = false;  ///< the node is to be left behind it, with a script of its own
+    bool leaves_node = false;       ///< the node is to be left behind it, with a script of its own
+    bool stops_unanswered = false;  ///< see blocks::Order
   };
 
   /// `forecast`: has to live longer, and so has what the context refers to. `gate`: may be empty.
@@ -80,9 +84,13 @@ class CommandWindow {
 
  private:
   struct Sent {
+    Sent(CommandOrder order, const RunContext& context, Instant now,
+         std::optional<blocks::Outcome> motion = {})
+        : run(std::move(order), context, now), motion_in_front(std::move(motion)) {}
     CommandRun run;
-    std::optional<blocks::Outcome> motion;  ///< of an exit: how the motion in front of it ended
+    std::optional<blocks::Outcome> motion_in_front;  ///< of an exit: how that ended
   };
+  [[nodiscard]] static Ended endOf(const CommandRun& run);
 
   /// By the gate.
   [[nodiscard]] std::optional<blocks::Failure> objectionTo(const CommandOrder& order, Instant now) const;

@@ -14,10 +14,9 @@ struct Order {
   std::vector<std::string> lines;
   /// What the lines mean; absent when they are a raw script that says more than this layer knows.
   std::optional<std::vector<script::ScriptCommand>> commands;
-  bool moves = false;     ///< a cancel has to stop the robot
-  bool has_exit = false;  ///< its own lines end with an exit that has a number
-  /// What was held, or waits, goes on: a resume, an exit from the node. The arm may move then.
-  bool lets_go = false;
+  bool moves = false;         ///< a cancel has to stop the robot
+  bool has_exit = false;      ///< its own lines end with an exit that has a number
+  bool lets_go = false;       ///< a script with a resume: what was held goes on, and the arm may move
   bool pauses = false;        ///< a script with a Pause() of its own
   bool stands_at_end = true;  ///< the robot stands when its tag comes; false: a script that sets velocities
   /// Nobody knows what the robot does when it goes unanswered: it is stopped then.

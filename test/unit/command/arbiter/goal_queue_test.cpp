@@ -1,6 +1,7 @@
 #include "arbiter/goal_queue.h"
 
 #include "motion_goals.h"
+#include "taken_actions.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,12 +32,7 @@ class GoalQueueTest : public ::testing::Test {
   }
   template <typename Kind>
   std::vector<Kind> take() {
-    std::vector<Kind> found;
-    for (const Action& action : actions_) {
-      if (const auto* one = std::get_if<Kind>(&action)) found.push_back(*one);
-    }
-    actions_.clear();
-    return found;
+    return testing::takeOf<Kind>(actions_);
   }
   std::vector<int> takePlaces() {
     queue_.tellPlaces([](int place) { return "place " + std::to_string(place); });

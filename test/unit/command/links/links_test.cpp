@@ -1,5 +1,6 @@
 #include "links/links.h"
 
+#include "taken_actions.h"
 #include <gtest/gtest.h>
 
 namespace cobot_command::command {
@@ -12,12 +13,7 @@ class LinksTest : public ::testing::Test {
   /// What was asked for since the last call, of one kind.
   template <typename Kind>
   std::vector<Kind> take() {
-    std::vector<Kind> found;
-    for (const Action& action : actions_) {
-      if (const auto* one = std::get_if<Kind>(&action)) found.push_back(*one);
-    }
-    actions_.clear();
-    return found;
+    return testing::takeOf<Kind>(actions_);
   }
 
   link::LinkSettings settings_;

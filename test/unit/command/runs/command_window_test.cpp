@@ -55,7 +55,7 @@ class CommandWindowTest : public ::testing::Test {
   }
   std::vector<std::pair<blocks::CommandKey, blocks::Ending>> takeEnded() {
     std::vector<std::pair<blocks::CommandKey, blocks::Ending>> all;
-    while (const auto ended = window_.takeEnded()) all.emplace_back(ended->order.key, ended->outcome.ending);
+    while (const auto ended = window_.takeEnded()) all.emplace_back(ended->key, ended->outcome.ending);
     return all;
   }
 
@@ -149,7 +149,7 @@ TEST_F(CommandWindowTest, letsTheOnesBesideEndByTheirAnswer) {
   window_.answered(reply(idOf(wire_.sent.back()), true), now_);
   const auto ended = window_.takeEndedBeside();
   ASSERT_EQ(ended.size(), 1U);
-  EXPECT_EQ(ended[0].order.goal, 9U);
+  EXPECT_EQ(ended[0].goal, 9U);
   EXPECT_EQ(ended[0].outcome.ending, blocks::Ending::Done);
   EXPECT_TRUE(window_.nothingBeside());
 }
