@@ -64,7 +64,9 @@ class Planning(CobotTestCase):
         Latest("hurried/command_status", CommandStatus).wait_for(
             lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a ready link")
         slow = {"speed": 1, "check_only": True}
-        goals = (relative(0, 0, -300, **slow), slow_lines(1, check_only=True)[0],
+        goals = (relative(0, 0, -300, **slow), slow_lines(1, check_only=True)[0], slow_lines(1)[0],
+                 script(*['Line("CAP",517.5,-122.3,161.05,180,0,90,1,200,0,false)',
+                          'Line("CAP",517.5,-122.3,461.05,180,0,90,1,200,0,false)'] * 10),
                  circle((517.5, 0, 300, 180, 0, 90), (517.5, 120, 461, 180, 0, 90), **slow),
                  sequence(*slow_lines(50)), cycle(*[step(line) for line in slow_lines(50)]))
         for goal in goals:

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "cobot_command/arm/types.h"
@@ -13,9 +14,13 @@ namespace cobot_command::command {
 /// Counts up; 0: none.
 using PlanJobId = std::uint64_t;
 
+/// A command with its plan; for the core alone.
+struct PlannedCommand;
+
 struct PlanAnswer {
-  blocks::Outcome outcome;           ///< Rejected, or what was found
-  std::vector<arm::Pose> tool_path;  ///< the TCP in the robot base, for people; may be empty
+  blocks::Outcome outcome;                            ///< Rejected, or what was found
+  std::vector<arm::Pose> tool_path;                   ///< the TCP in the robot base, for people; may be empty
+  std::shared_ptr<PlannedCommand> command = nullptr;  ///< of one command that is to be sent
 };
 
 /// May be done on any thread, once. Ends early, with any answer, when nobody waits for it any more.

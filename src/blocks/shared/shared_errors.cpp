@@ -93,9 +93,11 @@ constexpr SharedError kTargetErrors[] = {
      "it was when the goal came: looked for when a goal that waited gets its turn, and before each move of a "
      "pick_and_place"},
     {own_error::kPlanningBudget, "Planning took too long",
-     "Divide the sequence, or choose higher speeds: a path is planned point by point; or raise "
+     "Divide the sequence or the script, or choose higher speeds: a path is planned point by point; or raise "
      "~planning_budget",
-     "a check, or the check of a cycle in front of its first move, was not done within ~planning_budget"},
+     "a plan was not made within ~planning_budget: of a check, of a cycle in front of its first move, or of "
+     "a "
+     "move or a script before it is sent"},
     {own_error::kCoordinateRange, "Coordinate range: -100000~100000", kSetInRange,
      "a coordinate [mm, deg] is beyond what any arm of the family could mean"},
     {own_error::kFrameUnknown, "Frame unknown", "Give a frame that tf connects with the robot base",
@@ -266,15 +268,16 @@ ErrorTable& ErrorTable::motion() {
   return shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kUnreachable,
                  own_error::kPoseBits, own_error::kJointLimit, own_error::kJointSpeed, own_error::kSingular,
                  own_error::kNotPlannable, own_error::kAmbiguousTurn, own_error::kNoFreeTag,
-                 own_error::kTagLost, own_error::kNotAtTarget, own_error::kStoppedElsewhere});
+                 own_error::kTagLost, own_error::kNotAtTarget, own_error::kStoppedElsewhere,
+                 own_error::kPlanningBudget});
 }
 
 ErrorTable& ErrorTable::move() {
   return motion().shared({motion_error::kSpeedRangeAbsolute, motion_error::kSpeedRangePercent,
                           motion_error::kAccelTimeRange, motion_error::kCommandIdRange,
                           motion_error::kClearBufferAgain, own_error::kNotFinite, own_error::kStartUnknown,
-                          own_error::kNoModel, own_error::kPlanningBudget, own_error::kBlendingRange,
-                          own_error::kCoordinateRange, own_error::kBaseUnknown});
+                          own_error::kNoModel, own_error::kBlendingRange, own_error::kCoordinateRange,
+                          own_error::kBaseUnknown});
 }
 
 ErrorTable& ErrorTable::framedPose() {

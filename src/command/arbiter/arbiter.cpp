@@ -22,14 +22,15 @@ void append(Failures& failures, const Failures& more) {
 
 Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
     : parts_(parts),
-      desk_(parts.settings.planning_budget, parts.actions),
+      desk_(parts.settings.planning_budget, parts.actions, planning),
       queue_(parts.board, desk_, parts.actions, std::move(ports.newest)),
       stop_(parts.settings, parts.script, parts.tags, parts.robot, parts.forecast.arm()),
       window_({parts.settings, parts.script, parts.tags, parts.robot, stop_, parts.forecast.arm()},
               parts.forecast, std::move(ports.gate)),
       stops_(parts, stop_, window_),
-      plans_(parts, planning, desk_, queue_),
-      turns_(parts, {queue_, plans_, stops_, window_}, std::move(ports.frames)) {}
+      plans_(parts, desk_, queue_,
+             [this](Arrival arrival, Instant now) { return turns_.originBehind(arrival, now); }),
+      turns_(parts, {desk_, queue_, plans_, stops_, window_}, std::move(ports.frames)) {}
 
 // --- Goals: checked, then refused or taken.
 
@@ -104,10 +105,10 @@ void Arbiter::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant no
 
 void Arbiter::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
   Failures failures = blocks::GoalRules(goal).violations();
-  if (desk_.size() >= kMostWaiting) failures.push_back(blocks::tooManyWait(desk_.size()));
+  if (desk_.checks() >= kMostWaiting) failures.push_back(blocks::tooManyWait(desk_.checks()));
   blocks::sortByTable(failures);
   if (rejected(id, goal, failures)) return;
-  static_cast<void>(plans_.ask(id, goal, turns_.originBehindAll(now), PlanDesk::Haste::Check));
+  plans_.check(id, goal, now);
 }
 
 void Arbiter::queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now) {
@@ -123,20 +124,13 @@ void Arbiter::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::Buffe
     abortAll(fmt::format("taken over by {}", toString(blockOf(goal))), id, now);
     if (stops_.mayMoveOtherwise() && !stops_.busy()) stops_.ask(now);
   }
+  const bool is_behind_others = turns_.busyWith().has_value();
   Waiting waiting;
   waiting.id = id;
   waiting.goal = goal;
   waiting.takes_over = takes_over && stops_.busy();
-  const auto command = turns_.busyWith() ? blocks::GoalRules(goal).command() : std::nullopt;
-  if (command) {
-    const auto plan = parts_.forecast.plan(*command, turns_.originBehindAll(now));
-    if (!plan) {
-      rejected(id, goal, {plan.error()});
-      return;
-    }
-    if (*plan) waiting.end = (*plan)->end;
-  }
   queue_.push(std::move(waiting));
+  if (is_behind_others) plans_.foresee(now);
 }
 
 // --- Ends that are asked for.
@@ -221,7 +215,7 @@ void Arbiter::robotChanged(Instant now) {
 void Arbiter::advance(Instant now) {
   turns_.advance(now);
   stop_.advance(now);
-  plans_.endOverdue(now);
+  desk_.endOverdue(now);
 }
 
 std::optional<Instant> Arbiter::nextDeadline() const {

@@ -37,7 +37,7 @@ class Arbiter {
   void retire(const std::string& why, Instant now);
   /// All end now, as CommandAborted.
   void shutDown(const std::string& why, Instant now);
-  void planned(PlanJobId id, PlanAnswer answer) { plans_.answered(id, std::move(answer)); }
+  void planned(PlanJobId id, PlanAnswer answer) { desk_.answered(id, std::move(answer)); }
 
   // --- Events.
   void linkLost(const std::string& reason, Instant now);

@@ -1,61 +1,99 @@
 #include "arbiter/goal_plans.h"
 
-#include <cassert>
 #include <utility>
 
+#include "cobot_command/blocks/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::command {
 
-PlanJobId GoalPlans::ask(blocks::GoalId id, const blocks::Goal& goal, const std::optional<Origin>& origin,
-                         PlanDesk::Haste haste) {
-  const PlanJobId job = desk_.ask(blockOf(goal), id, haste, parts_.forecast.workFor(goal, origin));
-  if (planning_ == Planning::AtOnce) {
-    PlanAnswer answer = desk_.takeWork(job)();
-    take(*desk_.answered(job), std::move(answer));
-  }
-  return job;
+using Purpose = PlanDesk::Purpose;
+
+namespace {
+
+PlanAnswer tookTooLong(blocks::Block block) {
+  return {toRejection(block, {{blocks::own_error::kPlanningBudget, "", ""}}), {}};
 }
 
-void GoalPlans::answered(PlanJobId id, PlanAnswer answer) {
-  if (const auto job = desk_.answered(id)) take(*job, std::move(answer));
+}  // namespace
+
+void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
+  const auto origin = originOfTheLast(now);
+  const auto take = [this, block = blockOf(goal), id](std::optional<PlanAnswer> answer) {
+    this->answer(block, id, answer ? *std::move(answer) : tookTooLong(block));
+  };
+  desk_.ask({blockOf(goal), id, Purpose::Check, parts_.forecast.workFor(goal, origin), take}, now);
 }
 
-/// Of one that waits for its turn, or of a check, whose end it is.
-void GoalPlans::take(const PlanDesk::Job& job, PlanAnswer answer) {
-  if (Waiting* const waiting = queue_.find(job.goal)) {
-    waiting->found = std::move(answer.outcome);
-    return;
+Forecast::OriginAt GoalPlans::originOfTheLast(Instant now) const {
+  const Arrival arrival = queue_.lastArrival();
+  const Waiting* const before = queue_.lastBefore(arrival);
+  if (before != nullptr && before->end_is_planned) {
+    return [this, arrival](Instant then) { return origin_behind_(arrival, then); };
   }
+  return [origin = origin_behind_(arrival, now)](Instant /*then*/) { return origin; };
+}
+
+void GoalPlans::answer(blocks::Block block, blocks::GoalId id, PlanAnswer answer) {
   if (answer.outcome.ending == blocks::Ending::Rejected) {
-    parts_.board.reject(job.block, job.goal, std::move(answer.outcome));
+    parts_.board.reject(block, id, std::move(answer.outcome));
     return;
   }
   if (!answer.tool_path.empty()) {
-    parts_.actions.emplace_back(PathPlanned{job.goal, std::move(answer.tool_path)});
+    parts_.actions.emplace_back(PathPlanned{id, std::move(answer.tool_path)});
   }
-  parts_.board.answer(job.block, job.goal, std::move(answer.outcome));
+  parts_.board.answer(block, id, std::move(answer.outcome));
 }
 
-void GoalPlans::endOverdue(Instant now) {
-  for (const PlanDesk::Job& job : desk_.takeOverdue(now)) {
-    take(job, {toRejection(job.block, {{blocks::own_error::kPlanningBudget, "", ""}}), {}});
+void GoalPlans::foresee(Instant now) {
+  Waiting& last = queue_.back();
+  const auto command = blocks::GoalRules(last.goal).command();
+  if (!command) return;
+  last.end_is_planned = true;
+  const auto origin = [this, arrival = last.arrival](Instant then) { return origin_behind_(arrival, then); };
+  const auto take = [this, id = last.id](const std::optional<PlanAnswer>& answer) {
+    takeForesight(id, answer ? answer->command.get() : nullptr);
+  };
+  desk_.ask({command->block, last.id, Purpose::Foresee, parts_.forecast.workFor(*command, origin), take},
+            now);
+}
+
+/// Refused as it comes, like a goal that is wrong by itself: it takes none with it.
+void GoalPlans::takeForesight(blocks::GoalId id, const PlannedCommand* planned) {
+  Waiting* const waiting = queue_.find(id);
+  if (waiting == nullptr) return;
+  waiting->end_is_planned = false;
+  if (planned == nullptr) return;
+  if (!planned->plan) {
+    queue_.refuse(id, toRejection(blockOf(waiting->goal), {planned->plan.error()}));
+  } else if (*planned->plan) {
+    waiting->end = (*planned->plan)->end;
   }
+}
+
+void GoalPlans::planTheNext(Instant now) {
+  const Waiting& first = queue_.front();
+  const auto origin = [this](Instant then) { return parts_.forecast.origin(then); };
+  const auto take = [this, block = blockOf(first.goal), id = first.id](std::optional<PlanAnswer> answer) {
+    Waiting* const waiting = queue_.find(id);
+    if (waiting != nullptr) waiting->found = (answer ? *std::move(answer) : tookTooLong(block)).outcome;
+  };
+  desk_.ask({blockOf(first.goal), first.id, Purpose::Send, parts_.forecast.workFor(first.goal, origin), take},
+            now);
 }
 
 bool GoalPlans::cancel(blocks::GoalId goal) {
-  const auto job = desk_.drop(goal);
-  if (job) endUnplanned(*job, "cancelled while it was planned");
-  return job.has_value();
+  const auto check = desk_.dropCheck(goal);
+  if (check) endUnplanned(*check, "cancelled while it was planned");
+  return check.has_value();
 }
 
 void GoalPlans::endAll(const std::string& why) {
-  assert(queue_.empty());
-  for (const PlanDesk::Job& job : desk_.dropAll()) endUnplanned(job, why);
+  for (const PlanDesk::Job& check : desk_.dropChecks()) endUnplanned(check, why);
 }
 
-void GoalPlans::endUnplanned(const PlanDesk::Job& job, const std::string& why) {
-  parts_.board.reject(job.block, job.goal, blocks::commandAborted(why));
+void GoalPlans::endUnplanned(const PlanDesk::Job& check, const std::string& why) {
+  parts_.board.reject(check.block, check.goal, blocks::commandAborted(why));
 }
 
 }  // namespace cobot_command::command

@@ -1,42 +1,49 @@
-// The plans of goals that may take long: of checks, and of what is planned as a whole when its turn has come.
+// The plans of whole goals: of checks, which they answer; of goals that wait, to refuse at once what cannot
+// be made; and of what is planned as a whole when its turn has come.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "arbiter/core_parts.h"
 #include "arbiter/goal_queue.h"
 #include "forecast/plan_desk.h"
 
-#include "cobot_command/command/planning_job.h"
-
 namespace cobot_command::command {
 
 class GoalPlans {
  public:
+  /// Where a goal starts that came then, behind all that is on the wire and came before it; nothing when
+  /// nobody knows.
+  using OriginBehind = std::function<std::optional<Origin>(Arrival arrival, Instant now)>;
   /// All have to live longer.
-  GoalPlans(const CoreParts& parts, Planning planning, PlanDesk& desk, GoalQueue& queue)
-      : parts_(parts), planning_(planning), desk_(desk), queue_(queue) {}
+  GoalPlans(const CoreParts& parts, PlanDesk& desk, GoalQueue& queue, OriginBehind origin_behind)
+      : parts_(parts), desk_(desk), queue_(queue), origin_behind_(std::move(origin_behind)) {}
 
-  /// Its answer ends a check, and is `found` of a goal that waits; with Planning::AtOnce it is there already.
-  PlanJobId ask(blocks::GoalId id, const blocks::Goal& goal, const std::optional<Origin>& origin,
-                PlanDesk::Haste haste);
-  void answered(PlanJobId id, PlanAnswer answer);
-  void endOverdue(Instant now);
+  /// Answers the goal that came last with its plan.
+  void check(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  /// Of the last one that waits, when it is one command: refused, or where it will leave the robot.
+  void foresee(Instant now);
+  /// The first one that waits: what is found is `found` of it.
+  void planTheNext(Instant now);
+
   /// A check that was cancelled; false: there is none.
   bool cancel(blocks::GoalId goal);
-  /// Precondition: nothing waits for its turn any more.
   void endAll(const std::string& why);
 
  private:
-  void take(const PlanDesk::Job& job, PlanAnswer answer);
-  void endUnplanned(const PlanDesk::Job& job, const std::string& why);
+  /// Of the goal that came last: as it is now, or when it is known where that in front of it ends.
+  [[nodiscard]] Forecast::OriginAt originOfTheLast(Instant now) const;
+  void answer(blocks::Block block, blocks::GoalId id, PlanAnswer answer);
+  void takeForesight(blocks::GoalId id, const PlannedCommand* planned);
+  void endUnplanned(const PlanDesk::Job& check, const std::string& why);
 
   CoreParts parts_;
-  Planning planning_;
   PlanDesk& desk_;
   GoalQueue& queue_;
+  OriginBehind origin_behind_;
 };
 
 }  // namespace cobot_command::command

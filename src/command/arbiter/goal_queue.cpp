@@ -15,7 +15,14 @@ Waiting* GoalQueue::find(blocks::GoalId id) {
   return found == waiting_.end() ? nullptr : &*found;
 }
 
+const Waiting* GoalQueue::lastBefore(Arrival arrival) const {
+  const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(),
+                                 [arrival](const Waiting& w) { return w.arrival < arrival; });
+  return last == waiting_.rend() ? nullptr : &*last;
+}
+
 void GoalQueue::push(Waiting waiting) {
+  waiting.arrival = last_arrival_;
   board_.wait(blocks::blockOf(waiting.goal), waiting.id);
   waiting_.push_back(std::move(waiting));
 }
@@ -29,12 +36,21 @@ Waiting GoalQueue::take() {
 bool GoalQueue::drop(blocks::GoalId id, const std::string& why) {
   const auto found = at(id);
   if (found == waiting_.end()) return false;
-  const blocks::Block block = blocks::blockOf(found->goal);
-  waiting_.erase(found);
-  forgetPlan(id);
   forgetForecasts();
-  board_.end(block, id, blocks::commandAborted(why));
+  end(found, blocks::commandAborted(why));
   return true;
+}
+
+void GoalQueue::refuse(blocks::GoalId id, blocks::Outcome refusal) {
+  end(at(id), std::move(refusal));
+}
+
+void GoalQueue::end(std::deque<Waiting>::iterator waiting, blocks::Outcome outcome) {
+  const blocks::GoalId id = waiting->id;
+  const blocks::Block block = blocks::blockOf(waiting->goal);
+  waiting_.erase(waiting);
+  forgetPlan(id);
+  board_.end(block, id, std::move(outcome));
 }
 
 void GoalQueue::dropAll(const std::string& why, blocks::GoalId newest) {
@@ -71,7 +87,7 @@ void GoalQueue::tellPlaces(const std::function<std::string(int place)>& text) {
   int place = 0;
   for (Waiting& waiting : waiting_) {
     ++place;
-    if (waiting.told_place == place) continue;
+    if (waiting.told_place == place || waiting.turn == Waiting::Turn::PlansCommand) continue;
     waiting.told_place = place;
     blocks::Progress progress;
     progress.phase = blocks::Phase::Queued;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -20,15 +21,23 @@
 
 namespace cobot_command::command {
 
+/// Counts up: when a goal came, among all others.
+using Arrival = std::uint64_t;
+
 /// A goal that was checked, and is not on the wire yet.
 struct Waiting {
+  /// Its turn has come once it is planned, in front of its first command.
+  enum class Turn { NotYet, PlansCommand, PlansWhole };
+
   blocks::GoalId id = 0;
   blocks::Goal goal;
-  bool takes_over = false;               ///< once the stop that is under way for it is confirmed
-  int told_place = 0;                    ///< in the queue, as last reported; 0: not yet
-  std::optional<Origin> end;             ///< where it will leave the robot, as far as that can be foreseen
-  PlanJobId job = 0;                     ///< that plans it as a whole, when its turn has come
-  std::optional<blocks::Outcome> found;  ///< by that
+  Arrival arrival = 0;
+  bool takes_over = false;      ///< once the stop that is under way for it is confirmed
+  int told_place = 0;           ///< in the queue, as last reported; 0: not yet
+  std::optional<Origin> end;    ///< where it will leave the robot, as far as that can be foreseen
+  bool end_is_planned = false;  ///< that is to be known soon
+  Turn turn = Turn::NotYet;
+  std::optional<blocks::Outcome> found;  ///< when it was planned as a whole
 };
 
 class GoalQueue {
@@ -38,25 +47,35 @@ class GoalQueue {
       : board_(board), plans_(plans), actions_(actions), newest_(std::move(newest)) {}
 
   /// A goal was submitted, of whatever kind.
-  void came(blocks::GoalId id) { newest_submitted_ = std::max(newest_submitted_, id); }
+  void came(blocks::GoalId id) {
+    newest_submitted_ = std::max(newest_submitted_, id);
+    ++last_arrival_;
+  }
+  [[nodiscard]] Arrival lastArrival() const { return last_arrival_; }
   /// The newest that has come anywhere.
   [[nodiscard]] blocks::GoalId newest() const { return newest_ ? newest_() : newest_submitted_; }
 
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
   [[nodiscard]] std::size_t size() const { return waiting_.size(); }
-  /// Precondition of all three: not empty.
+  /// Precondition of all: not empty.
   [[nodiscard]] Waiting& front() { return waiting_.front(); }
   [[nodiscard]] const Waiting& front() const { return waiting_.front(); }
+  [[nodiscard]] Waiting& back() { return waiting_.back(); }
   [[nodiscard]] const Waiting& back() const { return waiting_.back(); }
   [[nodiscard]] Waiting* find(blocks::GoalId id);
-  /// The first one is planned as a whole, as its turn has come.
-  [[nodiscard]] bool plansTheNext() const { return !empty() && front().job != 0; }
+  /// The last one that came before; nullptr: none waits.
+  [[nodiscard]] const Waiting* lastBefore(Arrival arrival) const;
+  /// The first one is planned, as its turn has come.
+  [[nodiscard]] bool plansTheNext() const { return !empty() && front().turn != Waiting::Turn::NotYet; }
 
+  /// The goal that came last.
   void push(Waiting waiting);
   /// It is its turn. Precondition: not empty.
   [[nodiscard]] Waiting take();
   /// When it waits: one goal, that was cancelled.
   bool drop(blocks::GoalId id, const std::string& why);
+  /// It cannot be made. Precondition: it waits.
+  void refuse(blocks::GoalId id, blocks::Outcome refusal);
   /// All, and those that wait in front of the core: up to `newest`, the last that had come when `why` did.
   void dropAll(const std::string& why, blocks::GoalId newest);
   /// With all that came until now, as nobody can know yet what makes them fall.
@@ -66,14 +85,15 @@ class GoalQueue {
   /// Why a goal that comes now fell before it came; nothing: it did not.
   [[nodiscard]] std::optional<std::string> fell(blocks::GoalId id, const blocks::Goal& goal) const;
   /// Of a goal that was taken out.
-  void forgetPlan(blocks::GoalId id) { static_cast<void>(plans_.drop(id)); }
+  void forgetPlan(blocks::GoalId id) { plans_.drop(id); }
   /// What was foreseen for those that wait stands on what was in front of them.
   void forgetForecasts();
-  /// To each whose place is another one; `text`: for people.
+  /// To each whose place is another one, but for the one that is about to be sent; `text`: for people.
   void tellPlaces(const std::function<std::string(int place)>& text);
 
  private:
   [[nodiscard]] std::deque<Waiting>::iterator at(blocks::GoalId id);
+  void end(std::deque<Waiting>::iterator waiting, blocks::Outcome outcome);
 
   OutputBoard& board_;
   PlanDesk& plans_;
@@ -81,6 +101,7 @@ class GoalQueue {
   std::deque<Waiting> waiting_;
   NewestGoal newest_;
   blocks::GoalId newest_submitted_ = 0;
+  Arrival last_arrival_ = 0;
   CommandsFell fell_{0, ""};  ///< the last that fell
 };
 

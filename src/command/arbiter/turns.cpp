@@ -22,7 +22,7 @@ bool couldNotBePlanned(const blocks::Outcome& found) {
 }  // namespace
 
 Turns::Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder frames)
-    : parts_(parts), desks_(desks), frames_(std::move(frames)) {}
+    : parts_(parts), desks_(desks), frames_(std::move(frames)), next_(parts.forecast, desks.planning) {}
 
 // --- What is there.
 
@@ -54,8 +54,8 @@ std::vector<blocks::Failure> Turns::objectionsToAny(blocks::BufferMode mode) con
   return failures;
 }
 
-std::optional<Origin> Turns::originBehindAll(Instant now) const {
-  if (!desks_.queue.empty()) return desks_.queue.back().end;
+std::optional<Origin> Turns::originBehind(Arrival arrival, Instant now) const {
+  if (const Waiting* const before = desks_.queue.lastBefore(arrival)) return before->end;
   if (!run_ || run_->leavesTheRobot()) return parts_.forecast.origin(now);
   return run_->isOneCommand() ? desks_.window.end() : std::nullopt;
 }
@@ -75,17 +75,11 @@ void Turns::dispatch(Instant now) {
   }
 }
 
-/// Nothing (false) as long as it is planned as a whole.
+/// Nothing (false) as long as it is planned.
 bool Turns::beginNext(Instant now) {
   Waiting& first = desks_.queue.front();
   const Failures failures = objectionsTo(first);
-  if (failures.empty() && !first.found && blocks::GoalRules(first.goal).isPlanned()) {
-    if (first.job == 0) {
-      first.job = desks_.plans.ask(first.id, first.goal, parts_.forecast.origin(now), PlanDesk::Haste::Turn);
-      first.told_place = 0;  // what it waits for is another thing now
-    }
-    if (!first.found) return false;
-  }
+  if (failures.empty() && isBeingPlanned(first, now)) return false;
   const Waiting next = desks_.queue.take();
   if (failures.empty()) {
     begin(next, now);
@@ -95,9 +89,25 @@ bool Turns::beginNext(Instant now) {
   return true;
 }
 
+bool Turns::isBeingPlanned(Waiting& first, Instant now) {
+  using Turn = Waiting::Turn;
+  const blocks::GoalRules rules(first.goal);
+  if (const auto command = rules.command()) {
+    first.turn = Turn::PlansCommand;
+    first.end_is_planned = true;  // on its way
+    return next_.look(*command, first.id, now) == NextCommand::State::Planning;
+  }
+  if (rules.isPlanned() && first.turn == Turn::NotYet) {
+    first.turn = Turn::PlansWhole;
+    first.told_place = 0;  // what it waits for is another thing now
+    desks_.plans.planTheNext(now);
+  }
+  return rules.isPlanned() && !first.found;
+}
+
 Turns::Failures Turns::objectionsTo(const Waiting& next) const {
   Failures failures = objectionsToAny(blocks::BufferMode::Aborting);
-  const bool has_waited = next.told_place > 0;
+  const bool has_waited = next.told_place > 0 || next.turn != Waiting::Turn::NotYet;
   if (failures.empty() && has_waited) {
     if (auto moved = blocks::GoalRules(next.goal).findMovedFrame(frames_)) {
       failures.push_back(std::move(*moved));
@@ -112,6 +122,7 @@ void Turns::begin(const Waiting& next, Instant now) {
     refuseTurn(next, std::move(found));
     return;
   }
+  desks_.queue.forgetPlan(next.id);  // what was to be foreseen is there
   auto run = blocks::GoalRules(next.goal).run(next.id, found, now);
   if (run->isOneCommand()) {
     beginCommand(next, std::move(run), now);
@@ -123,14 +134,13 @@ void Turns::begin(const Waiting& next, Instant now) {
 }
 
 void Turns::beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now) {
-  auto order = desks_.window.prepare(*run->next(), now);
-  if (!order) {
-    refuseTurn(next, toRejection(run->block(), {order.error()}));
+  if (const auto failure = prepare(*run->next(), now)) {
+    refuseTurn(next, toRejection(run->block(), {*failure}));
     return;
   }
-  parts_.board.accept(run->block(), next.id, order->command_id_ack);
+  parts_.board.accept(run->block(), next.id, next_.order().command_id_ack);
   run_ = std::move(run);
-  send(std::move(*order), now);
+  send(now);
 }
 
 /// What waits behind it stands on where it would have left the robot. When it has not waited itself, nothing
@@ -138,13 +148,14 @@ void Turns::beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, 
 void Turns::refuseTurn(const Waiting& next, blocks::Outcome refusal) {
   const blocks::Block block = blocks::blockOf(next.goal);
   desks_.queue.forgetPlan(next.id);
+  next_.forget();
   if (next.told_place > 0) {
     desks_.queue.dropAll(fmt::format("the command in front of it, {}, was refused", toString(block)));
   }
   parts_.board.end(block, next.id, std::move(refusal));
 }
 
-/// Nothing (false) as long as the run has nothing to send.
+/// Nothing (false) as long as the run has nothing to send, or that is planned.
 bool Turns::continueRun(Instant now) {
   const auto command = run_->next();
   if (!command) return false;
@@ -152,25 +163,34 @@ bool Turns::continueRun(Instant now) {
     run_->commandEnded(command->key, {}, now);  // the flow has left the node by itself
     return true;
   }
-  auto order = prepareNext(*command, now);
-  if (order) {
-    send(std::move(*order), now);
+  auto failure = objectionTo(*command);
+  if (!failure) {
+    if (next_.look(*command, run_->goal(), now) == NextCommand::State::Planning) return false;
+    failure = prepare(*command, now);
+  }
+  if (failure) {
+    next_.forget();
+    run_->commandRefused(command->key, *failure, now);
   } else {
-    run_->commandRefused(command->key, order.error(), now);
+    send(now);
   }
   return true;
 }
 
-Result<CommandOrder, blocks::Failure> Turns::prepareNext(const blocks::Command& command, Instant now) {
-  const Failures failures = objectionsToAny(blocks::BufferMode::Aborting);
-  if (!failures.empty()) return refuse(failures.front());
-  if (command.find_moved_frame) {
-    if (auto moved = command.find_moved_frame(frames_)) return refuse(std::move(*moved));
-  }
-  return desks_.window.prepare(command, now);
+std::optional<blocks::Failure> Turns::objectionTo(const blocks::Command& command) const {
+  Failures failures = objectionsToAny(blocks::BufferMode::Aborting);
+  if (!failures.empty()) return std::move(failures.front());
+  return command.find_moved_frame ? command.find_moved_frame(frames_) : std::nullopt;
 }
 
-void Turns::send(CommandOrder order, Instant now) {
+std::optional<blocks::Failure> Turns::prepare(const blocks::Command& command, Instant now) {
+  if (next_.failure()) return next_.failure();
+  return desks_.window.prepare(next_.order(), command.traits, now);
+}
+
+void Turns::send(Instant now) {
+  CommandOrder order = std::move(next_.order());
+  next_.forget();
   order.goal = run_->goal();
   run_->commandStarted(order.key);
   desks_.stops.commanded();
@@ -203,6 +223,7 @@ void Turns::endRun(Instant now) {
   }
   if (!run_->outcome()) return;
   assert(desks_.window.empty());
+  next_.forget();
   const auto done = std::exchange(run_, nullptr);
   if (done->outcome()->ending == blocks::Ending::Aborted) {
     if (done->leavesMotions()) desks_.stops.askIfMoving(now);

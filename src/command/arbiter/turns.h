@@ -10,6 +10,7 @@
 #include "arbiter/core_parts.h"
 #include "arbiter/goal_plans.h"
 #include "arbiter/goal_queue.h"
+#include "arbiter/next_command.h"
 #include "arbiter/stop_desk.h"
 #include "runs/command_window.h"
 
@@ -23,6 +24,7 @@ class Turns {
  public:
   /// What the arbiter is made of besides.
   struct Desks {
+    PlanDesk& planning;
     GoalQueue& queue;
     GoalPlans& plans;
     StopDesk& stops;
@@ -37,8 +39,9 @@ class Turns {
   [[nodiscard]] std::optional<blocks::Block> busyWith() const;
   /// Why no command may be taken now, whatever it is; in table order.
   [[nodiscard]] std::vector<blocks::Failure> objectionsToAny(blocks::BufferMode mode) const;
-  /// Where a command starts that comes behind all that is on the wire and waits; nothing when nobody knows.
-  [[nodiscard]] std::optional<Origin> originBehindAll(Instant now) const;
+  /// Where a goal starts that came then: behind all that is on the wire, and waited before; nothing when
+  /// nobody knows.
+  [[nodiscard]] std::optional<Origin> originBehind(Arrival arrival, Instant now) const;
 
   /// Begins what can begin.
   void dispatch(Instant now);
@@ -60,14 +63,17 @@ class Turns {
   using Failures = std::vector<blocks::Failure>;
 
   bool beginNext(Instant now);
+  /// Its plan, or that of its only command, is being made.
+  [[nodiscard]] bool isBeingPlanned(Waiting& first, Instant now);
   [[nodiscard]] Failures objectionsTo(const Waiting& next) const;
   void begin(const Waiting& next, Instant now);
   void beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now);
   void refuseTurn(const Waiting& next, blocks::Outcome refusal);
   bool continueRun(Instant now);
-  [[nodiscard]] Result<CommandOrder, blocks::Failure> prepareNext(const blocks::Command& command,
-                                                                  Instant now);
-  void send(CommandOrder order, Instant now);
+  [[nodiscard]] std::optional<blocks::Failure> objectionTo(const blocks::Command& command) const;
+  /// What was looked at in this event.
+  [[nodiscard]] std::optional<blocks::Failure> prepare(const blocks::Command& command, Instant now);
+  void send(Instant now);
   void endCommand(CommandWindow::Ended ended, Instant now);
   void endRun(Instant now);
   [[nodiscard]] std::string textOfPlace(int place) const;
@@ -75,6 +81,7 @@ class Turns {
   CoreParts parts_;
   Desks desks_;
   blocks::FrameFinder frames_;
+  NextCommand next_;
   std::unique_ptr<blocks::Run> run_;
 };
 

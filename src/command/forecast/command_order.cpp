@@ -1,6 +1,24 @@
 #include "forecast/command_order.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace cobot_command::command {
+
+/// Behind a motion the robot gets it later than it was planned for, by as much as its plan took to make.
+void takePlan(CommandOrder& order, PlannedCommand& planned, const Origin& now) {
+  order.plan = std::move(*planned.plan);
+  order.tool_path = std::move(planned.tool_path);
+  if (!order.plan) {
+    order.target = robot::jointTargetOf(*order.commands);
+    return;
+  }
+  order.target = order.plan->target;
+  if (!now.isBehindMotion()) return;
+  const Duration since = now.arrival - order.plan->arrival;
+  order.plan->arrival = now.arrival;
+  order.plan->start_delay = std::max(Duration::zero(), order.plan->start_delay - since);
+}
 
 void addLastLines(CommandOrder& order) {
   if (order.tag) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "forecast/plan.h"
 
@@ -26,7 +27,11 @@ struct CommandOrder : blocks::Order {
   std::optional<Duration> reply_timeout;  ///< other than that of the link
   std::optional<Plan> plan;
   std::optional<robot::Target> target;  ///< where it leaves the robot, if that is certain
+  std::vector<arm::Pose> tool_path;     ///< as planned, for people
 };
+
+/// The order goes out from `now`. Precondition: it was planned, not refused, from the same start.
+void takePlan(CommandOrder& order, PlannedCommand& planned, const Origin& now);
 
 /// The queue tag, when one is open for it, and the exit from the node.
 void addLastLines(CommandOrder& order);

@@ -37,6 +37,23 @@ PlanAnswer planGoal(const blocks::Goal& goal, const arm::ArmModel* arm, const st
   return answer;
 }
 
+std::shared_ptr<PlannedCommand> planCommand(const arm::ArmModel* arm,
+                                            const std::vector<script::ScriptCommand>& commands,
+                                            const Origin& origin, const blocks::GiveUp& give_up) {
+  // In its place at once: the moves of a Result must not fail, and that of a plan may, for want of memory.
+  std::shared_ptr<PlannedCommand> planned(
+      new PlannedCommand{origin, planFor(arm, commands, origin, give_up)});
+  if (planned->plan && *planned->plan) planned->tool_path = toolPathOf(**planned->plan, *arm);
+  return planned;
+}
+
+std::shared_ptr<PlannedCommand> foresee(const arm::ArmModel* arm, const blocks::Command& command,
+                                        const std::optional<arm::Pose>& base,
+                                        const std::optional<Origin>& origin) {
+  return std::shared_ptr<PlannedCommand>(
+      new PlannedCommand{origin.value_or(Origin()), planFor(arm, command, base, origin)});
+}
+
 /// Where blended motions leave the robot.
 robot::LooseMotion::End endOf(const CommandOrder& order) {
   const bool known = order.plan && order.plan->end.start.joints;
@@ -69,18 +86,7 @@ Origin Forecast::origin(Instant now) const {
   return origin;
 }
 
-Planned Forecast::plan(const blocks::Command& command, const std::optional<Origin>& origin) const {
-  return planFor(arm(), command, origin ? origin->start.base : frames().base, origin);
-}
-
-PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const std::optional<Origin>& origin) const {
-  const auto base = origin ? origin->start.base : frames().base;
-  return [=, arm = arm_](const PlanDesk::Dropped& dropped) -> PlanWork {
-    return [=]() -> PlanAnswer { return planGoal(goal, arm.get(), base, origin, dropped); };
-  };
-}
-
-Result<CommandOrder, blocks::Failure> Forecast::order(const blocks::Command& command, Instant now) const {
+Result<CommandOrder, blocks::Failure> Forecast::order(const blocks::Command& command) const {
   auto lines = linesOf(command, frames().base);
   if (!lines) return refuse(lines.error());
   CommandOrder order;
@@ -88,12 +94,46 @@ Result<CommandOrder, blocks::Failure> Forecast::order(const blocks::Command& com
   order.block = command.block;
   order.key = command.key;
   order.reply_timeout = command.traits.reply_timeout;
-  if (!order.commands) return order;
-  auto planned = planFor(arm(), *order.commands, origin(now));
-  if (!planned) return refuse(planned.error());
-  order.plan = std::move(*planned);
-  order.target = order.plan ? order.plan->target : robot::jointTargetOf(*order.commands);
   return order;
+}
+
+bool Forecast::isPlannedAtOnce(const CommandOrder& order) const {
+  return !arm_ || !order.commands || !order.moves;
+}
+
+std::shared_ptr<PlannedCommand> Forecast::plan(const CommandOrder& order, const Origin& origin) const {
+  return planCommand(arm(), *order.commands, origin, {});
+}
+
+PlanDesk::MakeWork Forecast::workFor(const CommandOrder& order, const Origin& origin) const {
+  return [=, commands = *order.commands, arm = arm_](const PlanDesk::Dropped& dropped,
+                                                     Instant /*now*/) -> PlanWork {
+    return [=]() -> PlanAnswer {
+      return {{}, {}, planCommand(arm.get(), commands, origin, [dropped] { return dropped->load(); })};
+    };
+  };
+}
+
+PlanDesk::MakeWork Forecast::workFor(const blocks::Command& command, OriginAt origin_at) const {
+  return [=](const PlanDesk::Dropped& /*dropped*/, Instant now) -> PlanWork {
+    const auto origin = origin_at(now);
+    return [command, origin, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
+      return {{}, {}, foresee(arm.get(), command, base, origin)};
+    };
+  };
+}
+
+PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, OriginAt origin_at) const {
+  return [=](const PlanDesk::Dropped& dropped, Instant now) -> PlanWork {
+    const auto origin = origin_at(now);
+    return [=, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
+      return planGoal(goal, arm.get(), base, origin, dropped);
+    };
+  };
+}
+
+std::optional<arm::Pose> Forecast::baseAt(const std::optional<Origin>& origin) const {
+  return origin ? origin->start.base : frames().base;
 }
 
 // --- What went out, and what became of it.
@@ -172,9 +212,7 @@ void Forecast::weigh() {
 }
 
 void Forecast::tellPath(const CommandOrder& order) {
-  if (!order.plan) return;
-  PathPlanned path{order.goal, toolPathOf(*order.plan, *arm_)};
-  if (!path.tool_path.empty()) actions_.emplace_back(std::move(path));
+  if (!order.tool_path.empty()) actions_.emplace_back(PathPlanned{order.goal, order.tool_path});
 }
 
 }  // namespace cobot_command::command

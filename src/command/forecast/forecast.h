@@ -5,6 +5,7 @@
 // speaks against one.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,14 +39,21 @@ class Forecast {
   // --- Plans.
   /// Where a command starts that is sent now.
   [[nodiscard]] Origin origin(Instant now) const;
-  /// Of a command of a goal that waits; no plan where its origin is not known.
-  [[nodiscard]] Planned plan(const blocks::Command& command, const std::optional<Origin>& origin) const;
-  /// The same of a whole goal, as work that may be done on another thread: with copies of all it needs.
-  [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Goal& goal,
-                                           const std::optional<Origin>& origin) const;
-  /// The command as it goes out now, without a tag; else what speaks against it.
-  [[nodiscard]] Result<CommandOrder, blocks::Failure> order(const blocks::Command& command,
-                                                            Instant now) const;
+  /// The command as it goes out now, without tag and plan; else what speaks against it.
+  [[nodiscard]] Result<CommandOrder, blocks::Failure> order(const blocks::Command& command) const;
+  /// Its plan takes no time, if it has one.
+  [[nodiscard]] bool isPlannedAtOnce(const CommandOrder& order) const;
+  /// As it goes out from there. Precondition: it is known what its lines mean.
+  [[nodiscard]] std::shared_ptr<PlannedCommand> plan(const CommandOrder& order, const Origin& origin) const;
+
+  // --- The same as work that may be done on another thread: with copies of all it needs.
+  /// Looked up when the work begins; nothing: nobody knows.
+  using OriginAt = std::function<std::optional<Origin>(Instant now)>;
+  [[nodiscard]] PlanDesk::MakeWork workFor(const CommandOrder& order, const Origin& origin) const;
+  /// Of a goal that waits and is one command; no plan where its origin is not known.
+  [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Command& command, OriginAt origin) const;
+  /// Of a goal that is answered by its plan, or planned as a whole.
+  [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Goal& goal, OriginAt origin) const;
 
   // --- What went out, and what became of it.
   void sent(const CommandOrder& order, Instant now);
@@ -72,6 +80,7 @@ class Forecast {
   void weigh();
   /// For a marker.
   void tellPath(const CommandOrder& order);
+  [[nodiscard]] std::optional<arm::Pose> baseAt(const std::optional<Origin>& origin) const;
 
   std::shared_ptr<const arm::ArmModel> arm_;
   robot::RobotWatch& robot_;

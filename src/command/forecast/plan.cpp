@@ -12,6 +12,8 @@ namespace {
 
 /// A motion that is no longer than this in any joint ends next to where it began.
 constexpr double kNextTo = degToRad(0.5);  // [rad]
+/// A robot that stands is streamed within this of where it was.
+constexpr double kSamePlace = degToRad(0.1);  // [rad]
 /// Of one motion, for a marker.
 constexpr std::size_t kPathPoints = 60;
 
@@ -25,10 +27,29 @@ std::optional<robot::Target> targetOf(const std::vector<script::ScriptCommand>& 
   return robot::Target{*kind, *end.joints, end.tcp.value_or(arm::Pose::Identity()), way <= kNextTo};
 }
 
+bool isSame(const std::optional<arm::Pose>& a, const std::optional<arm::Pose>& b) {
+  return a && b ? a->isApprox(*b) : !a && !b;
+}
+
+bool isSamePlace(const std::optional<arm::JointVector>& a, const std::optional<arm::JointVector>& b) {
+  return a && b ? (*a - *b).cwiseAbs().maxCoeff() <= kSamePlace : !a && !b;
+}
+
+bool isBehindTheSame(const Origin& then, const Origin& now) {
+  if (!then.isBehindMotion() || !now.isBehindMotion()) return !then.isBehindMotion() && !now.isBehindMotion();
+  return then.behind->duration() == now.behind->duration();
+}
+
 }  // namespace
 
+bool isSameStart(const Origin& then, const Origin& now) {
+  return isSamePlace(then.start.joints, now.start.joints) && isSame(then.start.base, now.start.base) &&
+         isSame(then.start.tcp, now.start.tcp) && then.start.speed_override == now.start.speed_override &&
+         then.frames_told == now.frames_told && isBehindTheSame(then, now);
+}
+
 Planned planFor(const arm::ArmModel* arm, const std::vector<script::ScriptCommand>& commands,
-                const Origin& origin) {
+                const Origin& origin, const blocks::GiveUp& give_up) {
   if (arm == nullptr) return std::optional<Plan>();
   planning::ScriptPlanner planner = origin.behind.value_or(planning::ScriptPlanner(*arm, origin.start));
   Plan plan;
@@ -36,6 +57,7 @@ Planned planFor(const arm::ArmModel* arm, const std::vector<script::ScriptComman
   plan.arrival = origin.arrival;
   std::optional<Duration> begin;
   for (const script::ScriptCommand& command : commands) {
+    if (give_up && give_up()) return std::optional<Plan>();
     const auto step = planner.append(command, origin.arrival);
     if (!step) return refuse(blocks::toFailure(step.error()));
     if (!step->planned) return std::optional<Plan>();

@@ -7,6 +7,8 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/shared/command.h"
 #include "cobot_command/blocks/shared/failure.h"
+#include "cobot_command/blocks/shared/planning_scene.h"
+#include "cobot_command/command/planning_job.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/motion/trajectory.h"
@@ -23,6 +25,9 @@ struct Origin {
   Duration arrival{};  ///< when the robot gets the command, by the time of `behind`
   /// Base and TCP were streamed or commanded, not only taken for those that a project starts with.
   bool frames_told = false;
+
+  /// What is in front still moves the robot then; else the command starts from rest.
+  [[nodiscard]] bool isBehindMotion() const { return behind && arrival < behind->duration(); }
 };
 
 struct Plan {
@@ -35,11 +40,22 @@ struct Plan {
   std::vector<motion::TrajectoryPtr> motions;  ///< of a command that moves: one, of a raw script: several
 };
 
+/// What was planned from `then` is good for what begins at `now`, but for the time that has passed since.
+[[nodiscard]] bool isSameStart(const Origin& then, const Origin& now);
+
 /// No plan when the start or the effect of a command is not known, or there is no model.
 using Planned = Result<std::optional<Plan>, blocks::Failure>;
 
+/// The answer to who asked for the plan of one command.
+struct PlannedCommand {
+  Origin origin;
+  Planned plan;
+  std::vector<arm::Pose> tool_path = {};  ///< of its motions: the TCP in the robot base, for people
+};
+
+/// `give_up`: may be empty; asked between two commands.
 [[nodiscard]] Planned planFor(const arm::ArmModel* arm, const std::vector<script::ScriptCommand>& commands,
-                              const Origin& origin);
+                              const Origin& origin, const blocks::GiveUp& give_up = {});
 
 /// The lines of a command in that base; refused when it needs one that is not known.
 [[nodiscard]] Result<blocks::Order, blocks::Failure> linesOf(const blocks::Command& command,

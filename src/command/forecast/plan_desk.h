@@ -1,11 +1,12 @@
-// The plans that are asked for: one at a time, each with a budget. What is to move the robot comes before
-// checks, and takes the place of one that is worked on, which then begins anew; else they come in their
-// order.
+// The plans that are asked for: one at a time, each with a budget. What is to be sent now comes before what
+// is only foreseen or checked, and takes the place of one that is worked on, which then begins anew; else
+// they come in their order.
 //
 // What is dropped is told to whoever works on it, and its answer, when it comes all the same, is for nobody.
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -24,47 +25,60 @@ class PlanDesk {
  public:
   /// True as soon as nobody waits for the plan any more; asked from any thread.
   using Dropped = std::shared_ptr<const std::atomic<bool>>;
-  using MakeWork = std::function<PlanWork(const Dropped& dropped)>;
+  /// Called when its turn has come: what it begins with is looked up then.
+  using MakeWork = std::function<PlanWork(const Dropped& dropped, Instant now)>;
 
+  enum class Purpose {
+    Send,     ///< of what comes next on the wire
+    Foresee,  ///< of a goal that waits behind others
+    Check     ///< of a goal that is answered by its plan
+  };
   struct Job {
-    PlanJobId id = 0;
     blocks::Block block{};
     blocks::GoalId goal = 0;
+    Purpose purpose = Purpose::Check;
+    MakeWork make;
+    /// Gets the answer; nothing: it took longer than its budget. May ask for another plan.
+    std::function<void(std::optional<PlanAnswer> answer)> take;
   };
 
-  PlanDesk(Duration budget, std::vector<Action>& actions) : budget_(budget), actions_(actions) {}
+  /// With Planning::AtOnce each plan is made, and taken, while it is asked for.
+  PlanDesk(Duration budget, std::vector<Action>& actions, Planning planning)
+      : budget_(budget), actions_(actions), planning_(planning) {}
 
-  [[nodiscard]] std::size_t size() const { return open_.size(); }
-  enum class Haste { Check, Turn };
-  PlanJobId ask(blocks::Block block, blocks::GoalId goal, Haste haste, MakeWork make);
-  /// For who does it at once, instead of proceed(). Precondition: it has not begun.
-  [[nodiscard]] PlanWork takeWork(PlanJobId id);
+  void ask(Job job, Instant now);
   /// Begins the next one when none is worked on. To be called behind each event.
   void proceed(Instant now);
-  /// Whose answer that is; nothing: nobody waits for it (any more).
-  [[nodiscard]] std::optional<Job> answered(PlanJobId id);
-  /// The plan of a goal that has ended otherwise, if there is one.
-  [[nodiscard]] std::optional<Job> drop(blocks::GoalId goal);
-  [[nodiscard]] std::vector<Job> dropAll();
-  /// Those whose budget is over are dropped.
-  [[nodiscard]] std::vector<Job> takeOverdue(Instant now);
+  /// Left alone when nobody waits for it (any more).
+  void answered(PlanJobId id, PlanAnswer answer);
+  /// Those whose budget is over.
+  void endOverdue(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  /// How many goals wait to be answered by their plan.
+  [[nodiscard]] std::size_t checks() const;
+  /// Whatever is planned to send or foresee that goal.
+  void drop(blocks::GoalId goal);
+  /// Nothing: that goal is not answered by a plan.
+  [[nodiscard]] std::optional<Job> dropCheck(blocks::GoalId goal);
+  [[nodiscard]] std::vector<Job> dropChecks();
 
  private:
   struct Open {
+    PlanJobId id = 0;
     Job job;
-    Haste haste = Haste::Check;
-    MakeWork make;
-    std::shared_ptr<std::atomic<bool>> dropped;  ///< of the one that is worked on, the first
-    std::optional<Instant> deadline;             ///< the same
+    std::shared_ptr<std::atomic<bool>> dropped = nullptr;  ///< of the one that is worked on, the first
+    std::optional<Instant> deadline = std::nullopt;        ///< the same
   };
-  [[nodiscard]] static PlanWork begin(Open& open);
-  static void drop(Open& open);
-  [[nodiscard]] std::deque<Open>::iterator find(PlanJobId id);
-  Job remove(const std::deque<Open>::iterator& open);
+  using Place = std::deque<Open>::iterator;
+
+  [[nodiscard]] static PlanWork begin(Open& open, Instant now);
+  [[nodiscard]] Place placeFor(Purpose purpose);
+  Job remove(Place open);
 
   Duration budget_;
   std::vector<Action>& actions_;
+  Planning planning_;
   PlanJobId last_ = 0;
   std::deque<Open> open_;
 };

@@ -36,23 +36,19 @@ blocks::Outcome withMotion(const blocks::Outcome& exit, const blocks::Outcome& m
 
 // --- In.
 
-Result<CommandOrder, blocks::Failure> CommandWindow::prepare(const blocks::Command& command, Instant now) {
-  auto planned = forecast_.order(command, now);
-  if (!planned) return refuse(planned.error());
-  // Out of the Result, whose own moves must not fail: that of a plan may, for want of memory.
-  CommandOrder order = std::move(*planned);
-  const blocks::GoalTraits& traits = command.traits;
+std::optional<blocks::Failure> CommandWindow::prepare(CommandOrder& order, const blocks::GoalTraits& traits,
+                                                      Instant now) {
   order.exits_node = traits.exits_node && !traits.awaits_motion;
   order.exits_afterwards = traits.exits_node && traits.awaits_motion;
-  if (auto closed = objectionTo(order, now)) return refuse(std::move(*closed));
+  if (auto closed = objectionTo(order, now)) return closed;
   // A tag is opened last, for what will be sent.
   if (traits.awaits_motion) {
     order.tag = context_.tags.open(traits.command_id);
-    if (!order.tag) return refuse(blocks::Failure{blocks::own_error::kNoFreeTag, "", ""});
+    if (!order.tag) return blocks::Failure{blocks::own_error::kNoFreeTag, "", ""};
   }
   order.command_id_ack = traits.command_id != 0 ? traits.command_id : order.tag.value_or(0);
   addLastLines(order);
-  return order;
+  return std::nullopt;
 }
 
 std::optional<blocks::Failure> CommandWindow::objectionTo(const CommandOrder& order, Instant now) const {

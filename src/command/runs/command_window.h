@@ -18,7 +18,6 @@
 
 #include "cobot_command/blocks/shared/command.h"
 #include "cobot_command/command/gate.h"
-#include "cobot_command/common/result.h"
 
 namespace cobot_command::command {
 
@@ -39,8 +38,9 @@ class CommandWindow {
       : context_(context), forecast_(forecast), gate_(std::move(gate)) {}
 
   // --- In.
-  /// As it goes out now, with its tag; else what speaks against it.
-  [[nodiscard]] Result<CommandOrder, blocks::Failure> prepare(const blocks::Command& command, Instant now);
+  /// Gives it its tag and its last lines; else what speaks against it.
+  [[nodiscard]] std::optional<blocks::Failure> prepare(CommandOrder& order, const blocks::GoalTraits& traits,
+                                                       Instant now);
   void send(CommandOrder order, Instant now);
   /// Beside all others, whatever state the robot is in; nothing is planned or foreseen for it.
   void sendBeside(const blocks::Command& command, blocks::GoalId goal, Instant now);

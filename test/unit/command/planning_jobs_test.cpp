@@ -124,6 +124,8 @@ TEST(PlanBesideTheCore, delaysNeitherCommandsNorStops) {
   Planned rig;
   const GoalId check = rig.submit(sequence());
   const GoalId move = rig.submit(toJoints(40));
+  rig.finishPlan();  // of the check, which has made room
+  rig.finishPlan();
   rig.reply(rig.takeScript().id);
   EXPECT_EQ(rig.outcome(move), nullptr);
   const GoalId stop = rig.submit(StopGoal{});
@@ -154,6 +156,8 @@ TEST(CycleThatIsPlanned, beginsWithItsPlan) {
   EXPECT_EQ(rig.outcome(rig.submit(toJoints(40)))->error_id, motion_error::kOtherBlockBusy);
   rig.finishPlan();
   EXPECT_TRUE(rig.accepted(id));
+  EXPECT_TRUE(rig.nothingSent()) << "each move is planned once more, from where the robot is";
+  rig.finishPlan();
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
 }
 
@@ -167,6 +171,7 @@ TEST(CycleThatIsPlanned, comesBeforeChecksWhichBeginAnew) {
   EXPECT_EQ(rig.outcome(check), nullptr);
   rig.finishPlan();
   EXPECT_TRUE(rig.accepted(id));
+  rig.finishPlan();
   rig.takeScript();
   rig.finishPlan();
   EXPECT_EQ(rig.endingOf(check), Ending::Done);
@@ -177,6 +182,7 @@ TEST(CycleThatIsPlanned, comesBeforeChecksWhichBeginAnew) {
 TEST(CycleThatIsPlanned, countsAsUnderWay) {
   Planned rig;
   const GoalId move = rig.submit(toJoints(40));
+  rig.finishPlan();
   const auto script = rig.takeScript();
   const GoalId id = rig.submit(cycle(BufferMode::Buffered));
   EXPECT_THAT(rig.progress(id).back().text, HasSubstr("one is in front of it"));

@@ -148,9 +148,9 @@ Scenarios budgetScenarios() {
     return Goal(goal);
   };
   Scenarios scenarios;
-  for (const Goal& goal :
-       {checked_only(good<MoveAbsoluteGoal>()), checked_only(good<MoveRelativeGoal>()),
-        checked_only(good<MoveCircleGoal>()), Goal(good<PickAndPlaceGoal>()), Goal(sequence())}) {
+  for (const Goal& goal : {checked_only(good<MoveAbsoluteGoal>()), checked_only(good<MoveRelativeGoal>()),
+                           checked_only(good<MoveCircleGoal>()), Goal(good<RunScriptGoal>()),
+                           Goal(good<PickAndPlaceGoal>()), Goal(sequence())}) {
     scenarios[{static_cast<Block>(goal.index()), own_error::kPlanningBudget}] = [=] {
       CoreRig rig(model(), link::LinkSettings{}, command::Planning::Beside);
       rig.connect();

@@ -43,7 +43,7 @@ class GoalQueueTest : public ::testing::Test {
 
   std::vector<Action> actions_;
   OutputBoard board_{actions_};
-  PlanDesk plans_{10s, actions_};
+  PlanDesk plans_{10s, actions_, Planning::Beside};
   GoalQueue queue_{board_, plans_, actions_, {}};
 };
 

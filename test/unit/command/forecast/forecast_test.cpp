@@ -38,7 +38,12 @@ class ForecastTest : public ::testing::Test {
   }
 
   [[nodiscard]] CommandOrder orderOf(const blocks::Goal& goal) const {
-    return forecast_.order(*blocks::GoalRules(goal).command(), now_).value();
+    CommandOrder order = forecast_.order(*blocks::GoalRules(goal).command()).value();
+    const Origin origin = forecast_.origin(now_);
+    const auto planned = forecast_.plan(order, origin);
+    EXPECT_TRUE(planned->plan) << planned->plan.error().found;
+    takePlan(order, *planned, origin);
+    return order;
   }
   [[nodiscard]] static blocks::MoveAbsoluteGoal blended() {
     blocks::MoveAbsoluteGoal goal = testing::moveJoints(kAside);
@@ -148,9 +153,10 @@ TEST_F(ForecastTest, tellsThePathOfWhatGoesOut) {
 TEST_F(ForecastTest, refusesWhatTheArmCannotReach) {
   stream(home_);
   const blocks::Goal goal = testing::moveJoints({0, 0, 359, 0, 0, 0});
-  const auto order = forecast_.order(*blocks::GoalRules(goal).command(), now_);
-  ASSERT_FALSE(order);
-  EXPECT_NE(order.error().error_id, 0);
+  const CommandOrder order = forecast_.order(*blocks::GoalRules(goal).command()).value();
+  const auto planned = forecast_.plan(order, forecast_.origin(now_));
+  ASSERT_FALSE(planned->plan);
+  EXPECT_NE(planned->plan.error().error_id, 0);
 }
 
 class ForecastWithoutModel : public ForecastTest {
@@ -170,7 +176,8 @@ TEST_F(ForecastWithoutModel, answersACheckWithThat) {
   stream(home_);
   const blocks::Goal goal = testing::moveJoints(kAside);
   const auto dropped = std::make_shared<const std::atomic<bool>>(false);
-  const PlanAnswer answer = forecast_.workFor(goal, forecast_.origin(now_))(dropped)();
+  const auto origin = [this](Instant then) { return forecast_.origin(then); };
+  const PlanAnswer answer = forecast_.workFor(goal, origin)(dropped, now_)();
   EXPECT_EQ(answer.outcome.ending, blocks::Ending::Rejected);
   EXPECT_EQ(answer.outcome.error_id, blocks::own_error::kNoModel);
 }

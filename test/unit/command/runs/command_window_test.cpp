@@ -31,10 +31,11 @@ class CommandWindowTest : public ::testing::Test {
     const blocks::Goal goal = testing::moveJoints(joints_deg);
     blocks::Command command = *blocks::GoalRules(goal).command();
     command.key = key;
-    auto order = window_.prepare(command, now_);
-    ASSERT_TRUE(order) << order.error().found;
-    tags_of_[key] = *order->tag;
-    window_.send(std::move(*order), now_);
+    CommandOrder order = forecast_.order(command).value();
+    takePlan(order, *forecast_.plan(order, forecast_.origin(now_)), forecast_.origin(now_));
+    ASSERT_FALSE(window_.prepare(order, command.traits, now_));
+    tags_of_[key] = *order.tag;
+    window_.send(std::move(order), now_);
     ids_of_[key] = idOf(wire_.sent.back());
   }
   void sendTwo() {

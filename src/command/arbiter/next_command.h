@@ -1,0 +1,58 @@
+// The command that goes out next: its lines, and its plan, which is made beside the core when that may take
+// long, and anew when the robot, or its frames, are not where they were any more.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "forecast/command_order.h"
+#include "forecast/forecast.h"
+#include "forecast/plan_desk.h"
+
+#include "cobot_command/blocks/shared/command.h"
+#include "cobot_command/command/planning_job.h"
+
+namespace cobot_command::command {
+
+class NextCommand {
+ public:
+  /// Both have to live longer.
+  NextCommand(const Forecast& forecast, PlanDesk& desk) : forecast_(forecast), desk_(desk) {}
+
+  enum class State {
+    Planning,  ///< to be looked at again behind the next event
+    Refused,   ///< see failure()
+    Ready      ///< see order()
+  };
+  /// Of a command of that goal, now.
+  [[nodiscard]] State look(const blocks::Command& command, blocks::GoalId goal, Instant now);
+  /// Nothing, unless look() said Refused.
+  [[nodiscard]] const std::optional<blocks::Failure>& failure() const { return failure_; }
+  /// As it goes out, without a tag. Precondition: look() said Ready, in this event.
+  [[nodiscard]] CommandOrder& order() { return order_; }
+  /// Its goal has ended, or the command is out.
+  void forget();
+
+ private:
+  /// For the plan of one command; the answer for another one is for nobody.
+  struct Asked {
+    blocks::GoalId goal = 0;
+    blocks::CommandKey key = 0;
+    bool answered = false;
+    std::shared_ptr<PlannedCommand> planned = nullptr;  ///< nothing in the answer: it took too long
+  };
+
+  [[nodiscard]] bool isAsked(const blocks::Command& command, blocks::GoalId goal) const;
+  [[nodiscard]] State make(const blocks::Command& command, blocks::GoalId goal, Instant now);
+  void ask(blocks::GoalId goal, const Origin& origin, Instant now);
+  [[nodiscard]] State take(PlannedCommand& planned, const Origin& now);
+  [[nodiscard]] State refuse(blocks::Failure failure);
+
+  const Forecast& forecast_;
+  PlanDesk& desk_;
+  CommandOrder order_;
+  std::optional<blocks::Failure> failure_;
+  std::optional<Asked> asked_;
+};
+
+}  // namespace cobot_command::command

@@ -1,0 +1,262 @@
+// Commands that are planned beside the core before they are sent: what happens meanwhile.
+
+#include "block_goals.h"
+#include "core_rig.h"
+#include "motion_goals.h"
+#include "status_frames.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cobot_command/blocks/goal.h"
+
+namespace cobot_command::testing {
+namespace {
+
+using namespace blocks;
+using namespace command;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+MoveAbsoluteGoal toJoints(double j1, BufferMode mode = BufferMode::Refuse) {
+  MoveAbsoluteGoal goal = moveJoints({j1, 0, 90, 0, 90, 0});
+  goal.buffer_mode = static_cast<int>(mode);
+  return goal;
+}
+
+/// In joint space it can be made from anywhere; where it is not possible, the third joint is too far.
+MoveAbsoluteGoal tooFar(BufferMode mode = BufferMode::Refuse) {
+  MoveAbsoluteGoal goal = toJoints(0, mode);
+  goal.target[2] = 170;
+  return goal;
+}
+
+class CommandPlannedBeside : public ::testing::Test {
+ protected:
+  CommandPlannedBeside() {
+    rig.connect();
+    rig.status(StatusFrames());
+  }
+  [[nodiscard]] bool isSent(const std::string& beginning) {
+    if (rig.nothingSent()) return false;
+    script_ = rig.takeScript();
+    return script_.script.rfind(beginning, 0) == 0;
+  }
+  Ending endingOf(GoalId id) {
+    EXPECT_NE(rig.outcome(id), nullptr);
+    return rig.outcome(id) == nullptr ? Ending::Rejected : rig.outcome(id)->ending;
+  }
+  /// The last script that was sent is accepted, its tag is back, and the robot stands there.
+  void arrive(float j1) {
+    rig.reply(script_.id);
+    rig.tag(rig.latest().open_tags.at(0));
+    rig.stream(StatusFrames().at({j1, 0, 90, 0, 90, 0}));
+  }
+
+  CoreRig rig{*arm::ArmModel::named("tm5-900"), link::LinkSettings{}, Planning::Beside};
+  protocol::ScriptRequest script_;
+};
+
+TEST_F(CommandPlannedBeside, isSentWithItsPlan) {
+  const GoalId id = rig.submit(toJoints(40));
+  EXPECT_TRUE(rig.nothingSent());
+  EXPECT_FALSE(rig.accepted(id));
+  EXPECT_TRUE(rig.progress(id).empty()) << "it does not wait for anything that a caller knows of";
+  EXPECT_EQ(rig.latest().commands_under_way, 1);
+  EXPECT_EQ(rig.latest().commands_waiting, 0);
+  rig.finishPlan();
+  EXPECT_TRUE(rig.accepted(id));
+  EXPECT_TRUE(isSent("PTP"));
+  EXPECT_TRUE(rig.progress(id).back().planned);
+}
+
+TEST_F(CommandPlannedBeside, isRefusedByName) {
+  const GoalId id = rig.submit(tooFar());
+  rig.finishPlan();
+  EXPECT_EQ(rig.outcome(id)->error_id, own_error::kJointLimit);
+  EXPECT_EQ(endingOf(id), Ending::Rejected);
+  EXPECT_FALSE(rig.accepted(id));
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST_F(CommandPlannedBeside, leavesTheRobotBusyForOthers) {
+  rig.submit(toJoints(40));
+  EXPECT_EQ(rig.outcome(rig.submit(toJoints(50)))->error_id, motion_error::kOtherBlockBusy);
+}
+
+TEST_F(CommandPlannedBeside, isNotWhatMovesNothing) {
+  rig.submit(good<ChangeBaseGoal>());
+  EXPECT_FALSE(rig.isPlanning());
+  EXPECT_TRUE(isSent("ChangeBase"));
+}
+
+TEST_F(CommandPlannedBeside, endsUnsentWhenItIsCancelledStoppedOrLosesItsLink) {
+  const std::function<void(CoreRig&, GoalId)> ends[] = {
+      [](CoreRig& one, GoalId id) { one.cancel(id); },
+      [](CoreRig& one, GoalId) { one.submit(StopGoal{}); },
+      [](CoreRig& one, GoalId) { one.close("gone"); },
+      [](CoreRig& one, GoalId) { one.shutDown(); },
+  };
+  for (const auto& end : ends) {
+    CoreRig beside{*arm::ArmModel::named("tm5-900"), link::LinkSettings{}, Planning::Beside};
+    beside.connect();
+    beside.status(StatusFrames());
+    const GoalId id = beside.submit(toJoints(40));
+    PlanAnswer late = beside.makePlan();
+    end(beside, id);
+    ASSERT_NE(beside.outcome(id), nullptr);
+    EXPECT_EQ(beside.outcome(id)->ending, Ending::CommandAborted);
+    beside.discardSent();
+    beside.answerPlan(std::move(late));  // the rig fails when a goal ends twice
+    EXPECT_TRUE(beside.nothingSent());
+  }
+}
+
+TEST_F(CommandPlannedBeside, doesNotHoldAStopBack) {
+  rig.submit(toJoints(40));
+  const GoalId stop = rig.submit(StopGoal{});
+  EXPECT_TRUE(isSent("StopAndClearBuffer"));
+  rig.reply(script_.id);
+  rig.stream(StatusFrames());
+  EXPECT_EQ(endingOf(stop), Ending::Done);
+}
+
+TEST_F(CommandPlannedBeside, isRefusedWhenTheRobotIsInErrorBeforeItsPlanIsMade) {
+  const GoalId id = rig.submit(toJoints(40));
+  rig.status(StatusFrames().error(1, "IK"));
+  EXPECT_EQ(rig.outcome(id)->error_id, own_error::kRobotError);
+  rig.finishPlan();
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST_F(CommandPlannedBeside, isRefusedWhenThatTakesTooLong) {
+  const GoalId id = rig.submit(toJoints(40));
+  PlanAnswer late = rig.makePlan();
+  rig.pass(10s);
+  EXPECT_EQ(rig.outcome(id)->error_id, own_error::kPlanningBudget);
+  EXPECT_EQ(endingOf(id), Ending::Rejected);
+  rig.answerPlan(std::move(late));
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST_F(CommandPlannedBeside, isPlannedAnewWhenTheRobotWasMovedMeanwhile) {
+  const GoalId id = rig.submit(toJoints(40));
+  rig.stream(StatusFrames().at({20, 0, 90, 0, 90, 0}), 3);
+  rig.finishPlan();
+  EXPECT_TRUE(rig.nothingSent()) << "that plan began where the robot is not any more";
+  ASSERT_TRUE(rig.isPlanning());
+  rig.finishPlan();
+  EXPECT_TRUE(isSent("PTP"));
+
+  CoreRig direct(*arm::ArmModel::named("tm5-900"), link::LinkSettings{});
+  direct.connect();
+  direct.stream(StatusFrames().at({20, 0, 90, 0, 90, 0}), 3);
+  const GoalId same = direct.submit(toJoints(40));
+  direct.discardSent();
+  EXPECT_EQ(rig.progress(id).back().planned, direct.progress(same).back().planned);
+}
+
+TEST_F(CommandPlannedBeside, isNotPlannedAnewForWhatTheStreamRounds) {
+  rig.submit(toJoints(40));
+  rig.stream(StatusFrames().at({0.01F, 0, 90, 0, 90, 0}));
+  rig.finishPlan();
+  EXPECT_TRUE(isSent("PTP"));
+}
+
+TEST_F(CommandPlannedBeside, comesBeforeWhatWaitsBehindItInTheOrderOfTheGoals) {
+  const GoalId first = rig.submit(toJoints(40));
+  const GoalId second = rig.submit(toJoints(60, BufferMode::Buffered));
+  rig.finishPlan();
+  EXPECT_TRUE(rig.accepted(first));
+  EXPECT_TRUE(isSent("PTP(\"JPP\",40"));
+  rig.finishPlan();  // what is foreseen of the second
+  EXPECT_TRUE(rig.nothingSent());
+  arrive(40);
+  EXPECT_EQ(endingOf(first), Ending::Done);
+  rig.finishPlan();
+  EXPECT_TRUE(rig.accepted(second));
+  EXPECT_TRUE(isSent("PTP(\"JPP\",60"));
+}
+
+TEST_F(CommandPlannedBeside, isRefusedWhileItWaitsAndTakesNoneWithIt) {
+  rig.submit(toJoints(40));
+  rig.finishPlan();
+  ASSERT_TRUE(isSent("PTP"));
+  const GoalId wrong = rig.submit(tooFar(BufferMode::Buffered));
+  const GoalId right = rig.submit(toJoints(60, BufferMode::Buffered));
+  EXPECT_EQ(rig.outcome(wrong), nullptr);
+  rig.finishPlan();
+  EXPECT_EQ(endingOf(wrong), Ending::Rejected);
+  EXPECT_EQ(rig.outcome(wrong)->error_id, own_error::kJointLimit);
+  EXPECT_EQ(rig.outcome(right), nullptr);
+  rig.finishPlan();
+  arrive(40);
+  rig.finishPlan();
+  EXPECT_TRUE(isSent("PTP(\"JPP\",60"));
+}
+
+TEST_F(CommandPlannedBeside, isForeseenFromWhereTheOneInFrontOfItEnds) {
+  rig.submit(toJoints(40));
+  rig.finishPlan();
+  ASSERT_TRUE(isSent("PTP"));
+  rig.submit(toJoints(60, BufferMode::Buffered));
+  MoveAbsoluteGoal back = toJoints(40);
+  back.check_only = true;
+  const GoalId check = rig.submit(back);
+  rig.finishPlan();
+  rig.finishPlan();
+  ASSERT_EQ(endingOf(check), Ending::Done);
+  const auto& path = rig.outcome(check)->joint_path;
+  ASSERT_FALSE(path.empty());
+  EXPECT_NEAR(path.front().joints[0], degToRad(60), 1e-6) << "asked for when that was not known yet";
+}
+
+TEST_F(CommandPlannedBeside, isWhateverComesNextInACycle) {
+  PickAndPlaceGoal goal;
+  goal.steps.push_back({toJoints(20), std::nullopt, std::nullopt, 0});
+  goal.steps.push_back({toJoints(40), std::nullopt, std::nullopt, 0});
+  const GoalId id = rig.submit(goal);
+  rig.finishPlan();  // as a whole
+  rig.finishPlan();
+  ASSERT_TRUE(isSent("PTP(\"JPP\",20"));
+  arrive(20);
+  EXPECT_TRUE(rig.nothingSent());
+  const GoalId stop = rig.submit(StopGoal{});
+  EXPECT_EQ(endingOf(id), Ending::CommandAborted);
+  EXPECT_TRUE(isSent("StopAndClearBuffer"));
+  EXPECT_EQ(rig.outcome(stop), nullptr);
+  rig.finishPlan();
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST_F(CommandPlannedBeside, blendsFromWhereTheRobotWillBeWhenItIsSent) {
+  MoveAbsoluteGoal blended = toJoints(40);
+  blended.blending_enable = true;
+  rig.submit(blended);
+  rig.finishPlan();
+  ASSERT_TRUE(isSent("PTP"));
+  rig.reply(script_.id);
+  const GoalId behind = rig.submit(toJoints(60));
+  PlanAnswer answer = rig.makePlan();
+  rig.pass(100ms);
+  rig.answerPlan(std::move(answer));
+  ASSERT_TRUE(isSent("PTP(\"JPP\",60"));
+  rig.reply(script_.id);
+
+  CoreRig direct(*arm::ArmModel::named("tm5-900"), link::LinkSettings{});
+  direct.connect();
+  direct.status(StatusFrames());
+  direct.submit(blended);
+  direct.reply(direct.takeScript().id);
+  direct.pass(100ms);
+  const GoalId same = direct.submit(toJoints(60));
+  direct.reply(direct.takeScript().id);
+  ASSERT_EQ(rig.progress(behind).back().phase, Phase::Queued);
+  EXPECT_EQ(rig.progress(behind).back().planned, direct.progress(same).back().planned);
+  rig.pass(2s);
+  direct.pass(2s);
+  EXPECT_EQ(rig.progress(behind).size(), direct.progress(same).size());
+  EXPECT_EQ(rig.progress(behind).back().phase, direct.progress(same).back().phase);
+}
+
+}  // namespace
+}  // namespace cobot_command::testing
