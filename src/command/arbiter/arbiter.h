@@ -1,13 +1,13 @@
-// The arbiter: which goal is refused, which waits, which one's turn it is, and what falls with whom. It knows
-// no block but those that make and end everything else: connect and stop.
-//
-// What goes out beside all others, and the stop, have paths of their own to the wire.
+// The arbiter of one robot: goals that come (front_desk), wait (goal_queue), have their turn (turns), are
+// planned (goal_plans, next_command) or stopped (stop_desk), and what falls with whom. Here every event goes
+// to those that it concerns.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "arbiter/core_parts.h"
+#include "arbiter/front_desk.h"
 #include "arbiter/goal_plans.h"
 #include "arbiter/goal_queue.h"
 #include "arbiter/stop_desk.h"
@@ -30,7 +30,7 @@ class Arbiter {
 
   // --- Goals.
   /// Executes it, has it wait, or ends it.
-  void take(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  void take(blocks::GoalId id, const blocks::Goal& goal, Instant now) { front_desk_.take(id, goal, now); }
   void cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest);
   FinishReport finish(blocks::FinishAfter after, Instant now, std::optional<blocks::GoalId> newest);
   /// All are to end as CommandAborted; a robot that moves is told to stop.
@@ -72,20 +72,6 @@ class Arbiter {
   [[nodiscard]] const StopDesk& stops() const { return stops_; }
 
  private:
-  void connect(blocks::GoalId id, const blocks::Goal& goal, Instant now);
-  void stopOnRequest(blocks::GoalId id, const blocks::Goal& goal, Instant now);
-  void sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant now);
-  /// Planned from where the robot will be, and answered.
-  void answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now);
-  void queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
-  void enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
-  /// True when there are any: then it has ended with them.
-  bool rejected(blocks::GoalId id, const blocks::Goal& goal, const std::vector<blocks::Failure>& failures);
-  /// Everything that is Busy is to end as CommandAborted, with a stop when it moves; `newest`: see
-  /// GoalQueue::dropAll().
-  void abortAll(const std::string& why, blocks::GoalId newest, Instant now);
-  /// The same, with a stop whatever there is.
-  void stopAll(const std::string& why, blocks::GoalId newest, Instant now);
   void settleStops(Instant now);
   void settleBeside(Instant now);
 
@@ -97,6 +83,7 @@ class Arbiter {
   StopDesk stops_;
   GoalPlans plans_;
   Turns turns_;
+  FrontDesk front_desk_;
 };
 
 }  // namespace cobot_command::command

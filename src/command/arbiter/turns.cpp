@@ -248,6 +248,16 @@ void Turns::finish(blocks::FinishAfter after, Instant now) {
   if (run_) run_->finish(after, now);
 }
 
+void Turns::abortAll(const std::string& why, blocks::GoalId newest, Instant now) {
+  desks_.queue.dropAll(why, newest);
+  cancel(why, now);
+}
+
+void Turns::stopAll(const std::string& why, blocks::GoalId newest, Instant now) {
+  if (!desks_.window.stopsWithACancel()) desks_.stops.ask(now);
+  abortAll(why, newest, now);
+}
+
 // --- Events.
 
 void Turns::linkLost(const std::string& reason, Instant now) {

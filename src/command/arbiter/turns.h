@@ -52,6 +52,10 @@ class Turns {
   /// The same, now.
   void abandon(const std::string& why, Instant now);
   void finish(blocks::FinishAfter after, Instant now);
+  /// With what waits, as CommandAborted; `newest`: see GoalQueue::dropAll().
+  void abortAll(const std::string& why, blocks::GoalId newest, Instant now);
+  /// The same, with a stop whatever there is.
+  void stopAll(const std::string& why, blocks::GoalId newest, Instant now);
   void tellPlaces();
 
   void linkLost(const std::string& reason, Instant now);

@@ -1,0 +1,121 @@
+#include "arbiter/front_desk.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+
+namespace cobot_command::command {
+namespace {
+
+using Failures = std::vector<blocks::Failure>;
+
+void append(Failures& failures, const Failures& more) {
+  failures.insert(failures.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+void FrontDesk::take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
+  desks_.queue.came(id);
+  if (const auto why = desks_.queue.fell(id, goal)) {
+    parts_.board.abortAsItComes(blockOf(goal), id, *why);
+    return;
+  }
+  const blocks::GoalTraits traits = blocks::GoalRules(goal).traits();
+  switch (traits.way) {
+    case blocks::Way::Link:
+      connect(id, goal, now);
+      return;
+    case blocks::Way::Stop:
+      stopOnRequest(id, goal, now);
+      return;
+    case blocks::Way::Beside:
+      sendBeside(id, goal, now);
+      return;
+    case blocks::Way::Plan:
+      answerByPlan(id, goal, now);
+      return;
+    case blocks::Way::Queue:
+      if (traits.check_only) {
+        answerByPlan(id, goal, now);
+      } else {
+        queueUp(id, goal, traits.buffer_mode, now);
+      }
+      return;
+  }
+}
+
+bool FrontDesk::rejected(blocks::GoalId id, const blocks::Goal& goal, const Failures& failures) {
+  if (failures.empty()) return false;
+  const blocks::Block block = blockOf(goal);
+  parts_.board.reject(block, id, toRejection(block, failures));
+  return true;
+}
+
+void FrontDesk::connect(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
+  const auto& target = std::get<blocks::ConnectGoal>(goal);
+  const bool may_move = parts_.forecast.loose().mayMove() || desks_.stops.busy();
+  if (rejected(id, goal, parts_.keeper.objectionsTo(target, turns_.busyWith(), may_move))) return;
+  parts_.keeper.execute(id, target, now);
+}
+
+void FrontDesk::stopOnRequest(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
+  constexpr const char* kWhy = "stopped by the stop block";
+  desks_.queue.dropAll(kWhy, id);  // also when there is nobody who could be told to stop
+  if (rejected(id, goal, parts_.keeper.objectionsToATry())) return;
+  desks_.stops.accept(id);
+  turns_.stopAll(kWhy, id, now);
+  desks_.stops.answerWithTheLast(id);
+}
+
+void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
+  const blocks::GoalRules rules(goal);
+  const bool tried_anyway = rules.traits().tried_anyway;
+  const bool only_connection = tried_anyway && !parts_.keeper.run().disconnecting();
+  Failures failures = rules.violations();
+  append(failures, only_connection ? parts_.keeper.objectionsToATry() : parts_.keeper.objectionsToCommands());
+  if (!tried_anyway && parts_.robot.emergencyStop()) {
+    failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
+  }
+  blocks::sortByTable(failures);
+  if (rejected(id, goal, failures)) return;
+  const blocks::Command command = *rules.command();
+  parts_.board.accept(command.block, id, command.traits.command_id);
+  desks_.window.sendBeside(command, id, now);
+}
+
+void FrontDesk::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
+  Failures failures = blocks::GoalRules(goal).violations();
+  if (desks_.planning.checks() >= kMostWaiting)
+    failures.push_back(blocks::tooManyWait(desks_.planning.checks()));
+  blocks::sortByTable(failures);
+  if (rejected(id, goal, failures)) return;
+  desks_.plans.check(id, goal, now);
+}
+
+void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now) {
+  Failures failures = blocks::GoalRules(goal).violations();
+  append(failures, turns_.objectionsToAny(mode));
+  blocks::sortByTable(failures);
+  if (!rejected(id, goal, failures)) enqueue(id, goal, mode, now);
+}
+
+void FrontDesk::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now) {
+  const bool takes_over = mode == blocks::BufferMode::Aborting;
+  if (takes_over) {
+    turns_.abortAll(fmt::format("taken over by {}", toString(blockOf(goal))), id, now);
+    if (desks_.stops.mayMoveOtherwise() && !desks_.stops.busy()) desks_.stops.ask(now);
+  }
+  const bool is_behind_others = turns_.busyWith().has_value();
+  Waiting waiting;
+  waiting.id = id;
+  waiting.goal = goal;
+  waiting.takes_over = takes_over && desks_.stops.busy();
+  desks_.queue.push(std::move(waiting));
+  if (is_behind_others) desks_.plans.foresee(now);
+}
+
+}  // namespace cobot_command::command
