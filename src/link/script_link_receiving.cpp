@@ -35,9 +35,11 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
     return;
   }
   const auto& frame = std::get<protocol::Frame>(event);
-  const auto bytes = [&] { return protocol::encodeFrame(frame.header, frame.data); };
+  const bool traced = wire_.isTraced(Channel::Script);
+  // What the message says may close the connection, and the decoder forgets it then.
+  const std::string bytes(traced ? decoder_.lastFrame() : "");
   if (frame.header == protocol::header::kItems && state_ == State::Probing) {
-    fault(bytes(), "frame of the status stream on the script port", now);
+    fault(bytes, "frame of the status stream on the script port", now);
     diagnose(Trouble::StatusPort,
              fmt::format("{}:{} is the status port of a TM robot, not its script port", host_, port_));
     fire(Event::ForeignPeer, now);
@@ -45,7 +47,7 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
   }
   const auto message = protocol::parseControllerMessage(frame);
   if (!message) {
-    fault(bytes(), message.error().message, now);
+    fault(bytes, message.error().message, now);
     return;
   }
   foreign_bytes_ = false;
@@ -54,8 +56,8 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
   }
   const std::uint64_t late_before = late_replies_;
   std::visit([&](const auto& value) { take(value, now); }, *message);
-  if (!wire_.isTraced(Channel::Script)) return;
-  wire_.trace(now, Channel::Script, false, bytes(),
+  if (!traced) return;
+  wire_.trace(now, Channel::Script, false, bytes,
               protocol::describe(*message) + (late_replies_ > late_before ? " (nobody waits for it)" : ""));
 }
 

@@ -101,13 +101,12 @@ std::optional<RobotStatus> StatusLink::next(Instant now) {
 std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instant now) {
   const auto status_frame = protocol::parseStatusFrame(frame);
   if (!status_frame) {
-    fault(protocol::encodeFrame(frame.header, frame.data), status_frame.error().message, now);
+    fault(decoder_.lastFrame(), status_frame.error().message, now);
     if (isOfScriptPort(frame)) heard_ = Heard::ScriptPort;
     return std::nullopt;
   }
   if (wire_.isTraced(Channel::Status)) {
-    wire_.trace(now, Channel::Status, false, protocol::encodeFrame(frame.header, frame.data),
-                protocol::describe(frame));
+    wire_.trace(now, Channel::Status, false, decoder_.lastFrame(), protocol::describe(frame));
   }
   if (status_frame->mode != static_cast<int>(protocol::StatusMode::WriteBinary)) {
     diagnosis_ = fmt::format(

@@ -91,6 +91,7 @@ void FrameDecoder::feed(std::string_view bytes) {
     buffer_.erase(0, begin_);
     begin_ = 0;
   }
+  frame_size_ = 0;
   buffer_.append(bytes);
   finished_ = false;
 }
@@ -135,6 +136,7 @@ std::optional<DecodeEvent> FrameDecoder::readFrame() {
   if (scan(candidate)) {
     Frame frame{std::string(candidate.header()), std::string(candidate.data())};
     consume(candidate.frame_end);
+    frame_size_ = candidate.frame_end;
     return DecodeEvent(std::move(frame));
   }
   if (candidate.examined == 0) {
@@ -262,6 +264,7 @@ DecodeFault FrameDecoder::drop(Candidate& candidate) {
 
 void FrameDecoder::consume(std::size_t count) {
   begin_ += count;
+  frame_size_ = 0;
   needed_ = 0;
   start_sought_ -= std::min(start_sought_, count);
   end_sought_ -= std::min(end_sought_, count);

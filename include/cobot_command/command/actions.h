@@ -80,7 +80,7 @@ struct PathPlanned {
   std::vector<arm::Pose> tool_path;
 };
 /// The flight recorder: every frame and every fault, sent and received.
-/// A received frame is written anew from header and data, a fault holds the bytes that were dropped.
+/// A fault holds the bytes that were dropped.
 struct FrameTraced {
   Instant time;
   link::Channel channel;

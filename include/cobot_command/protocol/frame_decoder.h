@@ -68,6 +68,12 @@ class FrameDecoder {
   /// The next complete frame or fault, in the order of the stream; nothing when more bytes are needed.
   [[nodiscard]] std::optional<DecodeEvent> next();
 
+  /// The frame that next() gave last, as it came: with its length and checksum as the peer wrote them. Until
+  /// the next call of anything else than this; empty before the first frame.
+  [[nodiscard]] std::string_view lastFrame() const {
+    return std::string_view(buffer_).substr(begin_ - frame_size_, frame_size_);
+  }
+
   /// Bytes that are stored and not yet part of an event.
   [[nodiscard]] std::size_t pending() const { return buffer_.size() - begin_; }
 
@@ -91,6 +97,7 @@ class FrameDecoder {
   Options options_;
   std::string buffer_;
   std::size_t begin_ = 0;         ///< of the bytes in the buffer that are still wanted
+  std::size_t frame_size_ = 0;    ///< of the frame in front of them that was given last
   std::size_t needed_ = 0;        ///< pending bytes below which the frame at begin_ cannot go on
   std::size_t start_sought_ = 0;  ///< no frame starts in so many pending bytes
   std::size_t end_sought_ = 0;    ///< no frame of empty LENGTH ends in so many pending bytes

@@ -54,6 +54,23 @@ TEST(FrameDecoder, cutsDataByLengthWhateverItHolds) {
   EXPECT_THAT(decode(encodeFrame("TMSTA", data)), ElementsAre("TMSTA:" + data));
 }
 
+TEST(FrameDecoder, handsOutTheLastFrameAsItCame) {
+  const std::string own_way = "$TMSCT,0x4,1,OK,*14\r\n";
+  FrameDecoder decoder;
+  EXPECT_EQ(decoder.lastFrame(), "");
+  decoder.feed("noise" + own_way.substr(0, 5));
+  EXPECT_TRUE(std::holds_alternative<DecodeFault>(decoder.next().value()));
+  EXPECT_EQ(decoder.lastFrame(), "");
+  decoder.feed(own_way.substr(5) + own_way);
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(std::holds_alternative<Frame>(decoder.next().value()));
+    EXPECT_EQ(decoder.lastFrame(), own_way);
+  }
+  EXPECT_FALSE(decoder.next());
+  decoder.feed("$");
+  EXPECT_EQ(decoder.lastFrame(), "");
+}
+
 TEST(FrameDecoder, acceptsEmptyData) {
   EXPECT_THAT(decode("$TMSTA,0,,*43\r\n"), ElementsAre("TMSTA:"));
 }

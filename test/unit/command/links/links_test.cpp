@@ -86,6 +86,21 @@ TEST_F(LinksTest, describesNoFrameThatNobodyReads) {
   EXPECT_FALSE(traced[0].meaning.empty());
 }
 
+TEST_F(LinksTest, tellsReceivedFramesAsTheyCame) {
+  links_.script().start("robot", 5890, now_);
+  const auto id = take<OpenConnection>().at(0).id;
+  links_.opened(id, now_);
+  take<FrameTraced>();
+  const std::string own_way = "$TMSTA,0x9,00,true,L,*58\r\n";
+  links_.received(id, own_way + "$TMNOT,0x1,a,*78\r\n");
+  while (links_.script().next(now_)) {
+  }
+  const auto traced = take<FrameTraced>();
+  ASSERT_EQ(traced.size(), 2U);
+  EXPECT_EQ(traced[0].bytes, own_way);
+  EXPECT_EQ(traced[1].bytes, "$TMNOT,0x1,a,*78\r\n");
+}
+
 TEST_F(LinksTest, wakesForTheLinkThatIsDueFirst) {
   EXPECT_FALSE(links_.nextDeadline());
   links_.script().start("robot", 5890, now_);
