@@ -8,9 +8,9 @@
 
 #include "arbiter/arbiter.h"
 #include "board/output_board.h"
+#include "connecting/link_keeper.h"
 #include "forecast/forecast.h"
 #include "links/links.h"
-#include "runs/link_keeper.h"
 
 #include "cobot_command/command/command_core.h"
 #include "cobot_command/link/tag_ledger.h"

@@ -32,11 +32,14 @@ ALLOWED = {
 # them all. Above is what a wing may use of other rooms, where it is less than what its room may.
 WINGS = {
     "blocks/shared": set(),
-    "command/arbiter": {"actions.h", "board", "core_ports.h", "finish.h", "forecast", "planning_job.h", "runs", "waiting_goals.h"},
+    "command/arbiter": {"actions.h", "board", "connecting", "core_ports.h", "finish.h", "forecast", "planning_job.h", "runs", "stops",
+                        "waiting_goals.h"},
     "command/board": {"actions.h"},
+    "command/connecting": {"board", "links"},
     "command/forecast": {"actions.h", "planning_job.h"},
     "command/links": {"actions.h"},
-    "command/runs": {"board", "forecast", "gate.h", "links"},
+    "command/runs": {"forecast", "gate.h", "stops"},
+    "command/stops": {"board"},
     "motion/curves": {"command.h", "refusal.h"},
     "motion/kinds": {"blend.h", "command.h", "curves", "paths", "planner.h", "profiles", "velocity.h"},
     "motion/paths": {"command.h", "curves", "planner.h", "profiles", "refusal.h"},

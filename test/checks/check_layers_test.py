@@ -33,16 +33,16 @@ class CheckLayers(unittest.TestCase):
             self.assertIn("link/ may not use blocks/", "".join(faults_of(line)))
 
     def test_finds_what_a_wing_may_not_use(self):
-        for line in ('#include "core_impl.h"', '#include "runs/stop_run.h"', '#include "cobot_command/command/command_core.h"'):
+        for line in ('#include "core_impl.h"', '#include "stops/stop_run.h"', '#include "cobot_command/command/command_core.h"'):
             self.assertIn("the wing command/board may not use", "".join(faults_of(line, "command", "board")))
         self.assertIn("the wing blocks/shared", "".join(faults_of('#include "cobot_command/blocks/goal.h"', "blocks", "shared")))
 
     def test_leaves_what_a_wing_may_use(self):
-        for line in ('#include "board/output_board.h"', '#include "forecast/forecast.h"', '#include "runs/stop_run.h"'):
+        for line in ('#include "runs/command_run.h"', '#include "forecast/forecast.h"', '#include "stops/stop_run.h"'):
             self.assertEqual(faults_of(line, "command", "runs"), [])
-        self.assertEqual(faults_of('#include "runs/stop_run.h"', "command"), [])
+        self.assertEqual(faults_of('#include "stops/stop_run.h"', "command"), [])
         self.assertEqual(faults_of('#include "cobot_command/command/actions.h"', "command", "board"), [])
-        self.assertEqual(faults_of('#include "runs/stop_run.h"', "command", "board", "test/unit"), [])
+        self.assertEqual(faults_of('#include "stops/stop_run.h"', "command", "board", "test/unit"), [])
 
     def test_finds_the_simulator_beside_the_command_layer(self):
         for place in (("runtime", "command"), ("ros", "command"), ("ros", "actions"), ("ros", "shared")):

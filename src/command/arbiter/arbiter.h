@@ -14,7 +14,7 @@
 #include "arbiter/turns.h"
 #include "forecast/plan_desk.h"
 #include "runs/command_window.h"
-#include "runs/stop_run.h"
+#include "stops/stop_run.h"
 
 #include "cobot_command/command/core_ports.h"
 #include "cobot_command/command/finish.h"

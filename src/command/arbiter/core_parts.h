@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "board/output_board.h"
+#include "connecting/link_keeper.h"
 #include "forecast/forecast.h"
-#include "runs/link_keeper.h"
 
 #include "cobot_command/command/actions.h"
 #include "cobot_command/link/script_link.h"

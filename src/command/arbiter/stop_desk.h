@@ -7,8 +7,8 @@
 
 #include "arbiter/core_parts.h"
 #include "runs/command_window.h"
-#include "runs/stop_goals.h"
-#include "runs/stop_run.h"
+#include "stops/stop_goals.h"
+#include "stops/stop_run.h"
 
 #include "cobot_command/robot/orphan_watch.h"
 

@@ -10,7 +10,7 @@
 
 #include "forecast/command_order.h"
 #include "runs/command_run_states.h"
-#include "runs/stop_run.h"
+#include "stops/stop_run.h"
 
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/link/script_link.h"

@@ -14,7 +14,7 @@
 #include "forecast/command_order.h"
 #include "forecast/forecast.h"
 #include "runs/command_run.h"
-#include "runs/stop_run.h"
+#include "stops/stop_run.h"
 
 #include "cobot_command/blocks/shared/command.h"
 #include "cobot_command/command/gate.h"

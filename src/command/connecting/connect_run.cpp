@@ -1,4 +1,4 @@
-#include "runs/connect_run.h"
+#include "connecting/connect_run.h"
 
 #include <fmt/format.h>
 

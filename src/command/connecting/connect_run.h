@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "board/output_board.h"
-#include "runs/connect_run_states.h"
+#include "connecting/connect_run_states.h"
 
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/failure.h"

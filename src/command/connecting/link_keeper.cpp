@@ -1,4 +1,4 @@
-#include "runs/link_keeper.h"
+#include "connecting/link_keeper.h"
 
 #include <fmt/format.h>
 

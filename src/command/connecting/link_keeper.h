@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "board/output_board.h"
+#include "connecting/connect_run.h"
 #include "links/links.h"
-#include "runs/connect_run.h"
 
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/robot/robot_watch.h"

@@ -1,4 +1,4 @@
-#include "runs/stop_goals.h"
+#include "stops/stop_goals.h"
 
 #include <algorithm>
 #include <utility>

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "runs/stop_run_states.h"
+#include "stops/stop_run_states.h"
 
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/link/script_link.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "board/output_board.h"
-#include "runs/stop_run.h"
+#include "stops/stop_run.h"
 
 #include "cobot_command/blocks/goal.h"
 

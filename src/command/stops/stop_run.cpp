@@ -1,4 +1,4 @@
-#include "runs/stop_run.h"
+#include "stops/stop_run.h"
 
 #include <algorithm>
 #include <functional>
