@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "pick_and_place_run.h"
+#include "runs/pick_and_place_run.h"
 #include "shared/parameter_checks.h"
 #include <fmt/format.h>
 

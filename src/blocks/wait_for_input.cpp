@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "runs/wait_for_input_states.h"
 #include "shared/parameter_checks.h"
-#include "wait_for_input_states.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/goal.h"

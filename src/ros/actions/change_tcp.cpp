@@ -1,9 +1,9 @@
 #include "cobot_command/blocks/change_tcp.h"
 
-#include "actions/goal_parts.h"
-#include "actions/outcome_parts.h"
-#include "actions/serve.h"
-#include "actions/step_goals.h"
+#include "action_parts/goal_parts.h"
+#include "action_parts/outcome_parts.h"
+#include "action_parts/serve.h"
+#include "action_parts/step_goals.h"
 
 #include "cobot_command/ChangeTCPAction.h"
 

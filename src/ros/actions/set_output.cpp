@@ -1,7 +1,7 @@
 #include "cobot_command/blocks/set_output.h"
 
-#include "actions/outcome_parts.h"
-#include "actions/serve.h"
+#include "action_parts/outcome_parts.h"
+#include "action_parts/serve.h"
 
 #include "cobot_command/SetOutputAction.h"
 

@@ -1,8 +1,8 @@
 #include "cobot_command/blocks/wait_for_input.h"
 
-#include "actions/outcome_parts.h"
-#include "actions/serve.h"
-#include "actions/step_goals.h"
+#include "action_parts/outcome_parts.h"
+#include "action_parts/serve.h"
+#include "action_parts/step_goals.h"
 
 #include "cobot_command/WaitForInputAction.h"
 

@@ -1,11 +1,11 @@
 // The tables of the two kinds of goals.
 
-#include "pick_and_place_states.h"
+#include "connecting/connect_run_states.h"
 #include "runs/command_run_states.h"
-#include "runs/connect_run_states.h"
-#include "runs/stop_run_states.h"
+#include "runs/pick_and_place_states.h"
+#include "runs/wait_for_input_states.h"
+#include "stops/stop_run_states.h"
 #include "table_checks.h"
-#include "wait_for_input_states.h"
 #include <gtest/gtest.h>
 
 #include "cobot_command/robot/orphan_states.h"

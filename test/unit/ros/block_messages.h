@@ -1,8 +1,8 @@
 // What the files of the blocks (src/ros/actions) make of their messages: as their action servers find it.
 #pragma once
 
-#include "actions/outcome_parts.h"
-#include "actions/step_goals.h"
+#include "action_parts/outcome_parts.h"
+#include "action_parts/step_goals.h"
 
 #include "cobot_command/ChangeBaseAction.h"
 #include "cobot_command/ChangeTCPAction.h"

@@ -1,8 +1,8 @@
-#include "pick_and_place_run.h"
+#include "runs/pick_and_place_run.h"
 
 #include <utility>
 
-#include "block_kinds.h"
+#include "list/block_kinds.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"

@@ -1,4 +1,4 @@
-#include "actions/outcome_parts.h"
+#include "action_parts/outcome_parts.h"
 
 #include "cobot_command/PickAndPlaceFeedback.h"
 

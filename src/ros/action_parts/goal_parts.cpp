@@ -1,4 +1,4 @@
-#include "actions/goal_parts.h"
+#include "action_parts/goal_parts.h"
 
 #include <utility>
 

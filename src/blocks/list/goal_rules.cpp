@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "block_kinds.h"
+#include "list/block_kinds.h"
 #include "shared/single_command.h"
 
 namespace cobot_command::blocks {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "pick_and_place_states.h"
+#include "runs/pick_and_place_states.h"
 
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/run.h"
