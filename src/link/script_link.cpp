@@ -88,26 +88,20 @@ void ScriptLink::closed(const std::string& reason, Instant now) {
 }
 
 void ScriptLink::advance(Instant now) {
-  while (const auto request = ledger_.takeExpired(now)) {
-    if (request->kind == Request::Kind::Script) {
-      outputs_.push_back(ScriptAnswered{request->script_id, NoReply{}});
-    } else {
-      outputs_.push_back(TagQueryFailed{request->tag, "no answer"});
-    }
-  }
+  while (auto answer = requests_.takeExpired(now)) tell(std::move(answer));
   if (retry_at_ && now >= *retry_at_) fire(Event::RetryDue, now);
   if (lifesign_at_ && now >= *lifesign_at_) lifesignDue(now);
 }
 
 std::optional<Instant> ScriptLink::nextDeadline() const {
-  return earlier(ledger_.nextDeadline(), earlier(retry_at_, lifesign_at_));
+  return earlier(requests_.nextDeadline(), earlier(retry_at_, lifesign_at_));
 }
 
 std::string ScriptLink::sendScript(const std::string& script, Instant now,
                                    std::optional<Duration> reply_timeout) {
   Request request;
   request.kind = Request::Kind::Script;
-  request.script_id = ledger_.newScriptId();
+  request.script_id = requests_.newScriptId();
   request.patience = reply_timeout.value_or(settings_.reply_timeout);
   std::string id = request.script_id;
   transmit(protocol::ScriptRequest{id, script}, std::move(request), now);
@@ -129,7 +123,7 @@ void ScriptLink::queryTag(int tag, Instant now) {
 
 void ScriptLink::transmit(const protocol::ClientMessage& message, Request request, Instant now) {
   request.handed_over = now;
-  ledger_.add(std::move(request));
+  requests_.add(std::move(request));
   std::string bytes = protocol::encode(message);
   if (wire_.isTraced(Channel::Script)) {
     wire_.trace(now, Channel::Script, true, bytes, protocol::describe(message));
@@ -143,10 +137,7 @@ void ScriptLink::settingsChanged(Instant now) {
 }
 
 void ScriptLink::askForNode(Instant now) {
-  if (unanswered_lifesigns_ == 0) {
-    while (ledger_.takeNodeQuery()) {  // answers that were lost on an otherwise living link
-    }
-  }
+  if (unanswered_lifesigns_ == 0) requests_.dropNodeQueries();  // lost on an otherwise living link
   ++unanswered_lifesigns_;
   lifesign_at_ = now + (state_ == State::Probing ? settings_.reply_timeout : settings_.supervision_period);
   transmit(protocol::ListenNodeQuery{}, Request{}, now);
@@ -191,23 +182,6 @@ void ScriptLink::diagnose(Trouble trouble, std::string diagnosis) {
   outputs_.push_back(LinkChanged{});
 }
 
-void ScriptLink::diagnoseListening() {
-  switch (state_) {
-    case State::Ready:
-      diagnose(Trouble::None, fmt::format("in the Listen node '{}'", listen_node_));
-      break;
-    case State::NotListening:
-    case State::Leaving:
-      diagnose(Trouble::NotListening,
-               state_ == State::Leaving
-                   ? "connected, the flow is leaving the Listen node after ScriptExit()"
-                   : "connected, but the flow is not in a Listen node: let it enter one");
-      break;
-    default:
-      break;
-  }
-}
-
 void ScriptLink::fire(Event event, Instant now) {
   const auto row = findTransition<ScriptLinkTable>(state_, event);
   if (!row) return;
@@ -216,7 +190,13 @@ void ScriptLink::fire(Event event, Instant now) {
   if (state_ != State::Ready) listen_node_.clear();
   if (established()) back_off_.reset();
   act(row->action, now);
-  diagnoseListening();
+  if (state_ == State::Ready) {
+    diagnose(Trouble::None, fmt::format("in the Listen node '{}'", listen_node_));
+  } else if (state_ == State::Leaving) {
+    diagnose(Trouble::NotListening, "connected, the flow is leaving the Listen node after ScriptExit()");
+  } else if (state_ == State::NotListening) {
+    diagnose(Trouble::NotListening, "connected, but the flow is not in a Listen node: let it enter one");
+  }
   if (changed) outputs_.push_back(LinkChanged{});
 }
 
@@ -260,7 +240,7 @@ void ScriptLink::drop() {
   foreign_bytes_ = false;
   heard_.clear();
   decoder_.reset();
-  ledger_.clear();
+  requests_.clear();
 }
 
 }  // namespace cobot_command::link

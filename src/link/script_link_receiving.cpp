@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/overloaded.h"
 #include "cobot_command/link/script_link.h"
 
 namespace cobot_command::link {
@@ -54,11 +55,11 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
   if (state_ == State::Probing) {
     heard_ = fmt::format("{} ({})", frame.header, protocol::describe(*message));
   }
-  const std::uint64_t late_before = late_replies_;
-  std::visit([&](const auto& value) { take(value, now); }, *message);
+  const std::uint64_t late_before = lateReplies();
+  take(*message, now);
   if (!traced) return;
   wire_.trace(now, Channel::Script, false, bytes,
-              protocol::describe(*message) + (late_replies_ > late_before ? " (nobody waits for it)" : ""));
+              protocol::describe(*message) + (lateReplies() > late_before ? " (nobody waits for it)" : ""));
 }
 
 void ScriptLink::fault(std::string_view bytes, const std::string& meaning, Instant now) {
@@ -68,16 +69,32 @@ void ScriptLink::fault(std::string_view bytes, const std::string& meaning, Insta
   wire_.trace(now, Channel::Script, false, bytes, "not understood: " + meaning);
 }
 
-void ScriptLink::take(const protocol::ListenNodeEntered& message, Instant now) {
-  listen_node_ = foreignText(message.message);
-  fire(Event::NodeEntered, now);
+void ScriptLink::take(const protocol::ControllerMessage& message, Instant now) {
+  std::visit(Overloaded{[&](const protocol::ListenNodeEntered& entered) {
+                          listen_node_ = foreignText(entered.message);
+                          fire(Event::NodeEntered, now);
+                        },
+                        [&](const protocol::ListenNodeState& state) { take(state, now); },
+                        [&](const protocol::ListenData&) {
+                          // What the project sends with ListenSend() is recorded; no block asks for it.
+                        },
+                        [&](const protocol::CommunicationError& error) {
+                          auto answer = requests_.take(error);
+                          const bool left = error.code == protocol::CommunicationErrorCode::NotListening;
+                          if (left) fire(Event::NodeLeft, now);
+                          tell(std::move(answer));
+                        },
+                        [&](const auto& answer) { tell(requests_.take(answer)); }},
+             message);
+}
+
+void ScriptLink::tell(std::optional<ScriptAnswer> answer) {
+  if (!answer) return;
+  std::visit([&](auto& what) { outputs_.push_back(std::move(what)); }, *answer);
 }
 
 void ScriptLink::take(const protocol::ListenNodeState& message, Instant now) {
-  if (!ledger_.takeNodeQuery()) {
-    ++late_replies_;
-    return;
-  }
+  if (!requests_.takeNodeState()) return;
   unanswered_lifesigns_ = 0;
   lifesign_at_ = now + settings_.supervision_period;
   if (message.listening) listen_node_ = foreignText(message.message);
@@ -88,41 +105,6 @@ ScriptLinkEvent ScriptLink::eventOf(const protocol::ListenNodeState& message) {
   if (!message.listening) return Event::AnsweredFalse;
   if (state_ != State::Leaving) return Event::AnsweredTrue;
   return ++listening_since_exit_ < kStillListening ? Event::AnsweredTrue : Event::StillListening;
-}
-
-void ScriptLink::take(const protocol::ScriptReply& message, Instant /*now*/) {
-  if (!ledger_.takeScript(message.id)) {
-    ++late_replies_;
-    return;
-  }
-  outputs_.push_back(ScriptAnswered{message.id, message});
-}
-
-void ScriptLink::take(const protocol::TagReport& message, Instant /*now*/) {
-  const auto question = ledger_.takeTagQuery(message.tag);
-  if (question && question->given_up && message.state != protocol::TagState::Complete) {
-    ++late_replies_;  // what is complete stays so, anything else may have changed since
-    return;
-  }
-  outputs_.push_back(TagReported{message.tag, question.has_value(), message.state});
-}
-
-void ScriptLink::take(const protocol::ListenData& /*message*/, Instant /*now*/) {
-  // What the project sends with ListenSend() is recorded; no block asks for it.
-}
-
-void ScriptLink::take(const protocol::CommunicationError& message, Instant now) {
-  const bool not_listening = message.code == protocol::CommunicationErrorCode::NotListening;
-  // F1 can only be meant for a script; any other code may be meant for whatever was sent.
-  const auto request = not_listening ? ledger_.takeOldestScript() : ledger_.takeOldest();
-  if (not_listening) fire(Event::NodeLeft, now);
-  if (!request) {
-    ++late_replies_;
-  } else if (request->kind == Request::Kind::Script) {
-    outputs_.push_back(ScriptAnswered{request->script_id, message});
-  } else if (request->kind == Request::Kind::TagQuery) {
-    outputs_.push_back(TagQueryFailed{request->tag, protocol::describe(message)});
-  }
 }
 
 }  // namespace cobot_command::link

@@ -14,8 +14,8 @@
 #include <variant>
 
 #include "cobot_command/link/back_off.h"
-#include "cobot_command/link/request_ledger.h"
 #include "cobot_command/link/script_link_states.h"
+#include "cobot_command/link/script_requests.h"
 #include "cobot_command/link/wire.h"
 #include "cobot_command/protocol/frame_decoder.h"
 #include "cobot_command/protocol/message.h"
@@ -47,22 +47,7 @@ struct LinkChanged {};
 struct LinkLost {
   std::string reason;
 };
-struct NoReply {};  ///< in time
-struct ScriptAnswered {
-  std::string id;
-  std::variant<protocol::ScriptReply, protocol::CommunicationError, NoReply> answer;
-};
-/// A tag report: spontaneous, or the answer to queryTag().
-struct TagReported {
-  int tag = 0;
-  bool asked = false;
-  protocol::TagState state = protocol::TagState::Unknown;
-};
-/// queryTag() got no answer in time, or a CPERR.
-struct TagQueryFailed {
-  int tag = 0;
-  std::string reason;
-};
+/// What answers tell: script_requests.h.
 using ScriptLinkOutput = std::variant<LinkChanged, LinkLost, ScriptAnswered, TagReported, TagQueryFailed>;
 
 class ScriptLink {
@@ -103,27 +88,23 @@ class ScriptLink {
   [[nodiscard]] Trouble trouble() const { return trouble_; }
   [[nodiscard]] const std::string& diagnosis() const { return diagnosis_; }
   [[nodiscard]] const std::string& listenNode() const { return listen_node_; }
-  [[nodiscard]] std::uint64_t lateReplies() const { return late_replies_; }
+  [[nodiscard]] std::uint64_t lateReplies() const { return requests_.late(); }
   [[nodiscard]] std::uint64_t decodeFaults() const { return decode_faults_; }
 
  private:
   void fire(ScriptLinkEvent event, Instant now);
   void act(ScriptLinkAction action, Instant now);
   void diagnose(Trouble trouble, std::string diagnosis);
-  void diagnoseListening();
   void askForNode(Instant now);
   void lifesignDue(Instant now);
   void drop();
 
   void transmit(const protocol::ClientMessage& message, Request request, Instant now);
   void read(const protocol::DecodeEvent& event, Instant now);
-  void take(const protocol::ListenNodeEntered& message, Instant now);
-  [[nodiscard]] ScriptLinkEvent eventOf(const protocol::ListenNodeState& message);
-  void take(const protocol::ScriptReply& message, Instant now);
+  void take(const protocol::ControllerMessage& message, Instant now);
   void take(const protocol::ListenNodeState& message, Instant now);
-  void take(const protocol::TagReport& message, Instant now);
-  void take(const protocol::ListenData& message, Instant now);
-  void take(const protocol::CommunicationError& message, Instant now);
+  [[nodiscard]] ScriptLinkEvent eventOf(const protocol::ListenNodeState& message);
+  void tell(std::optional<ScriptAnswer> answer);
   void fault(std::string_view bytes, const std::string& meaning, Instant now);
 
   const LinkSettings& settings_;
@@ -140,12 +121,11 @@ class ScriptLink {
   bool foreign_bytes_ = false;    ///< what arrived last on this connection was not understood
   BackOff back_off_;
   protocol::FrameDecoder decoder_;
-  RequestLedger ledger_;
+  ScriptRequests requests_;
   std::deque<ScriptLinkOutput> outputs_;
   Trouble trouble_ = Trouble::None;
   std::string diagnosis_ = "not connected";
   std::string listen_node_;
-  std::uint64_t late_replies_ = 0;
   std::uint64_t decode_faults_ = 0;
 };
 
