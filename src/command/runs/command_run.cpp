@@ -1,13 +1,11 @@
 #include "runs/command_run.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
-#include "cobot_command/common/deadline.h"
 
 namespace cobot_command::command {
 
@@ -16,17 +14,27 @@ using State = CommandRunState;
 
 namespace {
 
-/// Between two reports of the progress of a motion.
-constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
-/// The end of a motion is told by its tag, not by the clock.
-constexpr double kNearlyDone = 0.99;
-constexpr const char* kBehindAnother = "accepted, waits for the motion in front of it";
-
 Duration timeFor(const CommandOrder& order, const link::LinkSettings& settings) {
   if (!order.plan) return settings.unplanned_motion_timeout;
   return order.plan->start_delay +
          fromSeconds(toSeconds(order.plan->duration) * settings.tag_deadline_factor) +
          settings.tag_deadline_margin;
+}
+
+/// "..., held by ...: what continues it".
+std::string holdText(const robot::RobotWatch& robot, const CommandOrder& order, bool waits) {
+  constexpr const char* kResume = "program_control with RESUME, or the pendant, continues it";
+  const char* in_front = waits ? "waits for the motion in front of it, " : "";
+  if (!robot.paused()) {
+    return fmt::format("{}held by a safeguard: it goes on when that is released", in_front);
+  }
+  return fmt::format("{}{}: {}", in_front,
+                     order.pauses ? "held by a Pause() in the script" : "held, the project is paused",
+                     kResume);
+}
+
+std::optional<Duration> plannedTime(const CommandOrder& order) {
+  return order.plan ? std::make_optional(order.plan->duration) : std::nullopt;
 }
 
 }  // namespace
@@ -35,11 +43,12 @@ CommandRun::CommandRun(CommandOrder order, const RunContext& context, Instant no
     : order_(std::move(order)),
       context_(context),
       sent_at_(now),
-      give_up_at_(now + context.settings.unplanned_motion_timeout),
-      reported_at_(now) {
+      clock_(now, context.settings.unplanned_motion_timeout),
+      evidence_(context.robot, context.settings, context.arm, order_.target),
+      reports_(order_.command_id_ack, plannedTime(order_)) {
   script_id_ =
       context_.link.sendScript(fmt::format("{}", fmt::join(order_.lines, "\r\n")), now, order_.reply_timeout);
-  report(blocks::Phase::Sent, "sent to the controller", now);
+  tell(blocks::Phase::Sent, "sent to the controller", now);
 }
 
 void CommandRun::cancel(const std::string& why, Instant now) {
@@ -57,10 +66,6 @@ void CommandRun::abandon(const std::string& why, Instant now) {
   const bool told_to_stop = state_ == State::Stopping || state_ == State::Explaining;
   if (order_.moves && !told_to_stop) askForStop(now);
   state_ = State::Ended;
-  endAborted(why, now);
-}
-
-void CommandRun::endAborted(const std::string& why, Instant now) {
   end(blocks::commandAborted(why), now);
 }
 
@@ -79,13 +84,8 @@ void CommandRun::stopEnded(const StopRun::Result& result, Instant now) {
 }
 
 void CommandRun::advance(Instant now) {
-  becomeActiveWhenDue(now);
-  if (deadline_ && now >= *deadline_ && !held_since_) fire(Event::Overdue, now);
-}
-
-std::optional<Instant> CommandRun::nextDeadline() const {
-  if (held_since_) return std::nullopt;
-  return phase_ == blocks::Phase::Queued ? earlier(active_at_, deadline_) : deadline_;
+  if (clock_.beginsNow(now)) goOn(now);
+  if (clock_.overdue(now)) fire(Event::Overdue, now);
 }
 
 void CommandRun::robotChanged(Instant now) {
@@ -99,10 +99,11 @@ void CommandRun::robotChanged(Instant now) {
     return;
   }
   followHold(now);
-  watchForStall(now);
+  if (underWay() && order_.tag) evidence_.watch(now);
+  if (state_ == State::Executing && order_.tag && evidence_.stalledOnTheWay()) fire(Event::Stalled, now);
   if (state_ == State::Verifying) verify(now);
   if (state_ == State::Explaining) lookForReason(now);
-  if (phase_ == blocks::Phase::Active && now - reported_at_ >= kReportPeriod) becomeActive(now);
+  if (reports_.due(now)) goOn(now);
 }
 
 void CommandRun::linkLost(const std::string& reason, Instant now) {
@@ -111,21 +112,15 @@ void CommandRun::linkLost(const std::string& reason, Instant now) {
 
 /// A paused robot gets the time back that the pause took.
 void CommandRun::followHold(Instant now) {
-  const bool held = underWay() && context_.robot.held();
-  if (held) {
-    if (!held_since_) held_since_ = now;
-    if (phase_ == blocks::Phase::Active || phase_ == blocks::Phase::Queued) {
-      report(blocks::Phase::Held, holdText(), now);
+  const blocks::Phase phase = reports_.phase();
+  if (underWay() && context_.robot.held()) {
+    clock_.hold(now);
+    if (phase == blocks::Phase::Active || phase == blocks::Phase::Queued) {
+      tell(blocks::Phase::Held, holdText(context_.robot, order_, phase == blocks::Phase::Queued), now);
     }
-  } else if (held_since_) {
-    const Duration pause = now - *held_since_;
-    held_since_.reset();
-    if (deadline_) *deadline_ += pause;
-    if (due_) *due_ += pause;
-    if (active_at_) *active_at_ += pause;
-    if (moving_from_) *moving_from_ += pause;
-    give_up_at_ += pause;
-    if (phase_ == blocks::Phase::Held) goOn(now);
+  } else if (clock_.held()) {
+    clock_.release(now);
+    if (phase == blocks::Phase::Held) goOn(now);
   }
 }
 
@@ -134,22 +129,21 @@ bool CommandRun::underWay() const {
 }
 
 void CommandRun::goOn(Instant now) {
-  if (moving_from_ || !active_at_ || now >= *active_at_) {
-    becomeActive(now);
-  } else {
-    report(blocks::Phase::Queued, kBehindAnother, now);
+  if (!clock_.mayExecute(now)) {
+    tell(blocks::Phase::Queued, "accepted, waits for the motion in front of it", now);
+    return;
   }
+  clock_.execute(now);
+  const bool unseen = order_.pauses && !context_.robot.tellsPause();
+  tell(blocks::Phase::Active,
+       unseen ? "the robot executes it; the Pause() in the script, which the status stream does not show, "
+                "lasts until program_control with RESUME, or the pendant, continues it"
+              : "the robot executes it",
+       now);
 }
 
-std::string CommandRun::holdText() const {
-  constexpr const char* kResume = "program_control with RESUME, or the pendant, continues it";
-  const char* in_front = phase_ == blocks::Phase::Queued ? "waits for the motion in front of it, " : "";
-  if (!context_.robot.paused()) {
-    return fmt::format("{}held by a safeguard: it goes on when that is released", in_front);
-  }
-  return fmt::format("{}{}: {}", in_front,
-                     order_.pauses ? "held by a Pause() in the script" : "held, the project is paused",
-                     kResume);
+void CommandRun::tell(blocks::Phase phase, std::string text, Instant now) {
+  reports_.tell(phase, std::move(text), clock_.executed(now), now);
 }
 
 void CommandRun::fire(Event event, Instant now) {
@@ -182,7 +176,8 @@ void CommandRun::act(CommandRunAction action, Instant now) {
       askTag(action == Do::AskTagEarly, now);
       return;
     case Do::Extend:
-      extend(now);
+      clock_.goOn(now + context_.settings.tag_deadline_margin);
+      evidence_.lookedInto();
       return;
     case Do::Verify:
       beginVerifying(now);
@@ -194,7 +189,7 @@ void CommandRun::act(CommandRunAction action, Instant now) {
       awaitReason(now);
       return;
     case Do::AskForStop:
-      report(blocks::Phase::Stopping, cancelled_why_ + ", stopping the robot", now);
+      tell(blocks::Phase::Stopping, cancelled_why_ + ", stopping the robot", now);
       askForStop(now);
       return;
     case Do::EndDone:
@@ -205,84 +200,86 @@ void CommandRun::act(CommandRunAction action, Instant now) {
       end(blocks::toOutcome(order_.block, blocks::Ending::Aborted, failure_), now);
       return;
     case Do::EndAborted:
-      endAborted(fmt::format("{}; {}", cancelled_why_, stopped_how_), now);
+      end(blocks::commandAborted(fmt::format("{}; {}", cancelled_why_, stopped_how_)), now);
       return;
   }
 }
 
 void CommandRun::awaitTag(Instant now) {
-  if (held_since_) held_since_ = now;  // what follows begins now, and is held from now on
-  deadline_ = now + timeFor(order_, context_.settings);
-  if (order_.plan && order_.plan->start_delay > Duration::zero()) {
-    active_at_ = now + order_.plan->start_delay;
-    report(blocks::Phase::Queued, kBehindAnother, now);
-  } else {
-    becomeActive(now);
-  }
+  clock_.expect(now, order_.plan ? order_.plan->start_delay : Duration::zero(),
+                timeFor(order_, context_.settings));
+  goOn(now);
   followHold(now);
 }
 
 void CommandRun::askTag(bool early, Instant now) {
-  due_ = early ? deadline_ : std::nullopt;
-  deadline_.reset();
+  clock_.ask(early);
   context_.link.queryTag(*order_.tag, now);
 }
 
-void CommandRun::extend(Instant now) {
-  deadline_ = due_.value_or(now + context_.settings.tag_deadline_margin);
-  due_.reset();
-  stall_.lookedInto();
-}
-
-void CommandRun::becomeActiveWhenDue(Instant now) {
-  const bool waits =
-      phase_ == blocks::Phase::Queued && (state_ == State::Executing || state_ == State::Confirming);
-  if (waits && active_at_ && now >= *active_at_ && !held_since_) becomeActive(now);
-}
-
-void CommandRun::becomeActive(Instant now) {
-  if (!moving_from_) moving_from_ = now;
-  const bool unseen = order_.pauses && !context_.robot.tellsPause();
-  report(blocks::Phase::Active,
-         unseen ? "the robot executes it; the Pause() in the script, which the status stream does not show, "
-                  "lasts until program_control with RESUME, or the pendant, continues it"
-                : "the robot executes it",
-         now);
-}
-
 void CommandRun::askForStop(Instant now) {
-  deadline_.reset();
-  active_at_.reset();
-  held_since_.reset();
+  clock_.clear();
   context_.stop.ask(order_.target, now);
   stop_ = context_.stop.last();
 }
 
-void CommandRun::report(blocks::Phase phase, std::string text, Instant now) {
-  phase_ = phase;
-  reported_at_ = now;
-  blocks::Progress progress;
-  progress.phase = phase;
-  progress.command_id_ack = order_.command_id_ack;
-  progress.text = std::move(text);
-  if (order_.plan) {
-    const Duration passed = moving_from_ ? now - *moving_from_ : Duration::zero();
-    const Duration whole = order_.plan->duration;
-    progress.planned = whole;
-    progress.remaining = std::max(Duration::zero(), whole - passed);
-    if (moving_from_ && whole > Duration::zero()) {
-      progress.fraction = std::clamp(toSeconds(passed) / toSeconds(whole), 0.0, kNearlyDone);
-    }
-  }
-  progress_.push_back(std::move(progress));
+// --- Whether it is really done, and why not.
+
+void CommandRun::beginVerifying(Instant now) {
+  if (!tag_seen_at_) tag_seen_at_ = now;
+  clock_.clear();  // its time begins with the first frame behind the tag
+  if (!order_.stands_at_end || !context_.robot.tellsMotion()) fire(Event::Verified, now);
 }
 
-std::vector<blocks::Progress> CommandRun::takeProgress() {
-  return std::exchange(progress_, {});
+void CommandRun::verify(Instant now) {
+  if (evidence_.confirms()) {
+    fire(Event::Verified, now);
+  } else if (!clock_.hasDeadline()) {
+    clock_.setDeadline(now + context_.settings.evidence_timeout);
+  }
+}
+
+void CommandRun::judge(Instant now) {
+  switch (evidence_.verdict()) {
+    case Evidence::Verdict::Confirmed:
+      return fire(Event::Verified, now);
+    case Evidence::Verdict::Open:
+      return clock_.setDeadline(now + context_.settings.evidence_timeout);
+    case Evidence::Verdict::Contradicted:
+      return fail({blocks::own_error::kNotAtTarget, evidence_.contradiction(*order_.tag), ""}, Robot::Stop,
+                  now);
+  }
+}
+
+void CommandRun::awaitReason(Instant now) {
+  if (robot_on_failure_ == Robot::Stop) askForStop(now);
+  robot_on_failure_ = Robot::LeaveIt;
+  reason_.begin(now);
+  clock_.clear();
+  clock_.setDeadline(now + context_.settings.evidence_timeout);
+  if (!context_.robot.status()) {
+    fire(Event::Overdue, now);
+    return;
+  }
+  // It does not execute any more: a stop may go on beside it, on a link that is there again.
+  tell(blocks::Phase::Stopping, robot::ReasonWait::text("failed, " + failure_.found), now);
+}
+
+/// An error that was acknowledged, and is still there when the next motion fails, is the reason for that.
+void CommandRun::lookForReason(Instant now) {
+  if (context_.robot.showsError() && !order_.beside) {
+    fail(blocks::robotError(context_.robot), Robot::LeaveIt, now);
+    return;
+  }
+  if (context_.robot.status() && !reason_.endsWithFrame(now)) return;
+  if (failure_.error_id == blocks::motion_error::kLinkDropped) {
+    blocks::tellStoppedProject(context_.robot, failure_);
+  }
+  fire(Event::Overdue, now);
 }
 
 void CommandRun::end(blocks::Outcome outcome, Instant now) {
-  deadline_.reset();
+  clock_.clear();
   if (order_.tag) context_.tags.abandon(*order_.tag);
   outcome.command_id_ack = order_.command_id_ack;
   if (order_.plan) outcome.planned = order_.plan->duration;

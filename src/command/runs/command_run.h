@@ -1,7 +1,7 @@
 // One command, from its frame to its one end (states: command_run_states.h).
 //
 // It is told everything that may concern it, and takes what does. The same for every block: what differs is
-// in its order.
+// in its order. Its time, what the status stream shows of it, and what is told of it are parts of their own.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,10 @@
 #include <vector>
 
 #include "forecast/command_order.h"
+#include "runs/command_clock.h"
+#include "runs/command_reports.h"
 #include "runs/command_run_states.h"
+#include "runs/evidence.h"
 #include "stops/stop_run.h"
 
 #include "cobot_command/blocks/shared/failure.h"
@@ -17,7 +20,6 @@
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/robot/reason_wait.h"
 #include "cobot_command/robot/robot_watch.h"
-#include "cobot_command/robot/stall_watch.h"
 
 namespace cobot_command::command {
 
@@ -54,7 +56,7 @@ class CommandRun {
   /// A status frame came, or the status stream stopped.
   void robotChanged(Instant now);
   void advance(Instant now);
-  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+  [[nodiscard]] std::optional<Instant> nextDeadline() const { return clock_.next(); }
 
   [[nodiscard]] const CommandOrder& order() const { return order_; }
   [[nodiscard]] bool accepted() const { return accepted_at_.has_value(); }
@@ -64,7 +66,7 @@ class CommandRun {
   /// Precondition: ended().
   [[nodiscard]] const blocks::Outcome& outcome() const { return outcome_; }
   /// What is new since the last call.
-  [[nodiscard]] std::vector<blocks::Progress> takeProgress();
+  [[nodiscard]] std::vector<blocks::Progress> takeProgress() { return reports_.take(); }
 
  private:
   enum class Robot { LeaveIt, Stop };
@@ -75,28 +77,19 @@ class CommandRun {
             CommandRunEvent event = CommandRunEvent::Failed);
   void awaitTag(Instant now);
   void askTag(bool early, Instant now);
-  void extend(Instant now);
   void askForStop(Instant now);
   /// The controller has it, or may have it, and its end is not known.
   [[nodiscard]] bool underWay() const;
   void followHold(Instant now);
+  /// It is executed, or waits for the motion in front of it.
   void goOn(Instant now);
-  [[nodiscard]] std::string holdText() const;
+  void tell(blocks::Phase phase, std::string text, Instant now);
 
-  // --- Evidence (command_run_evidence.cpp).
-  void watchForStall(Instant now);
-  [[nodiscard]] std::string stallText() const;
   void beginVerifying(Instant now);
   void verify(Instant now);
   void judge(Instant now);
-  [[nodiscard]] std::optional<robot::Gap> gap() const;
   void awaitReason(Instant now);
   void lookForReason(Instant now);
-
-  void becomeActiveWhenDue(Instant now);
-  void becomeActive(Instant now);
-  void report(blocks::Phase phase, std::string text, Instant now);
-  void endAborted(const std::string& why, Instant now);
   void end(blocks::Outcome outcome, Instant now);
 
   CommandOrder order_;
@@ -106,23 +99,15 @@ class CommandRun {
   Instant sent_at_;
   std::optional<Instant> accepted_at_;
   std::optional<Instant> tag_seen_at_;
-  std::optional<Instant> active_at_;    ///< when the commands in front of it should be done
-  std::optional<Instant> moving_from_;  ///< when it began to be executed, later by every pause since
-  std::optional<Instant> deadline_;     ///< of Executing, Verifying, Explaining
-  std::optional<Instant> due_;          ///< the deadline of its tag, when that is asked for before
-  std::optional<Instant> held_since_;   ///< the robot is paused: its deadlines stand still
-  Instant give_up_at_;                  ///< when nobody can tell whether it moves
-  bool reached_ = false;                ///< it was seen at its target since its tag, if not standing there
+  CommandClock clock_;
+  Evidence evidence_;
+  CommandReports reports_;
   robot::ReasonWait reason_;
-  robot::StallWatch stall_;
   blocks::Failure failure_;
   Robot robot_on_failure_ = Robot::LeaveIt;
   StopRun::Number stop_ = 0;  ///< that it has asked for
   std::string cancelled_why_;
   std::string stopped_how_;
-  blocks::Phase phase_ = blocks::Phase::Sent;
-  Instant reported_at_;
-  std::vector<blocks::Progress> progress_;
   blocks::Outcome outcome_;
 };
 

@@ -83,11 +83,11 @@ void CommandRun::tagFailed(Instant now) {
 
 void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
   if (state_ != State::Confirming) return;
-  if (due_) {
+  if (clock_.askedEarly()) {
     // "false": the controller has the motion still, whatever it waits for.
     const bool dropped = state == protocol::TagState::Unknown;
-    if (dropped && stall_.stalled(context_.settings.evidence_timeout)) {
-      fail({blocks::own_error::kStoppedElsewhere, stallText(), ""}, Robot::Stop, now);
+    if (dropped && evidence_.stalled()) {
+      fail({blocks::own_error::kStoppedElsewhere, evidence_.stallText(*order_.tag), ""}, Robot::Stop, now);
     } else {
       fire(Event::StillGoing, now);
     }
@@ -99,7 +99,7 @@ void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
     return;
   }
   const auto moving = context_.robot.moving();
-  if (context_.robot.held() || moving == true || (!moving && now < give_up_at_)) {
+  if (context_.robot.held() || moving == true || (!moving && clock_.patient(now))) {
     fire(Event::StillGoing, now);
   } else if (!moving) {
     fail({blocks::own_error::kTagLost, fmt::format("tag {} is still not complete", *order_.tag), ""},
@@ -113,7 +113,7 @@ void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
 
 void CommandRun::tagQueryFailed(const std::string& reason, Instant now) {
   if (state_ != State::Confirming) return;
-  if (due_) {  // it was a question before its time
+  if (clock_.askedEarly()) {  // it was a question before its time
     fire(Event::StillGoing, now);
     return;
   }
