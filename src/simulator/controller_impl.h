@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "operator_desk.h"
 #include "queue/motion_queue.h"
 #include "robot/io_board.h"
 #include "robot/project_data.h"
@@ -27,7 +28,7 @@ class SimulatedController::Impl {
   void clientConnected(Port port, ClientId client, Instant now, std::string_view address);
   void clientDisconnected(Port port, ClientId client, Instant now);
   void received(Port port, ClientId client, std::string_view bytes, Instant now);
-  OperatorReply operate(const OperatorAction& action, Instant now);  // operator_side.cpp
+  OperatorReply operate(const OperatorAction& action, Instant now);
 
   std::vector<Output> takeOutputs() { return outbox_.take(); }
   [[nodiscard]] RobotState state() const;
@@ -36,23 +37,6 @@ class SimulatedController::Impl {
   [[nodiscard]] const arm::ArmModel& arm() const { return arm_; }
 
  private:
-  OperatorReply act(const RunProject& action);
-  OperatorReply act(const StopProject& action);
-  OperatorReply act(const PauseProject& action);
-  OperatorReply act(const ResumeProject& action);
-  OperatorReply act(const LeaveListenNode& action);
-  OperatorReply act(const EnterListenNode& action);
-  OperatorReply act(const SetEmergencyStop& action);
-  OperatorReply act(const SetSafeguard& action);
-  OperatorReply act(const SetOperatingMode& action);
-  OperatorReply act(const SetProjectSpeed& action);
-  OperatorReply act(const RaiseError& action);
-  OperatorReply act(const ClearError& action);
-  OperatorReply act(const SetInput& action);
-  OperatorReply act(const SetFault& order);
-  OperatorReply act(const ClearFaults& action);
-  OperatorReply act(const DropConnections& action);
-
   void setTime(Instant now);
   void settle();
   bool runQueue();
@@ -85,13 +69,10 @@ class SimulatedController::Impl {
   ProjectData project_;
   ListenNode node_;
   StatusServer status_;
-  bool emergency_stop_ = false;
-  bool safeguard_ = false;
-  OperatingMode mode_ = OperatingMode::Automatic;
+  OperatorDesk operator_;
   bool stops_project_ = false;
   bool auto_remote_ = false;
   Instant started_;
-  Instant project_started_{};
   Instant error_since_{};
 };
 

@@ -21,12 +21,13 @@ SimulatedController::Impl::Impl(const arm::ArmModel& arm, Settings settings, Ins
       node_(settings_, {arm_, queue_, io_, project_, [this] { return measured(); }}, faults_, outgoing_,
             outbox_),
       status_(settings_, project_.variables, now, outgoing_, outbox_),
+      operator_({settings_, faults_, outbox_, queue_, io_, project_, node_, status_}, [this] { settle(); }),
       started_(now) {
   settings_.project_speed_percent = std::clamp(settings_.project_speed_percent, 1, 100);
   queue_.setSpeedOverride(settings_.project_speed_percent / 100.0);
   outbox_.setTime(now);
   outbox_.openPort(Port::Status);
-  if (settings_.project_running) act(RunProject{});
+  if (settings_.project_running) operator_.operate(RunProject{}, now_);
 }
 
 // --- Time --------------------------------------------------------------------------------------------------
@@ -85,6 +86,14 @@ void SimulatedController::Impl::streamStatus() {
   status_.stream(source(robot));
 }
 
+OperatorReply SimulatedController::Impl::operate(const OperatorAction& action, Instant now) {
+  advance(now);
+  OperatorReply reply = operator_.operate(action, now_);
+  outbox_.log("operator: " + reply.text);
+  settle();
+  return reply;
+}
+
 // --- The wire ----------------------------------------------------------------------------------------------
 
 void SimulatedController::Impl::clientConnected(Port port, ClientId client, Instant now,
@@ -115,7 +124,7 @@ RobotState SimulatedController::Impl::state() const {
   RobotState state;
   state.time = now_;
   state.started = started_;
-  state.project_started = project_started_;
+  state.project_started = operator_.projectStarted();
   state.joints = joints.position;
   state.velocities = joints.velocity;
   state.flange = arm::forwardKinematics(arm_, joints.position);
@@ -136,9 +145,9 @@ RobotState SimulatedController::Impl::state() const {
   state.project_running = node_.projectRuns();
   state.project_paused = queue_.paused() && node_.projectRuns();
   state.listening = node_.listening();
-  state.emergency_stop = emergency_stop_;
-  state.safeguard = safeguard_;
-  state.mode = mode_;
+  state.emergency_stop = operator_.emergencyStop();
+  state.safeguard = operator_.safeguard();
+  state.mode = operator_.mode();
   state.error = queue_.error().has_value();
   if (queue_.error()) {
     state.error_code = queue_.error()->code;

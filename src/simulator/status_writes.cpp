@@ -1,5 +1,4 @@
 // What clients of the status port do to the robot by writing items.
-#include <algorithm>
 #include <utility>
 
 #include "controller_impl.h"
@@ -7,12 +6,6 @@
 #include <fmt/format.h>
 
 namespace cobot_command::simulator {
-
-namespace {
-
-constexpr int kSpeedStep = 5;  // [%] of Stick_Plus and Stick_Minus (ours)
-
-}  // namespace
 
 void SimulatedController::Impl::receivedOnStatus(ClientId client, std::string_view bytes) {
   status_.feed(client, bytes);
@@ -27,22 +20,9 @@ void SimulatedController::Impl::receivedOnStatus(ClientId client, std::string_vi
   }
 }
 
-// A stick that does what the operator does; a button that cannot do it does nothing, and the log says why.
+// A button that cannot do what it is for: the log says why.
 void SimulatedController::Impl::on(const PressButton& press) {
-  if (!press.pressed) return;
-  const auto change_speed = [&](int change) {
-    const int speed = settings_.project_speed_percent + change;
-    return act(SetProjectSpeed{std::clamp(speed - speed % kSpeedStep, kSpeedStep, 100)});
-  };
-  const auto play_or_pause = [&] {
-    if (!node_.projectRuns()) return act(RunProject{});
-    return queue_.paused() ? act(ResumeProject{}) : act(PauseProject{});
-  };
-  const OperatorReply reply = press.button == Button::PlayPause ? play_or_pause()
-                              : press.button == Button::Plus    ? change_speed(kSpeedStep)
-                              : press.button == Button::Minus   ? change_speed(-kSpeedStep)
-                                                                : act(StopProject{});
-  outbox_.log("stick: " + reply.text);
+  if (press.pressed) outbox_.log("stick: " + operator_.press(press.button, now_).text);
 }
 
 void SimulatedController::Impl::on(const SetProjectName& project) {
@@ -60,7 +40,7 @@ void SimulatedController::Impl::on(const SetVariable& variable) {
 }
 
 void SimulatedController::Impl::on(const SetProjectSpeed& speed) {
-  outbox_.log(act(speed).text);
+  outbox_.log(operator_.operate(speed, now_).text);
 }
 
 }  // namespace cobot_command::simulator
