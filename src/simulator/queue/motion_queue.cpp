@@ -27,10 +27,10 @@ MotionQueue::MotionQueue(const arm::ArmModel& arm, const arm::JointVector& postu
                          FaultSwitch& stale_tag)
     : planner_(arm, options), arm_(posture, options.stop_time), reports_(stale_tag) {}
 
-void MotionQueue::resetSetting() {
+void MotionQueue::resetSetting(Instant now) {
   setting_ = ToolAndBase{};
-  holds_.remove(Holder::Project);
-  holds_.remove(Holder::Pvt);
+  resume(now, Holder::Project);
+  resume(now, Holder::Pvt);
   errors_.clear();
   reports_.forgetKept();
 }

@@ -70,8 +70,9 @@ class MotionQueue {
   void stop(Instant now);
   /// Stands at once; everything is given up.
   void halt(Instant now);
-  /// As when a project starts: no base, no TCP, no load, no error, no pause. Motion is not touched.
-  void resetSetting();
+  /// As when a project starts: no base, no TCP, no load, no error, no pause. A motion that is under way is
+  /// not ended.
+  void resetSetting(Instant now);
 
   [[nodiscard]] const MovingArm& arm() const { return arm_; }
   /// No motion is under way and none waits.

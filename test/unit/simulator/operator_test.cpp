@@ -296,6 +296,72 @@ TEST_F(StoppedByErrorTest, stopsTheProjectWhenTheRobotFailsIfThatIsThePolicy) {
   EXPECT_THAT(robot.events(), ElementsAre("x1", "-script"));
 }
 
+// --- What was held when the project ended.
+class RunAgainTest : public StoppedByErrorTest {
+ protected:
+  void holdMotion(const OperatorAction& action) {
+    startMotion();
+    done(action);
+    robot.wait(1s);
+    ASSERT_FALSE(robot.state().in_motion);
+    ASSERT_EQ(robot.state().queued_motions, 1);
+  }
+  /// And moves, as if nothing had been.
+  void runAgain() {
+    done(RunProject{});
+    EXPECT_FALSE(robot.state().project_paused);
+    client = robot.connect();
+    robot.script(client, "2", kMove);
+    robot.wait(300ms);
+    EXPECT_TRUE(robot.state().in_motion);
+    robot.waitUntilIdle();
+    EXPECT_NEAR(robot.joints()[0], 90.0, 1e-9);
+  }
+};
+
+TEST_F(RunAgainTest, movesAfterAStopOfThePausedProject) {
+  holdMotion(PauseProject{});
+  done(StopProject{});
+  runAgain();
+}
+
+TEST_F(RunAgainTest, movesAfterAStopWhileThePausedArmStillSlowsDown) {
+  startMotion();
+  done(PauseProject{});
+  robot.wait(20ms);
+  done(StopProject{});
+  runAgain();
+}
+
+TEST_F(RunAgainTest, movesAfterAnEmergencyStopOfThePausedProject) {
+  holdMotion(PauseProject{});
+  done(SetEmergencyStop{true});
+  done(SetEmergencyStop{false});
+  runAgain();
+}
+
+TEST_F(RunAgainTest, movesAfterAnErrorThatStopsThePausedProject) {
+  holdMotion(PauseProject{});
+  done(RaiseError{1, ""});
+  runAgain();
+}
+
+TEST_F(RunAgainTest, movesAfterAPauseThatCameBehindTheStopOfTheQueue) {
+  startMotion();
+  robot.script(client, "8", "StopAndClearBuffer()");
+  done(PauseProject{});
+  robot.wait(1s);
+  done(StopProject{});
+  runAgain();
+}
+
+TEST_F(RunAgainTest, movesOnceTheSafeguardIsClosedToo) {
+  holdMotion(SetSafeguard{true});
+  done(StopProject{});
+  done(SetSafeguard{false});
+  runAgain();
+}
+
 // --- Inputs.
 TEST_F(OperatorTest, setsInputsThatTheStreamShows) {
   connectStatus();
