@@ -30,19 +30,25 @@ std::uint8_t checksum(std::string_view bytes) {
 }
 
 std::string encodeFrame(std::string_view header, std::string_view data) {
+  return encodeFrame(header, {data});
+}
+
+std::string encodeFrame(std::string_view header, std::initializer_list<std::string_view> data) {
   assert(!header.empty() && std::all_of(header.begin(), header.end(), isLetter));
-  assert(data.size() <= kMaxDataLength);
+  std::size_t size = 0;
+  for (const std::string_view part : data) size += part.size();
+  assert(size <= kMaxDataLength);
   constexpr std::string_view kHexDigits = "0123456789ABCDEF";
-  const fmt::format_int length(data.size());
+  const fmt::format_int length(size);
 
   std::string frame;
-  frame.reserve(header.size() + length.size() + data.size() + std::size_t{9});
+  frame.reserve(header.size() + length.size() + size + std::size_t{9});
   frame += '$';
   frame += header;
   frame += ',';
   frame.append(length.data(), length.size());
   frame += ',';
-  frame += data;
+  for (const std::string_view part : data) frame += part;
   frame += ',';
   const std::uint8_t sum = checksum(std::string_view(frame).substr(1));
   frame += '*';

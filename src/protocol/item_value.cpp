@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -228,12 +229,22 @@ bool appendBinaryItem(std::string& content, std::string_view name, const ItemVal
       [&](const auto& held) {
         const std::size_t size = binarySize(held);
         if (size > kMaxItemBytes) return false;
-        // The fields of encodeBinaryItems(), in one go: a status stream writes forty of them in each frame.
-        const std::size_t start = content.size();
-        content.resize(start + 2 * sizeof(std::uint16_t) + name.size() + size);
-        char* place = writeBinary(content.data() + start, static_cast<std::uint16_t>(name.size()));
-        place = writeBinary(place, name);
-        writeBinary(writeBinary(place, static_cast<std::uint16_t>(size)), held);
+        // The fields of encodeBinaryItems(), in one go: a status stream writes fifty of them in each frame. A
+        // small one is put together beside the content, which then need not be filled with zeros first.
+        const auto write = [&](char* place) {
+          place = writeBinary(place, static_cast<std::uint16_t>(name.size()));
+          place = writeBinary(place, name);
+          writeBinary(writeBinary(place, static_cast<std::uint16_t>(size)), held);
+        };
+        const std::size_t whole = 2 * sizeof(std::uint16_t) + name.size() + size;
+        std::array<char, 96> beside;
+        if (whole <= beside.size()) {
+          write(beside.data());
+          content.append(beside.data(), whole);
+        } else {
+          content.resize(content.size() + whole);
+          write(content.data() + content.size() - whole);
+        }
         return true;
       },
       value);

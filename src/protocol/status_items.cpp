@@ -119,9 +119,9 @@ Result<StatusFrame, MessageFault> parseStatusFrame(const Frame& frame) {
 
 std::string encode(const StatusFrame& frame) {
   assert(isAlphanumeric(frame.id) && frame.mode >= 0);
-  std::string data = fmt::format("{},{},", frame.id, frame.mode);
-  data += frame.content;
-  return encodeFrame(header::kItems, data);
+  const fmt::format_int mode(frame.mode);
+  return encodeFrame(header::kItems,
+                     {frame.id, ",", std::string_view(mode.data(), mode.size()), ",", frame.content});
 }
 
 Result<std::vector<StatusItem>, MessageFault> parseBinaryItems(std::string_view content) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -33,5 +34,7 @@ struct Frame {
 /// The frame as bytes: decimal length, upper-case checksum. `data` may hold any bytes.
 /// Preconditions: the header is not empty and has only letters; data.size() <= kMaxDataLength.
 [[nodiscard]] std::string encodeFrame(std::string_view header, std::string_view data);
+/// The same of DATA in parts, one behind the other.
+[[nodiscard]] std::string encodeFrame(std::string_view header, std::initializer_list<std::string_view> data);
 
 }  // namespace cobot_command::protocol

@@ -130,11 +130,11 @@ const std::vector<ItemRow>& itemRows() {
       {"Robot_Mode", 1, zeroInt, 0, k180},
       // Poses. No touch stop was ever made.
       {"Coord_Base_Flange", 1,
-       [](const V& v, N) -> ItemValue { return poseFloats(v.state.base.inverse() * v.state.flange); }},
+       [](const V& v, N) -> ItemValue { return v.poses.told(v.state.base.inverse() * v.state.flange); }},
       {"Coord_Base_Tool", 1,
-       [](const V& v, N) -> ItemValue { return poseFloats(v.state.base.inverse() * v.robot_tool); }},
-      {"Coord_Robot_Flange", 1, [](const V& v, N) -> ItemValue { return poseFloats(v.state.flange); }},
-      {"Coord_Robot_Tool", 1, [](const V& v, N) -> ItemValue { return poseFloats(v.robot_tool); }},
+       [](const V& v, N) -> ItemValue { return v.poses.told(v.state.base.inverse() * v.robot_tool); }},
+      {"Coord_Robot_Flange", 1, [](const V& v, N) -> ItemValue { return v.poses.told(v.state.flange); }},
+      {"Coord_Robot_Tool", 1, [](const V& v, N) -> ItemValue { return v.poses.told(v.robot_tool); }},
       {"Joint_Angle", 1, [](const V& v, N) -> ItemValue { return degrees(v.state.joints); }},
       {"Touch_Coord_Base_Flange", 1, zeroFloats<6>},
       {"Touch_Joint_Angle_Stop", 1, zeroFloats<6>},
@@ -163,15 +163,15 @@ const std::vector<ItemRow>& itemRows() {
        [](const V&, N) -> ItemValue { return Floats(arm::kJointCount, kJointTemperature); }},
       // Tool and base.
       {"TCP_Name", 1, [](const V& v, N) -> ItemValue { return v.state.tcp_name; }},
-      {"TCP_Value", 1, [](const V& v, N) -> ItemValue { return poseFloats(v.state.tcp); }},
+      {"TCP_Value", 1, [](const V& v, N) -> ItemValue { return v.poses.told(v.state.tcp); }},
       {"TCP_Mass", 1, [](const V& v, N) -> ItemValue { return static_cast<float>(v.state.tcp_mass); }},
       {"TCP_MOI", 1, [](const V& v, N) -> ItemValue { return inertiaMoments(v.state.tcp_inertia); }},
       {"TCP_MCF", 1, [](const V& v, N) -> ItemValue { return massCenter(v.state.tcp_inertia); }},
       {"Base_Name", 1, [](const V& v, N) -> ItemValue { return v.state.base_name; }},
-      {"Base_Value", 1, [](const V& v, N) -> ItemValue { return poseFloats(v.state.base); }},
+      {"Base_Value", 1, [](const V& v, N) -> ItemValue { return v.poses.told(v.state.base); }},
       {"HandCamera_Value", 1,
        [](const V& v, N) -> ItemValue {
-         return poseFloats(v.source.project.tools.at("HandCamera").now.frame.pose);
+         return v.poses.told(v.source.project.tools.at("HandCamera").now.frame.pose);
        }},
       // The project, and the stick. A button is up again before anybody can read it.
       {"Project_Name", 1, [](const V& v, N) -> ItemValue { return v.source.settings.project_name; }, 0, 9999,

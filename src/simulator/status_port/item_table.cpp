@@ -71,12 +71,11 @@ ItemTable::ItemTable(const Settings& settings, const tm_script::Variables& varia
   std::for_each(settings.stream_items.begin(), settings.stream_items.end(), stream);
 }
 
-std::vector<Item> ItemTable::stream(const ItemSource& source) const {
-  if (!source.hidden.on) return stream_;
-  std::vector<Item> items;
-  std::copy_if(stream_.begin(), stream_.end(), std::back_inserter(items),
-               [&](const Item& item) { return !isHidden(item.name, source.hidden); });
-  return items;
+std::vector<Item> shown(const std::vector<Item>& items, const FaultSwitch& hidden) {
+  std::vector<Item> rest;
+  std::copy_if(items.begin(), items.end(), std::back_inserter(rest),
+               [&](const Item& item) { return !isHidden(item.name, hidden); });
+  return rest;
 }
 
 std::optional<Item> ItemTable::find(std::string_view name, const ItemSource& source) const {

@@ -31,14 +31,18 @@ class ItemTable {
   /// Of the settings' version and stream. What is wrong in them (faultIn) is left out.
   ItemTable(const Settings& settings, const tm_script::Variables& variables);
 
-  /// Robot_Link first. Items that the fault hides are not there, as with find().
-  [[nodiscard]] std::vector<Item> stream(const ItemSource& source) const;
+  /// Robot_Link first. Items that the fault hides are among them: see shown().
+  [[nodiscard]] const std::vector<Item>& stream() const { return stream_; }
+  /// Items that the fault hides are not there.
   [[nodiscard]] std::optional<Item> find(std::string_view name, const ItemSource& source) const;
 
  private:
   std::map<std::string, Item, std::less<>> items_;
   std::vector<Item> stream_;
 };
+
+/// Those that the fault does not hide.
+[[nodiscard]] std::vector<Item> shown(const std::vector<Item>& items, const FaultSwitch& hidden);
 
 /// Is there a predefined item of that name in any version?
 [[nodiscard]] bool isItem(std::string_view name);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "cobot_command/common/units.h"
 
@@ -33,9 +34,24 @@ Floats floats(const Eigen::Ref<const Eigen::VectorXd>& numbers, double factor) {
   return floats;
 }
 
-Floats poseFloats(const arm::Pose& pose) {
-  const SixFloats numbers = toFloats(pose);
-  return {numbers.begin(), numbers.end()};
+Floats ToldPoses::told(const arm::Pose& pose) {
+  // 0 and -0 are not the same: they may turn by 180 and by -180 degrees.
+  const auto are_the_same = [](double a, double b) { return a == b && std::signbit(a) == std::signbit(b); };
+  const auto is_the_same = [&](const Told& known) {
+    const double* numbers = pose.data();
+    return std::equal(numbers, numbers + pose.matrix().size(), known.pose.data(), are_the_same);
+  };
+  const auto end = known_.begin() + static_cast<std::ptrdiff_t>(count_);
+  auto found = std::find_if(known_.begin(), end, is_the_same);
+  if (found == end) {
+    if (count_ < known_.size()) {
+      ++count_;
+    } else {
+      --found;
+    }
+    *found = Told{pose, toFloats(pose)};
+  }
+  return {found->numbers.begin(), found->numbers.end()};
 }
 
 Floats inertiaMoments(const script::ToolInertia& inertia) {

@@ -1,6 +1,8 @@
 // Values of items out of the state of the robot, in the units of the controller.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
@@ -25,6 +27,23 @@ struct ItemSource {
   const ProjectData& project;
 };
 
+using Floats = std::vector<float>;
+
+/// Poses as the controller tells them, each converted once: without a tool and a base, items tell the same
+/// one again and again.
+class ToldPoses {
+ public:
+  [[nodiscard]] Floats told(const arm::Pose& pose);  ///< [mm, deg]
+
+ private:
+  struct Told {
+    arm::Pose pose;
+    SixFloats numbers;
+  };
+  std::array<Told, 6> known_;
+  std::size_t count_ = 0;
+};
+
 /// The source, and what several items need of it, computed once.
 struct ItemValues {
   explicit ItemValues(const ItemSource& from);
@@ -33,13 +52,11 @@ struct ItemValues {
   const RobotState& state;
   arm::Pose robot_tool;  ///< the TCP in the robot base [m]
   Twist tool_twist;
+  mutable ToldPoses poses{};  ///< remembers, and tells nothing else for that
 };
-
-using Floats = std::vector<float>;
 
 /// Each times a unit's size.
 [[nodiscard]] Floats floats(const Eigen::Ref<const Eigen::VectorXd>& numbers, double factor = 1.0);
-[[nodiscard]] Floats poseFloats(const arm::Pose& pose);                   ///< [mm, deg]
 [[nodiscard]] Floats inertiaMoments(const script::ToolInertia& inertia);  ///< [kg mm^2]
 [[nodiscard]] Floats massCenter(const script::ToolInertia& inertia);      ///< [mm, deg]
 [[nodiscard]] Floats degrees(const arm::JointVector& joints);             ///< [deg] or [deg/s]

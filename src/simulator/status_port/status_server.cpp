@@ -91,11 +91,13 @@ Instant StatusServer::nextEvent() const {
 }
 
 void StatusServer::stream(const ItemSource& source) {
+  const std::vector<Item>& items = table_.stream();
   const StatusFrame frame{std::to_string(next_tick_++ % 10), static_cast<int>(format_),
-                          contentOf(format_, table_.stream(source), source)};
+                          source.hidden.on ? contentOf(format_, shown(items, source.hidden), source)
+                                           : contentOf(format_, items, source)};
   std::vector<ClientId> all;
   for (const auto& [id, client] : clients_) all.push_back(id);
-  outgoing_.send({Port::Status, MessageKind::Stream, protocol::encode(frame), {}}, all);
+  outgoing_.send({Port::Status, MessageKind::Stream, protocol::encode(frame), {}}, std::move(all));
 }
 
 void StatusServer::feed(ClientId client, std::string_view bytes) {

@@ -1,6 +1,7 @@
 #include "wire/outgoing.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,12 +18,12 @@ void spoilChecksum(std::string& frame) {
 
 }  // namespace
 
-void Outgoing::send(Message message, const std::vector<ClientId>& clients) {
+void Outgoing::send(Message message, std::vector<ClientId> clients) {
   if (clients.empty()) return;
   MessageFaults& faults = faults_.of(message.kind);
   if (message.port == Port::Script && faults_.silence.on) return logFault("not sent", message);
   if (faults.drop.take()) return logFault("not sent", message);
-  Late letter{std::move(message), clients, 1};
+  Late letter{std::move(message), std::move(clients), 1};
   if (faults.corrupt.take()) {
     logFault("sent with a wrong checksum", letter.message);
     spoilChecksum(letter.message.bytes);
@@ -32,14 +33,18 @@ void Outgoing::send(Message message, const std::vector<ClientId>& clients) {
     letter.copies = 2;
   }
   const Duration delay = fromSeconds(faults.delay.seconds);
-  if (!faults.delay.take()) return put(letter.message, letter.clients, letter.copies);
+  if (!faults.delay.take()) return put(std::move(letter));
   logFault("sent later", letter.message);
   late_.emplace(outbox_.now() + delay, std::move(letter));
 }
 
-void Outgoing::put(const Message& message, const std::vector<ClientId>& clients, int copies) {
+void Outgoing::put(Late letter) {
+  auto& [message, clients, copies] = letter;
+  std::size_t left = clients.size() * static_cast<std::size_t>(copies);
   for (const ClientId client : clients) {
-    for (int copy = 0; copy < copies; ++copy) outbox_.send(message.port, client, message.bytes);
+    for (int copy = 0; copy < copies; ++copy) {
+      outbox_.send(message.port, client, --left == 0 ? std::exchange(message.bytes, {}) : message.bytes);
+    }
     if (!message.text.empty()) outbox_.log(fmt::format("to {}: {}", client, message.text));
   }
 }
@@ -61,9 +66,9 @@ Instant Outgoing::nextEvent() const {
 
 void Outgoing::deliver() {
   while (nextEvent() <= outbox_.now()) {
-    const Late letter = std::move(late_.begin()->second);
+    Late letter = std::move(late_.begin()->second);
     late_.erase(late_.begin());
-    put(letter.message, letter.clients, letter.copies);
+    put(std::move(letter));
   }
 }
 

@@ -23,7 +23,7 @@ class Outgoing {
   Outgoing(FaultSwitches& faults, Outbox& outbox) : faults_(faults), outbox_(outbox) {}
 
   /// To each of the clients, which all fare the same.
-  void send(Message message, const std::vector<ClientId>& clients);
+  void send(Message message, std::vector<ClientId> clients);
   /// Nothing more goes to a client that is gone.
   void forget(ClientId client);
 
@@ -38,7 +38,7 @@ class Outgoing {
     std::vector<ClientId> clients;
     int copies = 1;
   };
-  void put(const Message& message, const std::vector<ClientId>& clients, int copies);
+  void put(Late letter);
   void logFault(const char* what, const Message& message);
 
   FaultSwitches& faults_;

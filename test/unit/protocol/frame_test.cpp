@@ -5,6 +5,10 @@
 namespace cobot_command::protocol {
 namespace {
 
+TEST(EncodeFrame, takesDataInParts) {
+  EXPECT_EQ(encodeFrame("TMSCT", {"1", ",", "", "Pause()"}), encodeFrame("TMSCT", "1,Pause()"));
+}
+
 TEST(Checksum, isTheXorOfTheManualsWorkedExample) {
   EXPECT_EQ(checksum("TMSCT,5,10,OK,"), 0x6D);
 }
