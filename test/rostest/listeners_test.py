@@ -5,6 +5,7 @@ import unittest
 
 import rospy
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from geometry_msgs.msg import PoseStamped
 
 from cobot_command.msg import (CommandStatus, ProgramControlActionGoal, ProgramControlActionResult, ProgramControlGoal,
                                RobotStatus)
@@ -17,6 +18,13 @@ OLD = 1.0  # [s]; far more than what is kept fresh may be old, for a machine tha
 def first(topic, kind):
     """What somebody gets who begins to listen now."""
     return rospy.wait_for_message(topic, kind, DEADLINE)
+
+
+def published(topic, kind, seconds=2.0):
+    """How many messages a second the node publishes: roscpp numbers them all, whether somebody gets them or not."""
+    began, before = rospy.Time.now(), first(topic, kind).header.seq
+    rospy.sleep(seconds)
+    return (first(topic, kind).header.seq - before) / (rospy.Time.now() - began).to_sec()
 
 
 class WhoBeginsToListen(unittest.TestCase):
@@ -49,6 +57,14 @@ class WhoBeginsToListen(unittest.TestCase):
         ended = [s.status for s in first("program_control/status", GoalStatusArray).status_list]
         self.assertEqual(ended, [GoalStatus.REJECTED])
         wait_until(lambda: not first("program_control/status", GoalStatusArray).status_list, "nothing of a goal long gone")
+
+    def test_is_the_reason_that_much_is_published(self):
+        for topic, kind in (("tool_pose", PoseStamped), ("robot_status", RobotStatus), ("move_relative/status", GoalStatusArray)):
+            unheard = published(topic, kind)
+            listener = rospy.Subscriber(topic, kind, lambda message: None)
+            heard = published(topic, kind)
+            listener.unregister()
+            self.assertGreater(heard, 2 * unheard, topic)
 
 
 if __name__ == "__main__":
