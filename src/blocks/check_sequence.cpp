@@ -49,6 +49,10 @@ std::string foundStart(const std::vector<double>& joints) {
   return fmt::format("start_joints are {}", fmt::join(joints, ", "));
 }
 
+Detail blamed(int faulty_step) {
+  return faulty_step < 0 ? Detail() : Detail(blaming(static_cast<std::size_t>(faulty_step)));
+}
+
 std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, bool has_model) {
   std::vector<Failure> failures;
   if (!start.joints) {
@@ -56,7 +60,7 @@ std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, bo
   }
   if (!has_model) failures.push_back({own_error::kNoModel, "", ""});
   if (!goal.steps_fault.empty()) {
-    failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, "", {goal.faulty_step, 0, ""}});
+    failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, "", blamed(goal.faulty_step)});
   } else if (goal.steps.empty() || goal.steps.size() > CheckSequenceGoal::kMostSteps) {
     failures.push_back(
         {own_error::kStepCount, foundSteps(goal.steps.size(), CheckSequenceGoal::kMostSteps), ""});
@@ -84,7 +88,7 @@ class Sequence {
 
   Outcome run() {
     const std::size_t all = goal_.steps.size() + (goal_.comes_round ? 1 : 0);
-    for (std::size_t i = 0; i < all && outcome_.failed_step < 0 && !gaveUp(); ++i) {
+    for (std::size_t i = 0; i < all && report_.failed_step < 0 && !gaveUp(); ++i) {
       auto planned = std::visit([this](const auto& step) { return plan(step); }, stepAt(i));
       if (!planned) {
         fail(i, planned.error());
@@ -96,8 +100,9 @@ class Sequence {
       if (misfit) failBlend(*misfit);
     }
     addJointPaths();
-    if (outcome_.failed_step < 0) outcome_.planned = planner_.duration();
-    outcome_.steps.resize(std::min(outcome_.steps.size(), goal_.steps.size()));
+    if (report_.failed_step < 0) outcome_.planned = planner_.duration();
+    report_.steps.resize(std::min(report_.steps.size(), goal_.steps.size()));
+    outcome_.detail = Detail(std::move(report_));
     return std::move(outcome_);
   }
 
@@ -132,7 +137,7 @@ class Sequence {
     StepReport report;
     report.start = planned.start;
     report.duration = planned.duration;
-    outcome_.steps.push_back(std::move(report));
+    report_.steps.push_back(std::move(report));
     planned_.push_back(std::move(planned));
     settings_.push_back(planner_.setting());
   }
@@ -146,7 +151,7 @@ class Sequence {
     const std::string note = fmt::format(
         "the tool has {} kg, {} carries {} kg: expect its motions to fail in the controller (16#222)",
         tool->weight, arm_.name(), payload);
-    outcome_.steps[step].error_description = note;
+    report_.steps[step].error_description = note;
     std::string& text = outcome_.error_description;
     text += fmt::format("{}step {}: {}", text.empty() ? "" : "; ", step + 1, note);
   }
@@ -172,19 +177,15 @@ class Sequence {
     const std::size_t step = place % goal_.steps.size();
     Outcome refusal = toRejection(blockOf(goal_.steps[step]), fault.failures);
     if (place != step) refusal.error_description += "; that is when it comes again, behind the last step";
-    outcome_.steps.resize(place + 1);
-    planned_.resize(std::min(planned_.size(), outcome_.steps.size()));
-    const Outcome rejection =
-        toRejection(kBlock<CheckSequenceGoal>, {stepRefused(step, goal_.steps.size(), refusal)});
-    StepReport& report = outcome_.steps[step];
-    report.error_id = refusal.error_id;
-    report.error_description = rejection.steps.back().error_description;
+    report_.steps.resize(place + 1);
+    planned_.resize(std::min(planned_.size(), report_.steps.size()));
+    outcome_ = toRejection(kBlock<CheckSequenceGoal>, {stepRefused(step, goal_.steps.size(), refusal)});
+    const StepReport& own = outcome_.detail.as<SequenceReport>().steps.back();
+    StepReport& report = report_.steps[step];
+    report.error_id = own.error_id;
+    report.error_description = own.error_description;
     report.offending_point = fault.point;
-    outcome_.ending = rejection.ending;
-    outcome_.error_id = rejection.error_id;
-    outcome_.error_description = rejection.error_description;
-    outcome_.remedy = rejection.remedy;
-    outcome_.failed_step = rejection.failed_step;
+    report_.failed_step = static_cast<int>(step);
   }
 
   /// Each to where the next motion takes over, which is before its own end where they blend.
@@ -193,7 +194,7 @@ class Sequence {
     for (std::size_t i = planned_.size(); i-- > 0;) {
       const planning::PlannedStep& step = planned_[i];
       if (!step.trajectory) continue;
-      outcome_.steps[i].joint_path =
+      report_.steps[i].joint_path =
           jointPath(*step.trajectory, until == Duration::max() ? until : until - step.start);
       until = step.start;
     }
@@ -205,7 +206,8 @@ class Sequence {
   const GiveUp& give_up_;
   std::vector<planning::PlannedStep> planned_;
   std::vector<motion::Setting> settings_;  ///< that each was planned with
-  Outcome outcome_;
+  SequenceReport report_;
+  Outcome outcome_;  ///< without that, until the end
 };
 
 }  // namespace

@@ -21,7 +21,14 @@ constexpr double kMaxDwell = 3600;
 
 /// What is wrong with a step besides its move.
 Failure blame(int error_id, std::string found, std::size_t index) {
-  return {error_id, std::move(found), "", {static_cast<int>(index), 0, ""}};
+  return {error_id, std::move(found), "", Detail(CycleReport{blaming(index), 0})};
+}
+
+/// Its move cannot be made.
+Failure moveRefused(const PickAndPlaceGoal& goal, std::size_t index, const std::vector<Failure>& own) {
+  Failure failure = stepRefused(index, goal.steps.size(), toRejection(kBlock<MoveAbsoluteGoal>, own));
+  failure.detail = Detail(CycleReport{failure.detail.as<SequenceReport>(), 0});
+  return failure;
 }
 
 /// What follows a move has the errors of its own block.
@@ -36,7 +43,7 @@ void checkStep(const PickAndPlaceGoal& goal, std::size_t index, std::vector<Fail
   const PickAndPlaceStep& step = goal.steps[index];
   const std::size_t number = index + 1;
   if (const auto own = check(step.move); !own.empty()) {
-    failures.push_back(stepRefused(index, goal.steps.size(), toRejection(kBlock<MoveAbsoluteGoal>, own)));
+    failures.push_back(moveRefused(goal, index, own));
   }
   if (!isWithin(step.dwell, 0, kMaxDwell)) {
     failures.push_back(blame(own_error::kDwellRange,
@@ -144,7 +151,7 @@ std::vector<Failure> check(const PickAndPlaceGoal& goal) {
 std::optional<Failure> findMovedFrame(const PickAndPlaceGoal& goal, const FrameFinder& finder) {
   for (std::size_t i = 0; i < goal.steps.size(); ++i) {
     if (const auto moved = findMovedFrame(goal.steps[i].move, finder)) {
-      return stepRefused(i, goal.steps.size(), toRejection(kBlock<MoveAbsoluteGoal>, {*moved}));
+      return moveRefused(goal, i, {*moved});
     }
   }
   return std::nullopt;
@@ -163,8 +170,9 @@ std::optional<Duration> plannedCycle(const PickAndPlaceGoal& goal, const std::ve
 
 Outcome plan(const PickAndPlaceGoal& goal, const PlanningScene& scene) {
   Outcome outcome = plan(asSequence(goal), scene);
+  outcome.detail = Detail(CycleReport{outcome.detail.as<SequenceReport>(), 0});
   if (outcome.ending != Ending::Rejected) {
-    outcome.planned = plannedCycle(goal, outcome.steps);
+    outcome.planned = plannedCycle(goal, outcome.detail.as<CycleReport>().steps);
     return outcome;
   }
   // The same findings, in the words of this block.
@@ -176,7 +184,7 @@ Outcome plan(const PickAndPlaceGoal& goal, const PlanningScene& scene) {
 }
 
 std::unique_ptr<Run> runOf(const PickAndPlaceGoal& goal, GoalId id, const Outcome& planned, Instant now) {
-  return std::make_unique<PickAndPlaceRun>(id, goal, planned.steps, now);
+  return std::make_unique<PickAndPlaceRun>(id, goal, planned.detail.as<CycleReport>().steps, now);
 }
 
 }  // namespace cobot_command::blocks

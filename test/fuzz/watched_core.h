@@ -110,9 +110,8 @@ class WatchedCore {
     REQUIRE(error == (outcome.error_id != 0));
     requireText(outcome.error_description);
     requireText(outcome.remedy);
-    for (const blocks::StepReport& step : outcome.steps) {
-      requireText(step.error_description);
-    }
+    requireTexts(outcome.detail.find<blocks::SequenceReport>());
+    requireTexts(outcome.detail.find<blocks::CycleReport>());
     if (!error) return;
     REQUIRE(blocks::findError(blocks_.at(ended.goal), outcome.error_id) != nullptr);
     REQUIRE(!outcome.error_description.empty() && !outcome.remedy.empty());
@@ -135,6 +134,10 @@ class WatchedCore {
   static void requireText(const std::string& text) {
     REQUIRE(text.size() <= kLongestText);
     REQUIRE(isUtf8(text));
+  }
+  static void requireTexts(const blocks::SequenceReport* report) {
+    if (report == nullptr) return;
+    for (const blocks::StepReport& step : report->steps) requireText(step.error_description);
   }
   static constexpr std::size_t kLongestText = 4096;
 

@@ -14,6 +14,7 @@
 #include "cobot_command/blocks/move_circle.h"
 #include "cobot_command/blocks/move_relative.h"
 #include "cobot_command/blocks/shared/block_parts.h"
+#include "cobot_command/blocks/shared/sequence_report.h"
 
 namespace cobot_command::blocks {
 
@@ -37,8 +38,8 @@ struct CheckSequenceGoal {
 [[nodiscard]] GoalTraits traitsOf(const CheckSequenceGoal& goal);
 /// Nothing: what is wrong with the steps is found step by step, by plan().
 [[nodiscard]] std::vector<Failure> check(const CheckSequenceGoal& goal);
-/// Done with a report of every step; or Rejected with the index of the first step that fails and its own
-/// error, the reports ending with it.
+/// Done with a report of every step (SequenceReport); or Rejected with the index of the first step that fails
+/// and its own error, the reports ending with it.
 [[nodiscard]] Outcome plan(const CheckSequenceGoal& goal, const PlanningScene& scene);
 
 }  // namespace cobot_command::blocks

@@ -13,6 +13,7 @@
 #include "cobot_command/blocks/set_output.h"
 #include "cobot_command/blocks/shared/block_parts.h"
 #include "cobot_command/blocks/shared/run.h"
+#include "cobot_command/blocks/shared/sequence_report.h"
 #include "cobot_command/blocks/wait_for_input.h"
 
 namespace cobot_command::blocks {
@@ -36,6 +37,17 @@ struct PickAndPlaceGoal {
   int cycles = 1;                       ///< 1..1000000; 0: until cancelled
   int buffer_mode = 0;
   bool check_only = false;
+};
+
+/// Detail of its end; also where it was refused.
+struct CycleReport : SequenceReport {
+  int cycles_done = 0;
+};
+
+/// Detail of its progress: what is under way.
+struct CyclePlace {
+  int step = -1;  ///< from 0; -1: none yet
+  int cycle = 0;  ///< from 1; 0: none yet
 };
 
 [[nodiscard]] GoalTraits traitsOf(const PickAndPlaceGoal& goal);

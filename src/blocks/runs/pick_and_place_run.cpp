@@ -24,7 +24,7 @@ Command exitOfNode() {
 
 PickAndPlaceRun::PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<StepReport> steps, Instant now)
     : Run(kBlock<PickAndPlaceGoal>, id), goal_(std::move(goal)), started_at_(now) {
-  found_.planned = plannedCycle(goal_, steps);
+  planned_cycle_ = plannedCycle(goal_, steps);
   steps.resize(goal_.steps.size());
   found_.steps = std::move(steps);
 }
@@ -293,8 +293,7 @@ void PickAndPlaceRun::nextStep() {
 }
 
 void PickAndPlaceRun::tell(Progress progress) {
-  progress.step = static_cast<int>(step_);
-  progress.cycle = cycle_;
+  progress.detail = Detail(CyclePlace{static_cast<int>(step_), cycle_});
   report(std::move(progress));
 }
 
@@ -308,10 +307,8 @@ void PickAndPlaceRun::endAs(Ending ending, Instant now) {
     outcome.ending = ending;
     outcome.error_description = cancelled_why_.value_or(finished_why_);
   }
-  outcome.planned = found_.planned;
-  outcome.steps = std::move(found_.steps);
-  outcome.failed_step = found_.failed_step;
-  outcome.cycles_done = found_.cycles_done;
+  outcome.planned = planned_cycle_;
+  outcome.detail = Detail(std::move(found_));
   outcome.actual = now - started_at_;
   end(std::move(outcome));
 }

@@ -90,7 +90,8 @@ class PickAndPlaceRun final : public Run {
   std::optional<Instant> held_since_;
   Instant started_at_;
   Failure failure_;
-  Outcome found_;  ///< of its steps, until now
+  std::optional<Duration> planned_cycle_;
+  CycleReport found_;  ///< until now
 };
 
 }  // namespace cobot_command::blocks

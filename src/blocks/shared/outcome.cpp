@@ -56,17 +56,6 @@ Failure tooManyWait(std::size_t waiting) {
   return {own_error::kQueueFull, fmt::format("{} wait", waiting), ""};
 }
 
-std::string foundSteps(std::size_t count, std::size_t most) {
-  return fmt::format("{} steps; allowed: 1 to {}", count, most);
-}
-
-Failure stepRefused(std::size_t step, std::size_t count, const Outcome& own) {
-  return {own_error::kStepRefused,
-          fmt::format("step {} of {}: 16#{:X} {}", step + 1, count, own.error_id, own.error_description),
-          own.remedy,
-          {static_cast<int>(step), own.error_id, own.error_description + ". " + own.remedy}};
-}
-
 Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
   const ErrorEntry& entry = entryOf(block, failure.error_id);
   Outcome outcome;
@@ -74,12 +63,7 @@ Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
   outcome.error_id = failure.error_id;
   outcome.error_description = describe(entry, failure.found);
   outcome.remedy = failure.remedy.empty() ? entry.remedy : failure.remedy;
-  if (const StepBlame& blame = failure.blame; blame.step >= 0) {
-    outcome.failed_step = blame.step;
-    outcome.steps.resize(static_cast<std::size_t>(blame.step) + 1);
-    outcome.steps.back().error_id = blame.error_id;
-    outcome.steps.back().error_description = blame.error_description;
-  }
+  outcome.detail = failure.detail;
   return outcome;
 }
 

@@ -226,14 +226,13 @@ void ConnectRun::end(blocks::Outcome outcome, Instant now) {
   connected_ = false;
   script_.stop(now);
   status_.stop(now);
-  outcome.link_times = times_;
+  outcome.detail = blocks::Detail(times_);
   if (id_) board_.end(kConnect, *id_, std::move(outcome));
 }
 
 void ConnectRun::report() {
   blocks::Progress progress;
   progress.text = robot::diagnose(script_, robot_);
-  progress.link_times = times_;
   switch (script_.state()) {
     case link::ScriptLinkState::Ready:
       progress.phase = ready() ? blocks::Phase::Connected : blocks::Phase::Probing;
@@ -254,7 +253,6 @@ void ConnectRun::reportLoss() {
   blocks::Progress progress;
   progress.phase = blocks::Phase::Connecting;
   progress.text = robot::ReasonWait::text("the link was lost, " + loss_.found);
-  progress.link_times = times_;
   tell(std::move(progress));
 }
 
@@ -262,6 +260,7 @@ void ConnectRun::tell(blocks::Progress progress) {
   if (!id_) return;
   if (reported_ == std::pair(progress.phase, progress.text)) return;
   reported_.emplace(progress.phase, progress.text);
+  progress.detail = blocks::Detail(times_);
   board_.progress(kConnect, *id_, std::move(progress));
 }
 

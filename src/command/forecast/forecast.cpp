@@ -18,7 +18,7 @@ blocks::Outcome outcomeOf(blocks::Block block, const Planned& planned, bool has_
   }
   blocks::Outcome outcome;
   outcome.planned = (*planned)->duration;
-  outcome.joint_path = blocks::jointPath((*planned)->motions);
+  outcome.detail = blocks::Detail(blocks::CheckedMotion{blocks::jointPath((*planned)->motions)});
   return outcome;
 }
 

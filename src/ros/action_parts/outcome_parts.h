@@ -6,7 +6,9 @@
 
 #include "command/plan_messages.h"
 
+#include "cobot_command/blocks/shared/joint_path.h"
 #include "cobot_command/blocks/shared/outcome.h"
+#include "cobot_command/blocks/shared/sequence_report.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -39,22 +41,14 @@ void fillMoveEnd(Result& message, const blocks::Outcome& outcome, const JointNam
     message.final_joints.assign(outcome.final_joints_deg->begin(), outcome.final_joints_deg->end());
   }
   if (outcome.final_pose_mm_deg) message.final_pose = toTransformation(*outcome.final_pose_mm_deg);
-  message.joint_path = toMessage(outcome.joint_path, names);
+  message.joint_path = toMessage(outcome.detail.as<blocks::CheckedMotion>().joint_path, names);
 }
 
 /// What was found of each step.
 template <class Result>
-void fillSteps(Result& message, const blocks::Outcome& outcome, const JointNames& names) {
-  message.planned_duration = toRos(outcome.planned);
-  for (const blocks::StepReport& step : outcome.steps) message.steps.push_back(toMessage(step, names));
-  message.failed_step = outcome.failed_step;
-}
-
-/// The instants of the connect block, in ROS time.
-template <class Message>
-void fillTimes(Message& message, const blocks::LinkTimes& times, const ClockPair& clocks) {
-  if (times.last_connected) message.last_connected = clocks.toRos(*times.last_connected);
-  if (times.last_lost) message.last_lost = clocks.toRos(*times.last_lost);
+void fillSteps(Result& message, const blocks::SequenceReport& report, const JointNames& names) {
+  for (const blocks::StepReport& step : report.steps) message.steps.push_back(toMessage(step, names));
+  message.failed_step = report.failed_step;
 }
 
 /// What every feedback has.

@@ -53,7 +53,8 @@ blocks::CheckSequenceGoal toGoal(const cobot_command::CheckSequenceGoal& message
 
 void fill(cobot_command::CheckSequenceResult& message, const blocks::Outcome& outcome, const FillSite& site) {
   fillEnd(message, outcome);
-  fillSteps(message, outcome, site.joint_names);
+  message.planned_duration = toRos(outcome.planned);
+  fillSteps(message, outcome.detail.as<blocks::SequenceReport>(), site.joint_names);
 }
 
 void fill(cobot_command::CheckSequenceFeedback& message, const blocks::Progress& progress,

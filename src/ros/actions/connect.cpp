@@ -6,6 +6,17 @@
 #include "cobot_command/ConnectAction.h"
 
 namespace cobot_command::ros_adapter {
+namespace {
+
+/// In ROS time.
+template <class Message>
+void fillTimes(Message& message, const blocks::Detail& detail, const ClockPair& clocks) {
+  const auto& times = detail.as<blocks::LinkTimes>();
+  if (times.last_connected) message.last_connected = clocks.toRos(*times.last_connected);
+  if (times.last_lost) message.last_lost = clocks.toRos(*times.last_lost);
+}
+
+}  // namespace
 
 blocks::ConnectGoal toGoal(const cobot_command::ConnectGoal& message, const Lookups& /*lookups*/) {
   blocks::ConnectGoal goal;
@@ -18,7 +29,7 @@ blocks::ConnectGoal toGoal(const cobot_command::ConnectGoal& message, const Look
 
 void fill(cobot_command::ConnectResult& message, const blocks::Outcome& outcome, const FillSite& site) {
   fillEnd(message, outcome);
-  fillTimes(message, outcome.link_times, site.clocks);
+  fillTimes(message, outcome.detail, site.clocks);
 }
 
 void fill(cobot_command::ConnectFeedback& message, const blocks::Progress& progress, const FillSite& site) {
@@ -28,7 +39,7 @@ void fill(cobot_command::ConnectFeedback& message, const blocks::Progress& progr
                   : progress.phase == blocks::Phase::Probing ? Message::PROBING
                                                              : Message::CONNECTING;
   message.text = progress.text;
-  fillTimes(message, progress.link_times, site.clocks);
+  fillTimes(message, progress.detail, site.clocks);
 }
 
 template <>

@@ -59,20 +59,23 @@ blocks::PickAndPlaceGoal toGoal(const cobot_command::PickAndPlaceGoal& message, 
 
 void fill(cobot_command::PickAndPlaceResult& message, const blocks::Outcome& outcome, const FillSite& site) {
   fillEnd(message, outcome);
-  fillSteps(message, outcome, site.joint_names);
+  message.planned_duration = toRos(outcome.planned);
   message.actual_duration = toRos(outcome.actual);
-  message.cycles_done = outcome.cycles_done;
-  const auto failed = static_cast<std::size_t>(outcome.failed_step);
-  if (outcome.failed_step < 0 || failed >= outcome.steps.size()) return;
-  message.step_error_id = outcome.steps[failed].error_id;
-  message.step_error_description = outcome.steps[failed].error_description;
+  const auto& report = outcome.detail.as<blocks::CycleReport>();
+  fillSteps(message, report, site.joint_names);
+  message.cycles_done = report.cycles_done;
+  const auto failed = static_cast<std::size_t>(report.failed_step);
+  if (report.failed_step < 0 || failed >= report.steps.size()) return;
+  message.step_error_id = report.steps[failed].error_id;
+  message.step_error_description = report.steps[failed].error_description;
 }
 
 void fill(cobot_command::PickAndPlaceFeedback& message, const blocks::Progress& progress,
           const FillSite& /*site*/) {
   fillMotion(message, progress);
-  message.step = progress.step;
-  message.cycle = progress.cycle;
+  const auto& place = progress.detail.as<blocks::CyclePlace>();
+  message.step = place.step;
+  message.cycle = place.cycle;
 }
 
 template <>

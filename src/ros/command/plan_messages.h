@@ -6,7 +6,8 @@
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include "cobot_command/StepReport.h"
-#include "cobot_command/blocks/shared/outcome.h"
+#include "cobot_command/blocks/shared/joint_path.h"
+#include "cobot_command/blocks/shared/sequence_report.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {

@@ -83,13 +83,18 @@ Outcome checked(const CheckSequenceGoal& goal) {
   return checkSequence(goal, model(), at(kHome));
 }
 
+const SequenceReport& reportOf(const Outcome& outcome) {
+  return outcome.detail.as<SequenceReport>();
+}
+
 void expectFailure(const Outcome& outcome, int step, int step_error) {
   EXPECT_EQ(outcome.ending, Ending::Rejected);
   EXPECT_EQ(outcome.error_id, own_error::kStepRefused) << outcome.error_description;
-  EXPECT_EQ(outcome.failed_step, step);
-  ASSERT_EQ(outcome.steps.size(), static_cast<std::size_t>(step) + 1) << "what is behind is not looked at";
-  EXPECT_EQ(outcome.steps.back().error_id, step_error) << outcome.error_description;
-  for (int i = 0; i < step; ++i) EXPECT_EQ(outcome.steps[static_cast<std::size_t>(i)].error_id, 0);
+  EXPECT_EQ(reportOf(outcome).failed_step, step);
+  ASSERT_EQ(reportOf(outcome).steps.size(), static_cast<std::size_t>(step) + 1)
+      << "what is behind is not looked at";
+  EXPECT_EQ(reportOf(outcome).steps.back().error_id, step_error) << outcome.error_description;
+  for (int i = 0; i < step; ++i) EXPECT_EQ(reportOf(outcome).steps[static_cast<std::size_t>(i)].error_id, 0);
   EXPECT_FALSE(outcome.planned);
 }
 
@@ -97,10 +102,10 @@ TEST(CheckSequence, plansEachStepFromTheEndOfTheOneBefore) {
   const Outcome outcome = checked(sequence({toJoints(kAside), down(50), toJoints(kHome)}));
   EXPECT_EQ(outcome.ending, Ending::Done) << outcome.error_description;
   EXPECT_EQ(outcome.error_id, 0);
-  EXPECT_EQ(outcome.failed_step, -1);
-  ASSERT_EQ(outcome.steps.size(), 3u);
+  EXPECT_EQ(reportOf(outcome).failed_step, -1);
+  ASSERT_EQ(reportOf(outcome).steps.size(), 3u);
   Duration start{};
-  for (const StepReport& report : outcome.steps) {
+  for (const StepReport& report : reportOf(outcome).steps) {
     EXPECT_EQ(report.start, start);
     EXPECT_GT(report.duration, Duration::zero());
     start += report.duration;
@@ -110,9 +115,9 @@ TEST(CheckSequence, plansEachStepFromTheEndOfTheOneBefore) {
 
 TEST(CheckSequence, givesAJointPathThatHangsTogether) {
   const Outcome outcome = checked(sequence({toJoints(kAside), down(50), toJoints(kHome)}));
-  ASSERT_EQ(outcome.steps.size(), 3u);
+  ASSERT_EQ(reportOf(outcome).steps.size(), 3u);
   arm::JointVector at = arm::toJointVector(kHome);
-  for (const StepReport& report : outcome.steps) {
+  for (const StepReport& report : reportOf(outcome).steps) {
     ASSERT_GE(report.joint_path.size(), 2u);
     EXPECT_LE(report.joint_path.size(), 100u);
     EXPECT_EQ(report.joint_path.front().time, Duration::zero());
@@ -132,8 +137,8 @@ TEST(CheckSequence, beginsAtTheStartJointsWhereTheyAreGiven) {
   goal.start_joints.assign(kAside.begin(), kAside.end());
   const Outcome there = checkSequence(goal, model(), std::nullopt);
   EXPECT_EQ(there.ending, Ending::Done) << there.error_description;
-  EXPECT_EQ(there.steps[0].duration, Duration::zero());
-  EXPECT_EQ(checkSequence(goal, model(), at(kHome)).steps[0].duration, Duration::zero())
+  EXPECT_EQ(reportOf(there).steps[0].duration, Duration::zero());
+  EXPECT_EQ(reportOf(checkSequence(goal, model(), at(kHome))).steps[0].duration, Duration::zero())
       << "in place of where the robot is";
 }
 
@@ -141,7 +146,8 @@ TEST(CheckSequence, countsTheProjectSpeed) {
   Start slow = at(kHome);
   slow.speed_override = 0.5;
   const Outcome outcome = checkSequence(sequence({toJoints(kAside)}), model(), slow);
-  EXPECT_GT(outcome.steps[0].duration, checked(sequence({toJoints(kAside)})).steps[0].duration);
+  EXPECT_GT(reportOf(outcome).steps[0].duration,
+            reportOf(checked(sequence({toJoints(kAside)}))).steps[0].duration);
 }
 
 TEST(CheckSequence, takesABaseAndATcpFromTheStepsBefore) {
@@ -154,9 +160,9 @@ TEST(CheckSequence, takesABaseAndATcpFromTheStepsBefore) {
   const auto move = with<MoveAbsoluteGoal>([&](auto& g) { g.target = pose; });
   const Outcome outcome = checked(sequence({base, tcp, move}));
   ASSERT_EQ(outcome.ending, Ending::Done) << outcome.error_description;
-  EXPECT_EQ(outcome.steps[0].duration, Duration::zero());
-  EXPECT_TRUE(outcome.steps[1].joint_path.empty());
-  const auto& end = outcome.steps[2].joint_path.back().joints;
+  EXPECT_EQ(reportOf(outcome).steps[0].duration, Duration::zero());
+  EXPECT_TRUE(reportOf(outcome).steps[1].joint_path.empty());
+  const auto& end = reportOf(outcome).steps[2].joint_path.back().joints;
   for (std::size_t j = 0; j < 6; ++j) {
     EXPECT_NEAR(end[j], arm::toJointVector(kAside)[static_cast<Eigen::Index>(j)], 1e-6) << j;
   }
@@ -172,7 +178,7 @@ TEST(CheckSequence, seesAPoseInATfFrameFromTheBaseOfItsStep) {
   const auto base = with<ChangeBaseGoal>([](auto& g) { g.transformation = {100, 50, -30, 0, 0, 40}; });
   const Outcome outcome = checked(sequence({base, move}));
   ASSERT_EQ(outcome.ending, Ending::Done) << outcome.error_description;
-  EXPECT_NEAR(outcome.steps[1].joint_path.back().joints[0], arm::toJointVector(kAside)[0], 1e-6);
+  EXPECT_NEAR(reportOf(outcome).steps[1].joint_path.back().joints[0], arm::toJointVector(kAside)[0], 1e-6);
 }
 
 TEST(CheckSequence, namesTheStepWithABadParameter) {
@@ -185,7 +191,7 @@ TEST(CheckSequence, namesTheStepWithABadParameter) {
               StartsWith("Step refused: step 2 of 3: 16#27 Acceleration Time range is: 150~9999 ms"));
   EXPECT_THAT(outcome.error_description, HasSubstr("also 16#28"));
   EXPECT_EQ(outcome.remedy, "Set parameter in acceptable range");
-  EXPECT_FALSE(outcome.steps[1].offending_point);
+  EXPECT_FALSE(reportOf(outcome).steps[1].offending_point);
 }
 
 TEST(CheckSequence, countsTheFirstStepOnceWhenItComesRound) {
@@ -195,7 +201,7 @@ TEST(CheckSequence, countsTheFirstStepOnceWhenItComesRound) {
   goal.comes_round = true;
   const Outcome round = checked(goal);
   ASSERT_EQ(round.ending, Ending::Done) << round.error_description;
-  EXPECT_EQ(round.steps.size(), 2u);
+  EXPECT_EQ(reportOf(round).steps.size(), 2u);
   EXPECT_GT(*round.planned, *once.planned) << "its way from the end of the last step is planned, too";
 }
 
@@ -206,12 +212,12 @@ TEST(CheckSequence, namesTheFirstStepWhenItCannotBeMadeFromTheEndOfTheLast) {
   goal.comes_round = true;
   const Outcome round = checked(goal);
   EXPECT_EQ(round.ending, Ending::Rejected);
-  EXPECT_EQ(round.failed_step, 0);
+  EXPECT_EQ(reportOf(round).failed_step, 0);
   EXPECT_THAT(round.error_description, HasSubstr("step 1 of 2"));
   EXPECT_THAT(round.error_description, HasSubstr("when it comes again, behind the last step"));
-  ASSERT_EQ(round.steps.size(), 2u);
-  EXPECT_NE(round.steps[0].error_id, 0);
-  EXPECT_EQ(round.steps[1].error_id, 0);
+  ASSERT_EQ(reportOf(round).steps.size(), 2u);
+  EXPECT_NE(reportOf(round).steps[0].error_id, 0);
+  EXPECT_EQ(reportOf(round).steps[1].error_id, 0);
 }
 
 TEST(CheckSequence, namesTheOffendingPointOfAPathThatCannotBeMade) {
@@ -219,18 +225,20 @@ TEST(CheckSequence, namesTheOffendingPointOfAPathThatCannotBeMade) {
   const Outcome outcome =
       checked(sequence({toJoints(kAside), with<MoveAbsoluteGoal>([&](auto& g) { g.target = far; })}));
   expectFailure(outcome, 1, own_error::kUnreachable);
-  ASSERT_TRUE(outcome.steps[1].offending_point);
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR((*outcome.steps[1].offending_point)[i], far[i], 1e-6);
-  EXPECT_FALSE(outcome.steps[0].joint_path.empty());
-  EXPECT_TRUE(outcome.steps[1].joint_path.empty());
+  ASSERT_TRUE(reportOf(outcome).steps[1].offending_point);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR((*reportOf(outcome).steps[1].offending_point)[i], far[i], 1e-6);
+  }
+  EXPECT_FALSE(reportOf(outcome).steps[0].joint_path.empty());
+  EXPECT_TRUE(reportOf(outcome).steps[1].joint_path.empty());
 }
 
 TEST(CheckSequence, findsEachReasonNotToMakeAMotion) {
   const auto failing = [](const SequenceStep& step, const SixValues& start, const char* name = "tm5-900") {
     const Outcome outcome = checkSequence(sequence({step}), *arm::ArmModel::named(name), at(start));
-    EXPECT_EQ(outcome.failed_step, 0);
+    EXPECT_EQ(reportOf(outcome).failed_step, 0);
     EXPECT_EQ(outcome.error_id, own_error::kStepRefused);
-    return outcome.steps.at(0).error_id;
+    return reportOf(outcome).steps.at(0).error_id;
   };
   EXPECT_EQ(failing(toJoints({0, 0, 170, 0, 90, 0}), kHome), own_error::kJointLimit);
   EXPECT_EQ(failing(down(2000), kHome), own_error::kUnreachable);
@@ -282,11 +290,11 @@ TEST(CheckSequence, startsABlendedMotionBeforeTheEndOfTheOneBefore) {
   });
   const Outcome outcome = checked(sequence({rounded(50, 20), aside}));
   ASSERT_EQ(outcome.ending, Ending::Done) << outcome.error_description;
-  const Duration corner = outcome.steps[1].start;
-  EXPECT_LT(corner, outcome.steps[0].duration);
-  EXPECT_EQ(outcome.planned, corner + outcome.steps[1].duration);
-  const JointPathPoint& last = outcome.steps[0].joint_path.back();
-  const JointPathPoint& first = outcome.steps[1].joint_path.front();
+  const Duration corner = reportOf(outcome).steps[1].start;
+  EXPECT_LT(corner, reportOf(outcome).steps[0].duration);
+  EXPECT_EQ(outcome.planned, corner + reportOf(outcome).steps[1].duration);
+  const JointPathPoint& last = reportOf(outcome).steps[0].joint_path.back();
+  const JointPathPoint& first = reportOf(outcome).steps[1].joint_path.front();
   EXPECT_EQ(last.time, corner) << "the path goes on in the next step";
   for (std::size_t j = 0; j < 6; ++j) {
     EXPECT_NEAR(last.joints[j], first.joints[j], 1e-9);
@@ -304,10 +312,12 @@ TEST(CheckSequence, refusesABlendThatDoesNotFitTheWayBehindItInTheNameOfItsOwner
   const auto base = with<ChangeBaseGoal>([](auto& g) { g.transformation = {0, 0, 0, 0, 0, 0}; });
   const Outcome outcome = checked(sequence({rounded(100, 30), base, down(50), toJoints(kAside)}));
   expectFailure(outcome, 0, own_error::kBlendingTooLarge);
-  ASSERT_TRUE(outcome.steps[0].offending_point);
+  ASSERT_TRUE(reportOf(outcome).steps[0].offending_point);
   SixValues corner = poseAt(kHome);
   corner[2] -= 100;
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR((*outcome.steps[0].offending_point)[i], corner[i], 1e-6);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR((*reportOf(outcome).steps[0].offending_point)[i], corner[i], 1e-6);
+  }
 }
 
 TEST(CheckSequence, needsAStart) {
@@ -322,8 +332,8 @@ TEST(CheckSequence, needsAStart) {
     const Outcome outcome = checkSequence(goal, model(), at(kHome));
     EXPECT_EQ(outcome.error_id, own_error::kStartUnknown);
     EXPECT_EQ(outcome.ending, Ending::Rejected);
-    EXPECT_TRUE(outcome.steps.empty());
-    EXPECT_EQ(outcome.failed_step, -1);
+    EXPECT_TRUE(reportOf(outcome).steps.empty());
+    EXPECT_EQ(reportOf(outcome).failed_step, -1);
   }
 }
 
@@ -348,8 +358,8 @@ TEST(CheckSequence, notesAToolThatIsTooHeavyForTheArm) {
   };
   const Outcome heavy = withTool(14);
   EXPECT_EQ(heavy.ending, Ending::Done);
-  EXPECT_EQ(heavy.steps[0].error_id, 0);
-  EXPECT_THAT(heavy.steps[0].error_description, HasSubstr("14 kg, tm5-900 carries 4 kg"));
+  EXPECT_EQ(reportOf(heavy).steps[0].error_id, 0);
+  EXPECT_THAT(reportOf(heavy).steps[0].error_description, HasSubstr("14 kg, tm5-900 carries 4 kg"));
   EXPECT_THAT(heavy.error_description, HasSubstr("step 1: the tool has 14 kg"));
   EXPECT_EQ(withTool(4).error_description, "");
 }
@@ -360,7 +370,7 @@ TEST(CheckSequence, blamesAStepThatCannotBeRead) {
   goal.faulty_step = 1;
   const Outcome outcome = checkSequence(goal, model(), at(kHome));
   EXPECT_EQ(outcome.error_id, own_error::kStepsUnreadable);
-  EXPECT_EQ(outcome.failed_step, 1);
+  EXPECT_EQ(reportOf(outcome).failed_step, 1);
 }
 
 TEST(CheckSequence, takesOneTo200Steps) {

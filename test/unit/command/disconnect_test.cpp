@@ -30,21 +30,21 @@ TEST(Connected, tellsSinceItsExecutionWhenTheLinkWasMadeAndLost) {
   CoreRig rig;
   rig.now += 5s;
   const GoalId first = rig.submit(CoreRig::robot());
-  EXPECT_EQ(rig.progress(first).back().link_times.last_connected, std::nullopt);
+  EXPECT_EQ(rig.progress(first).back().detail.as<LinkTimes>().last_connected, std::nullopt);
   rig.open();
   const Instant made = rig.now;
-  EXPECT_EQ(rig.progress(first).back().link_times.last_connected, made);
-  EXPECT_EQ(rig.progress(first).back().link_times.last_lost, std::nullopt);
+  EXPECT_EQ(rig.progress(first).back().detail.as<LinkTimes>().last_connected, made);
+  EXPECT_EQ(rig.progress(first).back().detail.as<LinkTimes>().last_lost, std::nullopt);
   rig.pass(7s);
   rig.close("cable pulled");
-  EXPECT_EQ(rig.outcome(first)->link_times.last_connected, made);
-  EXPECT_EQ(rig.outcome(first)->link_times.last_lost, rig.now);
+  EXPECT_EQ(rig.outcome(first)->detail.as<LinkTimes>().last_connected, made);
+  EXPECT_EQ(rig.outcome(first)->detail.as<LinkTimes>().last_lost, rig.now);
   EXPECT_EQ(rig.latest().last_connected, made);
 
   const GoalId second = rig.submit(CoreRig::robot());
   EXPECT_EQ(rig.latest().last_connected, std::nullopt) << "reset at Execute, as in the thesis";
   EXPECT_EQ(rig.latest().last_lost, std::nullopt);
-  EXPECT_EQ(rig.progress(second).back().link_times.last_lost, std::nullopt);
+  EXPECT_EQ(rig.progress(second).back().detail.as<LinkTimes>().last_lost, std::nullopt);
 }
 
 TEST(Connected, canBeCancelledAtEachStep) {

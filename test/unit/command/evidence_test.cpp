@@ -331,7 +331,9 @@ class PoseEvidence : public Evidence {
   /// Where the model has the joints behind up().
   static std::array<double, 6> joints(const Outcome& planned) {
     std::array<double, 6> degrees{};
-    for (std::size_t i = 0; i < 6; ++i) degrees[i] = radToDeg(planned.joint_path.back().joints[i]);
+    for (std::size_t i = 0; i < 6; ++i) {
+      degrees[i] = radToDeg(planned.detail.as<CheckedMotion>().joint_path.back().joints[i]);
+    }
     return degrees;
   }
 };

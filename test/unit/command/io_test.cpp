@@ -244,8 +244,8 @@ TEST(CycleWithAnInput, failsAtTheStepWhoseInputDoesNotCome) {
   stream(rig, 1s);
   const Outcome& outcome = *rig.outcome(id);
   EXPECT_EQ(outcome.error_id, own_error::kStepFailed);
-  EXPECT_EQ(outcome.failed_step, 0);
-  EXPECT_EQ(outcome.steps.at(0).error_id, own_error::kInputTimedOut);
+  EXPECT_EQ(outcome.detail.as<CycleReport>().failed_step, 0);
+  EXPECT_EQ(outcome.detail.as<CycleReport>().steps.at(0).error_id, own_error::kInputTimedOut);
   EXPECT_THAT(outcome.error_description, HasSubstr("the input of step 1 of 1, cycle 1: 16#265"));
 }
 
@@ -282,7 +282,7 @@ TEST(CycleWithAnInput, namesTheStepAtWhichTheEmergencyStopWasPressed) {
   rig.status(inputs(false).emergencyStop());
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("emergency stop"));
-  EXPECT_EQ(rig.outcome(id)->failed_step, 0);
+  EXPECT_EQ(rig.outcome(id)->detail.as<CycleReport>().failed_step, 0);
 }
 
 TEST(CycleWithAnInput, namesTheStepAtWhichTheLinkWasLostAndKeepsThatReason) {
@@ -292,7 +292,7 @@ TEST(CycleWithAnInput, namesTheStepAtWhichTheLinkWasLostAndKeepsThatReason) {
   rig.core.finish(FinishAfter::Move, rig.now);
   rig.pump();
   EXPECT_EQ(rig.outcome(id)->error_id, motion_error::kLinkDropped);
-  EXPECT_EQ(rig.outcome(id)->failed_step, 0);
+  EXPECT_EQ(rig.outcome(id)->detail.as<CycleReport>().failed_step, 0);
 }
 
 TEST(CycleWithAnInput, endsInTheWaitWhenItIsToFinishBehindTheMove) {

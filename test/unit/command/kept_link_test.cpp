@@ -144,9 +144,9 @@ TEST(KeptLink, tellsAConnectGoalThatTakesItOverWhenItWasMade) {
   const Instant made = rig.now;
   rig.pass(3s);
   const GoalId goal = rig.submit(CoreRig::robot());
-  EXPECT_EQ(rig.progress(goal).back().link_times.last_connected, made);
+  EXPECT_EQ(rig.progress(goal).back().detail.as<LinkTimes>().last_connected, made);
   rig.cancel(goal);
-  EXPECT_EQ(rig.outcome(goal)->link_times.last_lost, rig.now);
+  EXPECT_EQ(rig.outcome(goal)->detail.as<LinkTimes>().last_lost, rig.now);
 }
 
 TEST(KeptLink, givesWayToAConnectGoalForAnotherController) {

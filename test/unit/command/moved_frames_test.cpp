@@ -185,9 +185,9 @@ TEST_F(MovedFrames, refuseACycleThatHasWaitedBeforeItsFirstMove) {
   const Outcome outcome = afterWaiting(cycleWithTheTableIn(2), [this] { pushTable(0.1); });
   EXPECT_EQ(outcome.ending, Ending::Rejected);
   EXPECT_EQ(outcome.error_id, own_error::kStepRefused);
-  EXPECT_EQ(outcome.failed_step, 2);
-  ASSERT_EQ(outcome.steps.size(), 3u);
-  EXPECT_EQ(outcome.steps[2].error_id, own_error::kFrameMoved);
+  EXPECT_EQ(outcome.detail.as<CycleReport>().failed_step, 2);
+  ASSERT_EQ(outcome.detail.as<CycleReport>().steps.size(), 3u);
+  EXPECT_EQ(outcome.detail.as<CycleReport>().steps[2].error_id, own_error::kFrameMoved);
   EXPECT_THAT(outcome.error_description, HasSubstr("step 3 of 3: 16#20B Frame moved"));
 }
 
@@ -198,8 +198,8 @@ TEST_F(MovedFrames, endACycleAtTheStepWhoseTargetHasMoved) {
   finishMotion();
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->ending, Ending::Aborted);
-  EXPECT_EQ(rig.outcome(id)->failed_step, 1);
-  EXPECT_EQ(rig.outcome(id)->steps.at(1).error_id, own_error::kFrameMoved);
+  EXPECT_EQ(rig.outcome(id)->detail.as<CycleReport>().failed_step, 1);
+  EXPECT_EQ(rig.outcome(id)->detail.as<CycleReport>().steps.at(1).error_id, own_error::kFrameMoved);
   EXPECT_TRUE(rig.nothingSent());
 }
 

@@ -59,8 +59,8 @@ TEST(PickAndPlace, makesItsMovesInOrderWithTheDwellsAndIsDoneAfterTheLastOne) {
   runCycle(rig);
   ASSERT_NE(rig.outcome(goal), nullptr);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done) << rig.outcome(goal)->error_description;
-  EXPECT_EQ(rig.outcome(goal)->cycles_done, 1);
-  EXPECT_EQ(rig.outcome(goal)->failed_step, -1);
+  EXPECT_EQ(rig.outcome(goal)->detail.as<CycleReport>().cycles_done, 1);
+  EXPECT_EQ(rig.outcome(goal)->detail.as<CycleReport>().failed_step, -1);
 }
 
 TEST(PickAndPlace, repeatsAsOftenAsItIsTold) {
@@ -68,11 +68,11 @@ TEST(PickAndPlace, repeatsAsOftenAsItIsTold) {
   rig.connect();
   const GoalId goal = rig.submit(cycle(3));
   for (int i = 1; i <= 3; ++i) {
-    EXPECT_EQ(rig.progress(goal).back().cycle, i);
-    EXPECT_EQ(rig.progress(goal).back().step, 0);
+    EXPECT_EQ(rig.progress(goal).back().detail.as<CyclePlace>().cycle, i);
+    EXPECT_EQ(rig.progress(goal).back().detail.as<CyclePlace>().step, 0);
     runCycle(rig);
   }
-  EXPECT_EQ(rig.outcome(goal)->cycles_done, 3);
+  EXPECT_EQ(rig.outcome(goal)->detail.as<CycleReport>().cycles_done, 3);
 }
 
 TEST(PickAndPlace, runsUntilItIsCancelledWhenNoNumberIsGiven) {
@@ -86,7 +86,7 @@ TEST(PickAndPlace, runsUntilItIsCancelledWhenNoNumberIsGiven) {
   rig.cancel(goal);
   rig.reply(rig.takeScript().id);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::CommandAborted);
-  EXPECT_EQ(rig.outcome(goal)->cycles_done, 10);
+  EXPECT_EQ(rig.outcome(goal)->detail.as<CycleReport>().cycles_done, 10);
   EXPECT_TRUE(rig.nothingSent());
 }
 
@@ -138,10 +138,10 @@ TEST(PickAndPlace, namesTheStepThatFailsAndWhy) {
   ASSERT_NE(outcome, nullptr);
   EXPECT_EQ(outcome->ending, Ending::Aborted);
   EXPECT_EQ(outcome->error_id, own_error::kStepFailed);
-  EXPECT_EQ(outcome->failed_step, 1);
+  EXPECT_EQ(outcome->detail.as<CycleReport>().failed_step, 1);
   EXPECT_THAT(outcome->error_description, HasSubstr("step 2 of 6"));
-  ASSERT_EQ(outcome->steps.size(), 6u);
-  EXPECT_EQ(outcome->steps[1].error_id, motion_error::kRejected);
+  ASSERT_EQ(outcome->detail.as<CycleReport>().steps.size(), 6u);
+  EXPECT_EQ(outcome->detail.as<CycleReport>().steps[1].error_id, motion_error::kRejected);
   EXPECT_TRUE(rig.nothingSent());
 }
 
@@ -158,7 +158,7 @@ TEST(PickAndPlace, keepsNoTagOfAMoveThatIsRefusedBetweenTwoSteps) {
   ASSERT_NE(outcome, nullptr);
   EXPECT_EQ(outcome->error_id, own_error::kStepRefused) << outcome->error_description;
   EXPECT_THAT(outcome->error_description, HasSubstr("16#220"));
-  EXPECT_EQ(outcome->failed_step, 3);
+  EXPECT_EQ(outcome->detail.as<CycleReport>().failed_step, 3);
   EXPECT_TRUE(rig.latest().open_tags.empty());
 }
 
@@ -261,7 +261,7 @@ TEST(PickAndPlace, isCheckedAsAWholeBeforeTheFirstMove) {
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->ending, Ending::Rejected);
   EXPECT_EQ(rig.outcome(id)->error_id, own_error::kStepRefused);
-  EXPECT_EQ(rig.outcome(id)->failed_step, 4);
+  EXPECT_EQ(rig.outcome(id)->detail.as<CycleReport>().failed_step, 4);
   EXPECT_TRUE(rig.nothingSent());
 }
 
@@ -274,8 +274,8 @@ TEST(PickAndPlace, checkOnlySendsNothingAndTellsTheTimes) {
   const GoalId id = rig.submit(goal);
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->ending, Ending::Done);
-  ASSERT_EQ(rig.outcome(id)->steps.size(), 6u);
-  EXPECT_GT(rig.outcome(id)->steps[0].duration, Duration::zero());
+  ASSERT_EQ(rig.outcome(id)->detail.as<CycleReport>().steps.size(), 6u);
+  EXPECT_GT(rig.outcome(id)->detail.as<CycleReport>().steps[0].duration, Duration::zero());
   EXPECT_TRUE(rig.nothingSent());
 }
 
@@ -308,7 +308,8 @@ TEST(PickAndPlace, refusesWhatCannotBeACycle) {
     ASSERT_NE(rig.outcome(id), nullptr) << row.error_id;
     EXPECT_EQ(rig.outcome(id)->ending, Ending::Rejected);
     EXPECT_EQ(rig.outcome(id)->error_id, row.error_id) << rig.outcome(id)->error_description;
-    EXPECT_EQ(rig.outcome(id)->failed_step, row.failed_step) << rig.outcome(id)->error_description;
+    EXPECT_EQ(rig.outcome(id)->detail.as<CycleReport>().failed_step, row.failed_step)
+        << rig.outcome(id)->error_description;
   }
 }
 
@@ -318,7 +319,7 @@ TEST(PickAndPlace, tellsTheErrorOfAStepThatIsRefused) {
   PickAndPlaceGoal goal = cycle();
   goal.steps[3].move.speed = 0;
   const GoalId id = rig.submit(goal);
-  EXPECT_EQ(rig.outcome(id)->steps.at(3).error_id, motion_error::kSpeedRangePercent);
+  EXPECT_EQ(rig.outcome(id)->detail.as<CycleReport>().steps.at(3).error_id, motion_error::kSpeedRangePercent);
   EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("step 4 of 6"));
 }
 

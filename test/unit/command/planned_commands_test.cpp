@@ -205,7 +205,7 @@ TEST_F(CommandPlannedBeside, isForeseenFromWhereTheOneInFrontOfItEnds) {
   rig.finishPlan();
   rig.finishPlan();
   ASSERT_EQ(endingOf(check), Ending::Done);
-  const auto& path = rig.outcome(check)->joint_path;
+  const auto& path = rig.outcome(check)->detail.as<CheckedMotion>().joint_path;
   ASSERT_FALSE(path.empty());
   EXPECT_NEAR(path.front().joints[0], degToRad(60), 1e-6) << "asked for when that was not known yet";
 }

@@ -54,7 +54,7 @@ TEST(PlanBesideTheCore, answersAWholeSequenceWhenItIsMade) {
   EXPECT_EQ(rig.outcome(id), nullptr);
   rig.finishPlan();
   EXPECT_EQ(rig.endingOf(id), Ending::Done);
-  EXPECT_EQ(rig.outcome(id)->steps.size(), 2U);
+  EXPECT_EQ(rig.outcome(id)->detail.as<SequenceReport>().steps.size(), 2U);
 }
 
 TEST(PlanBesideTheCore, answersACheckOfOneMoveWithItsPath) {
@@ -62,7 +62,7 @@ TEST(PlanBesideTheCore, answersACheckOfOneMoveWithItsPath) {
   const GoalId id = rig.submit(toJoints(30, true));
   rig.finishPlan();
   EXPECT_EQ(rig.endingOf(id), Ending::Done);
-  EXPECT_FALSE(rig.outcome(id)->joint_path.empty());
+  EXPECT_FALSE(rig.outcome(id)->detail.as<CheckedMotion>().joint_path.empty());
 }
 
 TEST(PlanBesideTheCore, isTheSameAsOneThatIsMadeAtOnce) {
@@ -102,7 +102,7 @@ TEST(PlanBesideTheCore, endsEarlyWhenNobodyWaitsForItAnyMore) {
   Planned rig;
   const GoalId id = rig.submit(sequence(5));
   rig.cancel(id);
-  EXPECT_TRUE(rig.makePlan().outcome.steps.empty());
+  EXPECT_TRUE(rig.makePlan().outcome.detail.as<SequenceReport>().steps.empty());
 }
 
 TEST(PlanBesideTheCore, hasABudgetThatBeginsWithItsWork) {

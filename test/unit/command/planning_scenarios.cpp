@@ -156,8 +156,8 @@ void addStep(Scenarios& all, int id, const std::vector<SequenceStep>& before, co
     sequence.start_joints.assign(kHome.begin(), kHome.end());
     const Outcome whole = *rig.outcome(rig.submit(sequence));
     Outcome outcome;
-    outcome.error_id = whole.steps.back().error_id;
-    outcome.error_description = whole.steps.back().error_description;
+    outcome.error_id = whole.detail.as<SequenceReport>().steps.back().error_id;
+    outcome.error_description = whole.detail.as<SequenceReport>().steps.back().error_description;
     outcome.remedy = whole.remedy;
     return outcome;
   };

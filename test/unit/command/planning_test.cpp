@@ -263,8 +263,10 @@ class PlanningBehindWhatWasCutShort : public Planning {
     check.check_only = true;
     const GoalId goal = rig.submit(check);
     ASSERT_NE(rig.outcome(goal), nullptr);
-    ASSERT_FALSE(rig.outcome(goal)->joint_path.empty()) << rig.outcome(goal)->error_description;
-    EXPECT_NEAR(rig.outcome(goal)->joint_path.front().joints[0], degToRad(8), 1e-5);
+    ASSERT_FALSE(rig.outcome(goal)->detail.as<CheckedMotion>().joint_path.empty())
+        << rig.outcome(goal)->error_description;
+    EXPECT_NEAR(rig.outcome(goal)->detail.as<CheckedMotion>().joint_path.front().joints[0], degToRad(8),
+                1e-5);
   }
 };
 

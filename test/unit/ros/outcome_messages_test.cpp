@@ -71,8 +71,9 @@ TEST(OutcomeMessages, whatIsUnknownStaysEmpty) {
 
 TEST(OutcomeMessages, aCheckedMotionComesAsATrajectoryOfTheRobotsOwnJoints) {
   blocks::Outcome outcome;
-  outcome.joint_path = {{milliseconds(0), {0.1, 0, 0, 0, 0, 0}, {}},
-                        {milliseconds(20), {0.2, 0, 0, 0, 0, 0.6}, {5, 0, 0, 0, 0, 0}}};
+  outcome.detail =
+      blocks::Detail(blocks::CheckedMotion{{{milliseconds(0), {0.1, 0, 0, 0, 0, 0}, {}},
+                                            {milliseconds(20), {0.2, 0, 0, 0, 0, 0.6}, {5, 0, 0, 0, 0, 0}}}});
   cobot_command::MoveAbsoluteResult message;
   fill(message, outcome, kSite);
   EXPECT_THAT(message.joint_path.joint_names,
@@ -87,13 +88,15 @@ TEST(OutcomeMessages, aCheckedMotionComesAsATrajectoryOfTheRobotsOwnJoints) {
 
 TEST(OutcomeMessages, aSequenceTellsWhatWasFoundOfEachStep) {
   blocks::Outcome outcome = anError();
-  outcome.failed_step = 1;
-  outcome.steps.resize(2);
-  outcome.steps[0].duration = milliseconds(900);
-  outcome.steps[1].start = milliseconds(800);
-  outcome.steps[1].error_id = 0x203;
-  outcome.steps[1].error_description = "joint 3";
-  outcome.steps[1].offending_point = {{1, 2, 3, 4, 5, 6}};
+  blocks::SequenceReport report;
+  report.failed_step = 1;
+  report.steps.resize(2);
+  report.steps[0].duration = milliseconds(900);
+  report.steps[1].start = milliseconds(800);
+  report.steps[1].error_id = 0x203;
+  report.steps[1].error_description = "joint 3";
+  report.steps[1].offending_point = {{1, 2, 3, 4, 5, 6}};
+  outcome.detail = blocks::Detail(report);
   cobot_command::CheckSequenceResult message;
   fill(message, outcome, kSite);
   EXPECT_EQ(message.failed_step, 1);
@@ -109,11 +112,13 @@ TEST(OutcomeMessages, aSequenceTellsWhatWasFoundOfEachStep) {
 
 TEST(OutcomeMessages, aPickAndPlaceTellsTheErrorOfTheStepThatFailed) {
   blocks::Outcome outcome = anError();
-  outcome.failed_step = 1;
-  outcome.cycles_done = 4;
-  outcome.steps.resize(2);
-  outcome.steps[1].error_id = 0x201;
-  outcome.steps[1].error_description = "too far";
+  blocks::CycleReport report;
+  report.failed_step = 1;
+  report.cycles_done = 4;
+  report.steps.resize(2);
+  report.steps[1].error_id = 0x201;
+  report.steps[1].error_description = "too far";
+  outcome.detail = blocks::Detail(report);
   cobot_command::PickAndPlaceResult message;
   fill(message, outcome, kSite);
   expectTheError(message);
@@ -125,7 +130,9 @@ TEST(OutcomeMessages, aPickAndPlaceTellsTheErrorOfTheStepThatFailed) {
 
 TEST(OutcomeMessages, aFailedStepWithoutAReportIsStillNumbered) {
   blocks::Outcome outcome = anError();
-  outcome.failed_step = 3;
+  blocks::CycleReport report;
+  report.failed_step = 3;
+  outcome.detail = blocks::Detail(report);
   cobot_command::PickAndPlaceResult message;
   fill(message, outcome, kSite);
   EXPECT_EQ(message.failed_step, 3);
@@ -136,6 +143,12 @@ TEST(OutcomeMessages, noStepFailedIsMinusOne) {
   cobot_command::PickAndPlaceResult message;
   fill(message, blocks::Outcome{}, kSite);
   EXPECT_EQ(message.failed_step, -1);
+  EXPECT_EQ(message.cycles_done, 0);
+  EXPECT_THAT(message.steps, IsEmpty());
+  cobot_command::CheckSequenceResult check;
+  fill(check, blocks::Outcome{}, kSite);
+  EXPECT_EQ(check.failed_step, -1);
+  EXPECT_THAT(check.steps, IsEmpty());
 }
 
 TEST(FeedbackMessages, aMoveTellsItsPhasePlaceAndProgress) {
@@ -161,13 +174,19 @@ TEST(FeedbackMessages, aMoveTellsItsPhasePlaceAndProgress) {
 TEST(FeedbackMessages, aPickAndPlaceTellsItsStepAndCycle) {
   blocks::Progress progress;
   progress.phase = blocks::Phase::Dwelling;
-  progress.step = 2;
-  progress.cycle = 7;
+  progress.detail = blocks::Detail(blocks::CyclePlace{2, 7});
   cobot_command::PickAndPlaceFeedback message;
   fill(message, progress, kSite);
   EXPECT_EQ(message.phase, cobot_command::PickAndPlaceFeedback::DWELLING);
   EXPECT_EQ(message.step, 2);
   EXPECT_EQ(message.cycle, 7);
+}
+
+TEST(FeedbackMessages, aPickAndPlaceThatWaitsIsAtNoStepOfNoCycle) {
+  cobot_command::PickAndPlaceFeedback message;
+  fill(message, blocks::Progress{}, kSite);
+  EXPECT_EQ(message.step, -1);
+  EXPECT_EQ(message.cycle, 0);
 }
 
 TEST(FeedbackMessages, thePhasesHaveTheSameNumbersInEveryAction) {
@@ -195,13 +214,13 @@ TEST(FeedbackMessages, connectHasPhasesOfItsOwn) {
 
 TEST(OutcomeMessages, theTimesOfALinkAreRosTimesAndZeroWhereThereAreNone) {
   blocks::Outcome outcome;
-  outcome.link_times.last_connected = Instant(std::chrono::seconds(40));
+  outcome.detail = blocks::Detail(blocks::LinkTimes{Instant(std::chrono::seconds(40)), std::nullopt});
   cobot_command::ConnectResult result;
   fill(result, outcome, kSite);
   EXPECT_EQ(result.last_connected, ros::Time(990));
   EXPECT_TRUE(result.last_lost.isZero());
   blocks::Progress progress;
-  progress.link_times.last_lost = Instant(std::chrono::seconds(45));
+  progress.detail = blocks::Detail(blocks::LinkTimes{std::nullopt, Instant(std::chrono::seconds(45))});
   cobot_command::ConnectFeedback feedback;
   fill(feedback, progress, kSite);
   EXPECT_EQ(feedback.last_lost, ros::Time(995));

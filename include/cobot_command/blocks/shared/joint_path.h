@@ -1,13 +1,24 @@
-// Planned motions as the points of an answer.
+// Planned motions as the points of an answer, and the detail of a motion that was only checked.
 #pragma once
 
+#include <array>
 #include <vector>
 
-#include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/motion/trajectory.h"
 
 namespace cobot_command::blocks {
+
+struct JointPathPoint {
+  Duration time{};                     ///< since the start of the motion
+  std::array<double, 6> joints{};      ///< [rad]
+  std::array<double, 6> velocities{};  ///< [rad/s]
+};
+
+/// See check_only.
+struct CheckedMotion {
+  std::vector<JointPathPoint> joint_path;
+};
 
 /// Evenly from the start to `until`, or to the end where that is earlier: at least every 20 ms, but at most
 /// 100 points.

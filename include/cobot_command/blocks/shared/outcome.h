@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "cobot_command/blocks/shared/detail.h"
 #include "cobot_command/common/time.h"
 
 namespace cobot_command::blocks {
@@ -18,31 +18,7 @@ enum class Ending {
   CommandAborted  ///< a cancel or another command took it away
 };
 
-struct JointPathPoint {
-  Duration time{};                     ///< since the start of the motion
-  std::array<double, 6> joints{};      ///< [rad]
-  std::array<double, 6> velocities{};  ///< [rad/s]
-};
-
-/// What the check or the execution of one step of a sequence found.
-struct StepReport {
-  int error_id = 0;               ///< of the catalogue of the step's own block; 0: nothing wrong
-  std::string error_description;  ///< and the remedy
-  Duration
-      start{};  ///< since the start of the sequence; earlier than the end of the step before when blended
-  Duration duration{};  ///< of the step from rest to rest, zero for what is no motion
-  /// The first offending point, TCP in the active base, mm and degrees; where one is to blame.
-  std::optional<std::array<double, 6>> offending_point;
-  std::vector<JointPathPoint> joint_path;  ///< with CheckSequence; time since the start of the step
-};
-
-/// LastConnTime and LastLostTime of the connect block, since it was executed (thesis 5.3.1.1); absent: not
-/// yet.
-struct LinkTimes {
-  std::optional<Instant> last_connected;
-  std::optional<Instant> last_lost;
-};
-
+/// What every block has; what only one has, or a few, is a detail.
 struct Outcome {
   Ending ending = Ending::Done;
   int error_id = 0;               ///< of the catalogue; 0 unless Rejected or Aborted
@@ -56,11 +32,7 @@ struct Outcome {
   /// end.
   std::optional<std::array<double, 6>> final_joints_deg;
   std::optional<std::array<double, 6>> final_pose_mm_deg;  ///< active TCP in the active base
-  std::vector<JointPathPoint> joint_path;  ///< of a motion that was only checked; see check_only
-  std::vector<StepReport> steps;           ///< CheckSequence, PickAndPlace: of every step that was looked at
-  int failed_step = -1;                    ///< CheckSequence, PickAndPlace: from 0; -1: none
-  int cycles_done = 0;                     ///< PickAndPlace
-  LinkTimes link_times;                    ///< Connect
+  Detail detail;                                           ///< of the block; none where it has none to tell
 };
 
 /// Where a goal stands, while it is Busy.
@@ -84,10 +56,8 @@ struct Progress {
   double fraction = 0;                ///< of the motion, 0..1; estimated by time, 1 only at the end
   std::optional<Duration> planned;    ///< of the whole motion
   std::optional<Duration> remaining;  ///< of the motion, as far as it could be planned
-  int step = -1;                      ///< PickAndPlace: the step under way, from 0
-  int cycle = 0;                      ///< PickAndPlace: the cycle under way, from 1
-  LinkTimes link_times;               ///< Connect
   std::string text;                   ///< for people: "connection refused: no project running, trying again"
+  Detail detail;                      ///< as in Outcome, but mostly of another kind
 };
 
 }  // namespace cobot_command::blocks
