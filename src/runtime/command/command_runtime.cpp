@@ -11,15 +11,15 @@
 #include <utility>
 #include <variant>
 
+#include "shared/alarm.h"
 #include "shared/core_thread.h"
-#include <boost/asio/steady_timer.hpp>
 
 #include "cobot_command/transport/tcp_connection.h"
 
 namespace cobot_command::runtime {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = Alarm::Clock;
 
 link::OpenFailure toOpenFailure(const transport::NetworkError& error) {
   using From = transport::NetworkError::Kind;
@@ -51,7 +51,7 @@ class CommandRuntime::Impl {
         newest_(ports.newest),
         core_(std::move(arm), settings, std::move(ports), command::Planning::Beside),
         start_(Clock::now()),
-        timer_(thread_.context()) {
+        alarm_(thread_.context(), [this] { advance(); }) {
     thread_.post([this] { advance(); });
     planner_.start();
     thread_.start();
@@ -119,17 +119,7 @@ class CommandRuntime::Impl {
     event(core_, now());
     carryOut();
     noteRetirement();
-    const auto deadline = core_.nextDeadline();
-    if (!deadline) {
-      timer_.cancel();
-      return;
-    }
-    timer_.expires_at(start_ + deadline->time_since_epoch());
-    timer_.async_wait([this](const boost::system::error_code& replaced) {
-      if (!replaced) {
-        advance();
-      }
-    });
+    if (const auto deadline = core_.nextDeadline()) alarm_.setFor(start_ + deadline->time_since_epoch());
   }
 
   void advance() {
@@ -181,12 +171,12 @@ class CommandRuntime::Impl {
   }
 
   CoreThread planner_;  ///< what may take long is planned here; it outlives the core's thread, which asks it
-  CoreThread thread_;   ///< first of the core's: the sockets and the timer live on its context
+  CoreThread thread_;   ///< first of the core's: the sockets and the alarm live on its context
   const Observer observer_;
   const command::NewestGoal newest_;
   command::CommandCore core_;
   const Clock::time_point start_;
-  boost::asio::steady_timer timer_;
+  Alarm alarm_;
   std::map<link::ConnectionId, transport::TcpConnection> connections_;
   std::mutex retiring_;
   std::condition_variable retired_changed_;

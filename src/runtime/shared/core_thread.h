@@ -32,7 +32,7 @@ class CoreThread {
   void finish(Task last);
 
  private:
-  boost::asio::io_context context_;
+  boost::asio::io_context context_{1};  ///< run by one thread: what that posts to itself wakes nobody
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_;
   std::mutex posting_;
   bool open_ = true;

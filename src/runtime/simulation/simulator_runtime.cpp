@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "shared/alarm.h"
 #include "shared/core_thread.h"
 #include "simulation/simulated_clock.h"
 #include <boost/asio/post.hpp>
@@ -17,7 +18,7 @@
 namespace cobot_command::runtime {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = Alarm::Clock;
 using simulator::Port;
 using simulator::SimulatedController;
 
@@ -66,7 +67,7 @@ class SimulatorRuntime::Impl {
         observer_(std::move(observer)),
         clock_(options_.time_scale > 0 ? options_.time_scale : 1, Clock::now()),
         controller_(std::move(arm), std::move(settings), Instant{}),
-        event_timer_(thread_.context()),
+        alarm_(thread_.context(), [this] { step(); }),
         state_timer_(thread_.context()) {}
 
   ~Impl() { stop(); }
@@ -160,12 +161,7 @@ class SimulatorRuntime::Impl {
       }
       return;
     }
-    event_timer_.expires_at(clock_.realTimeOf(controller_.nextEvent()));
-    event_timer_.async_wait([this](const boost::system::error_code& replaced) {
-      if (!replaced) {
-        step();
-      }
-    });
+    alarm_.setFor(clock_.realTimeOf(controller_.nextEvent()));
   }
 
   [[nodiscard]] bool mayJump() const {
@@ -218,7 +214,7 @@ class SimulatorRuntime::Impl {
   SimulatedController controller_;
   std::optional<transport::TcpServer> script_;
   std::optional<transport::TcpServer> status_;
-  boost::asio::steady_timer event_timer_;
+  Alarm alarm_;  ///< for the next event
   boost::asio::steady_timer state_timer_;
   std::optional<SimulatorError> failure_;  ///< of opening a port
   bool jumping_ = false;                   ///< a jump is under way
