@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "shared/alarm.h"
 #include "shared/core_thread.h"
@@ -118,6 +119,10 @@ class CommandRuntime::Impl {
   void handle(const Event& event) {
     event(core_, now());
     carryOut();
+    if (const auto deadline = core_.nextDeadline(); deadline && *deadline <= now()) {
+      core_.advance(now());  // the time for a reply begins now, as its script is out: that needs no timer
+      carryOut();
+    }
     noteRetirement();
     if (const auto deadline = core_.nextDeadline()) alarm_.setFor(start_ + deadline->time_since_epoch());
   }
@@ -126,30 +131,40 @@ class CommandRuntime::Impl {
     handle([](command::CommandCore& core, Instant now) { core.advance(now); });
   }
 
+  /// The wire first: while the controller works on what it got, there is time to tell of it.
   void carryOut() {
-    for (const auto& action : core_.takeActions()) {
-      std::visit([&](const auto& what) { carryOut(what, action); }, action);
+    const std::vector<command::Action> actions = core_.takeActions();
+    for (const auto& action : actions) {
+      std::visit([&](const auto& what) { carryOut(what); }, action);
+    }
+    for (const auto& action : actions) {
+      std::visit([&](const auto& what) { tell(what, action); }, action);
     }
   }
 
   template <class Told>
-  void carryOut(const Told& /*told*/, const command::Action& action) {
+  void tell(const Told& /*told*/, const command::Action& action) {
     observer_(action, now());
   }
-  void carryOut(const command::PlanAsked& plan, const command::Action& /*action*/) {
+  void tell(const command::PlanAsked&, const command::Action&) {}
+  void tell(const command::OpenConnection&, const command::Action&) {}
+  void tell(const command::CloseConnection&, const command::Action&) {}
+  void tell(const command::SendBytes&, const command::Action&) {}
+
+  template <class Told>
+  void carryOut(const Told& /*told*/) {}
+  void carryOut(const command::PlanAsked& plan) {
     planner_.post([this, id = plan.id, work = plan.work] {
       post([id, answer = work()](auto& core, Instant now) { core.planned(id, answer, now); });
     });
   }
-  void carryOut(const command::SendBytes& send, const command::Action& /*action*/) {
+  void carryOut(const command::SendBytes& send) {
     if (const auto connection = connections_.find(send.id); connection != connections_.end()) {
       connection->second.send(send.bytes);
     }
   }
-  void carryOut(const command::CloseConnection& close, const command::Action& /*action*/) {
-    connections_.erase(close.id);
-  }
-  void carryOut(const command::OpenConnection& open, const command::Action& /*action*/) {
+  void carryOut(const command::CloseConnection& close) { connections_.erase(close.id); }
+  void carryOut(const command::OpenConnection& open) {
     const auto id = open.id;
     transport::TcpConnection::Callbacks callbacks;
     callbacks.opened = [this, id] { handle([&](auto& core, Instant now) { core.opened(id, now); }); };

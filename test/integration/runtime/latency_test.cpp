@@ -2,7 +2,9 @@
 //
 // What is sent in which event is the core's, and asserted with invented time in test/unit; here it only has
 // to come.
+#include <algorithm>
 #include <array>
+#include <future>
 #include <thread>
 
 #include "figure.h"
@@ -180,6 +182,28 @@ TEST(CommandLatency, ofFiftyGoalsASecond) {
     figure.add(*heard - start);
     ASSERT_TRUE(asker.ends(goal));
   }
+}
+
+/// Whoever is told may take a while; the frame, or the stop, does not wait for that.
+TEST(CommandLatency, holdsNoFrameBackForThoseWhoAreTold) {
+  ScriptPeer peer;
+  testing::EventLog<blocks::Phase> link;
+  std::promise<bool> was_sent;
+  link::LinkSettings settings;
+  settings.status_port = peer.ports().status;
+  CommandRuntime runtime(testArm(), settings, [&](const command::Action& action, Instant /*now*/) {
+    if (const auto* const told = std::get_if<command::GoalProgressed>(&action)) {
+      link.add(told->progress.phase);
+    }
+    const auto* const accepted = std::get_if<command::GoalAccepted>(&action);
+    if (accepted && accepted->goal == 2) was_sent.set_value(peer.timeOf("PTP", 0).has_value());
+  });
+  ASSERT_TRUE(runtime.submit(1, blocks::ConnectGoal{"127.0.0.1", peer.ports().script, 60, {}}));
+  ASSERT_TRUE(link.waitUntil([](const auto& phases) {
+    return std::find(phases.begin(), phases.end(), Phase::Connected) != phases.end();
+  }));
+  ASSERT_TRUE(runtime.submit(2, bufferedMove(5)));
+  EXPECT_TRUE(was_sent.get_future().get());
 }
 
 TEST(DeadPeer, isFoundByItsLifesignAndEndsAllThatIsUnderWay) {
