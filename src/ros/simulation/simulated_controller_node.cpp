@@ -30,6 +30,7 @@ constexpr const char* kStatusPort = "listening/status_port";
 runtime::SimulatorOptions optionsOf(const SimulatorParameters& parameters) {
   runtime::SimulatorOptions options = parameters.simulator.options;
   options.state_period = fromSeconds(1.0 / parameters.publish_rate);
+  options.tells_states = false;
   return options;
 }
 
@@ -74,9 +75,9 @@ SimulatedControllerNode::SimulatedControllerNode(const ros::NodeHandle& self, Si
     : self_(self),
       joint_names_(jointNames(parameters.prefix)),
       base_frame_(parameters.prefix + "base"),
-      joint_states_(self_.advertise<sensor_msgs::JointState>("joint_states", kQueueSize)),
-      tool_pose_(self_.advertise<geometry_msgs::PoseStamped>("tool_pose", kQueueSize)),
-      status_(self_.advertise<cobot_command::RobotStatus>("status", kQueueSize)),
+      joint_states_(topic<sensor_msgs::JointState>("joint_states")),
+      tool_pose_(topic<geometry_msgs::PoseStamped>("tool_pose")),
+      status_(topic<cobot_command::RobotStatus>("status")),
       runtime_(std::move(parameters.arm), parameters.simulator.settings, optionsOf(parameters),
                {[this](const simulator::RobotState& state) { publish(state); },
                 parameters.simulator.log_traffic ? logTraffic : noteTraffic}) {
@@ -175,6 +176,17 @@ void SimulatedControllerNode::offerServices() {
     return simulator::SetFault{request.fault, request.active != 0, request.count, request.value,
                                request.text};
   });
+}
+
+template <class Message>
+ros::Publisher SimulatedControllerNode::topic(const std::string& name) {
+  // Called on the spinner, which is not here yet while the node is made.
+  const auto count = [this](const ros::SingleSubscriberPublisher&) {
+    const auto listeners =
+        joint_states_.getNumSubscribers() + tool_pose_.getNumSubscribers() + status_.getNumSubscribers();
+    runtime_.tellStates(listeners > 0);
+  };
+  return self_.advertise<Message>(name, kQueueSize, count, count);
 }
 
 void SimulatedControllerNode::publish(const simulator::RobotState& state) {

@@ -87,11 +87,13 @@ class SimulatorRuntime::Impl {
     if (failure_) {
       return refuse(*failure_);
     }
-    if (observer_.state && options_.state_period > Duration::zero()) {
-      tellState();
-    }
+    setTelling(options_.tells_states);
     thread_.start();
     return ports;
+  }
+
+  void tellStates(bool wanted) {
+    thread_.post([this, wanted] { setTelling(wanted); });
   }
 
   void stop() {
@@ -178,7 +180,19 @@ class SimulatorRuntime::Impl {
     step();
   }
 
+  void setTelling(bool wanted) {
+    const bool can_tell = observer_.state && options_.state_period > Duration::zero();
+    if (!can_tell || wanted == telling_) return;
+    telling_ = wanted;
+    if (telling_) {
+      tellState();
+    } else {
+      state_timer_.cancel();
+    }
+  }
+
   void tellState() {
+    if (!telling_) return;  // asked for in the last moment
     step();
     observer_.state(controller_.state());
     state_timer_.expires_at(
@@ -216,6 +230,7 @@ class SimulatorRuntime::Impl {
   std::optional<transport::TcpServer> status_;
   Alarm alarm_;  ///< for the next event
   boost::asio::steady_timer state_timer_;
+  bool telling_ = false;                   ///< of states
   std::optional<SimulatorError> failure_;  ///< of opening a port
   bool jumping_ = false;                   ///< a jump is under way
 };
@@ -233,6 +248,10 @@ Result<SimulatorPorts, SimulatorError> SimulatorRuntime::start() {
 
 void SimulatorRuntime::stop() {
   impl_->stop();
+}
+
+void SimulatorRuntime::tellStates(bool wanted) {
+  impl_->tellStates(wanted);
 }
 
 bool SimulatorRuntime::post(Operation operation, std::function<void()> finished) {

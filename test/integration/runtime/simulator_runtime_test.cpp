@@ -144,6 +144,25 @@ TEST(SimulatorRuntime, tellsItsStateAtTheRateAskedFor) {
   EXPECT_TRUE(seen.front().joints.isApprox(simulator::Settings{}.start_posture));
 }
 
+TEST(SimulatorRuntime, tellsItsStateOnlyWhileThatIsWanted) {
+  testing::EventLog<RobotState> states;
+  SimulatorOptions options = anyPorts();
+  options.state_period = std::chrono::milliseconds(1);
+  options.tells_states = false;
+  Simulator simulator(options, {[&](const RobotState& state) { states.add(state); }, {}});
+  for (int i = 0; i < 2; ++i) {
+    const auto before = states.events().size();
+    simulator.runtime.tellStates(true);
+    ASSERT_TRUE(states.waitUntil([&](const auto& seen) { return seen.size() >= before + 3; }));
+    simulator.runtime.tellStates(false);
+    static_cast<void>(simulator.state());  // behind that
+    const auto after = states.events().size();
+    RawClient client(simulator.ports.status);
+    ASSERT_TRUE(client.reads("Joint_Angle"));  // a period of the stream, which is longer
+    EXPECT_EQ(states.events().size(), after);
+  }
+}
+
 TEST(SimulatorRuntime, tellsItsLog) {
   testing::EventLog<std::string> lines;
   const Simulator simulator(anyPorts(), {{}, [&](const LogLine& line) { lines.add(line.text); }});

@@ -42,6 +42,9 @@ class SimulatedControllerNode {
   void offerSwitch(const std::string& name);
   /// Returns when it is done, so that who called sees its effect.
   simulator::OperatorReply operate(const simulator::OperatorAction& action);
+  /// A topic of the true state, which is told only while somebody listens to one of them.
+  template <class Message>
+  ros::Publisher topic(const std::string& name);
   void publish(const simulator::RobotState& state);  // on the simulator's thread
 
   ros::NodeHandle self_;

@@ -27,7 +27,8 @@ struct SimulatorOptions {
   int script_port = 5890;                  ///< 0: any free one, kept while the project stands still
   int status_port = 5891;                  ///< 0: any free one
   double time_scale = 1;  ///< simulated seconds in a real one, within the limits above, or kAsFastAsPossible
-  Duration state_period{};  ///< real time between two states for the observer; 0: none
+  Duration state_period{};   ///< real time between two states for the observer; 0: none
+  bool tells_states = true;  ///< from the start on; see tellStates()
 };
 
 /// The real ones, also where any was asked for.
@@ -69,6 +70,10 @@ class SimulatorRuntime {
   /// The power goes off: clients are dropped, ports given back, the thread ends. The observer is not called
   /// any more once this returns. It never waits for the network. Not from the observer.
   void stop();
+
+  /// Whether the observer is told states, each period and the first at once: none are made while nobody wants
+  /// them. Means nothing without an observer of states and a period.
+  void tellStates(bool wanted);
 
   /// An operator's action, for instance `controller.operate(StopProject{}, now)`. False, and it is not done,
   /// once stop() has begun. `finished` is called on the simulator's thread when all that comes of it is done:
