@@ -99,7 +99,7 @@ std::optional<RobotStatus> StatusLink::next(Instant now) {
 }
 
 std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instant now) {
-  const auto status_frame = protocol::parseStatusFrame(frame);
+  auto status_frame = protocol::parseStatusFrame(frame);
   if (!status_frame) {
     fault(decoder_.lastFrame(), status_frame.error().message, now);
     if (isOfScriptPort(frame)) heard_ = Heard::ScriptPort;
@@ -120,24 +120,34 @@ std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instan
     deadline_ = now + settings_.status_timeout;  // it is alive; to reconnect would change nothing
     return std::nullopt;
   }
-  const auto items = protocol::parseBinaryItems(status_frame->content);
-  if (!items) {
+  if (const auto unread = decode(std::move(status_frame->content))) {
     ++decode_faults_;
     heard_ = Heard::OtherFrames;
-    diagnosis_ = fmt::format("the status stream cannot be read: {}", items.error().message);
+    diagnosis_ = fmt::format("the status stream cannot be read: {}", *unread);
     return std::nullopt;
   }
   heard_ = Heard::Nothing;
   back_off_.reset();
   fire(Event::Frame, now);
-  RobotStatus status = toRobotStatus(*items, now);
-  diagnosis_ = status.unreadable.empty()
-                   ? ""
-                   : fmt::format(
-                         "the status stream comes, but the value of {} cannot be one: wrong type or size, "
-                         "or a number that is not finite",
-                         fmt::join(status.unreadable, ", "));
-  return status;
+  diagnosis_ = unreadable_;
+  decoded_.received = now;
+  return decoded_;
+}
+
+/// The fault, if it cannot be. A robot that stands says the same sixty times a second.
+std::optional<std::string> StatusLink::decode(std::string content) {
+  if (content == content_) return std::nullopt;
+  const auto items = protocol::parseBinaryItems(content);
+  if (!items) return items.error().message;
+  decoded_ = toRobotStatus(*items, Instant{});
+  unreadable_ = decoded_.unreadable.empty()
+                    ? ""
+                    : fmt::format(
+                          "the status stream comes, but the value of {} cannot be one: wrong type or size, "
+                          "or a number that is not finite",
+                          fmt::join(decoded_.unreadable, ", "));
+  content_ = std::move(content);
+  return std::nullopt;
 }
 
 void StatusLink::fault(std::string_view bytes, std::string meaning, Instant now) {

@@ -46,6 +46,7 @@ class StatusLink {
   void act(StatusLinkAction action, Instant now);
   void drop();
   [[nodiscard]] std::optional<RobotStatus> read(const protocol::Frame& frame, Instant now);
+  [[nodiscard]] std::optional<std::string> decode(std::string content);
   void fault(std::string_view bytes, std::string meaning, Instant now);
   /// What came since the connection was opened, or since the last status frame: it tells what the peer is.
   enum class Heard { Nothing, Garbage, ScriptPort, OtherFrames };
@@ -61,6 +62,9 @@ class StatusLink {
   BackOff back_off_;
   protocol::FrameDecoder decoder_;
   Heard heard_ = Heard::Nothing;
+  std::optional<std::string> content_;  ///< of the last frame that could be read, and what it says:
+  RobotStatus decoded_;
+  std::string unreadable_;  ///< as a diagnosis; empty: all could be read
   std::string diagnosis_;
   std::uint64_t decode_faults_ = 0;
 };

@@ -126,6 +126,23 @@ TEST_F(StatusLinkTest, takesTheCyclingIdsAndFramesInAnyPieces) {
   EXPECT_EQ(link.decodeFaults(), 0u);
 }
 
+TEST_F(StatusLinkTest, tellsEachFrameAlsoWhenItSaysTheSame) {
+  stream();
+  int number = 0;
+  for (const bool pressed : {false, true, true, false}) {
+    now += 15ms;
+    link.received(protocol::encode(protocol::StatusFrame{
+        std::to_string(++number), 1, protocol::encodeBinaryItems({item::ofBool("ESTOP", pressed)})}));
+    const auto status = link.next(now);
+    ASSERT_TRUE(status) << number;
+    EXPECT_EQ(status->received, now);
+    EXPECT_EQ(status->emergency_stop, pressed) << number;
+    EXPECT_TRUE(link.diagnosis().empty());
+    EXPECT_EQ(receive(protocol::encode(protocol::StatusFrame{"9", 1, "no items"})), 0);
+    EXPECT_THAT(link.diagnosis(), HasSubstr("cannot be read"));
+  }
+}
+
 TEST_F(StatusLinkTest, reopensAStreamThatFallsSilent) {
   stream();
   EXPECT_EQ(link.nextDeadline(), now + settings.status_timeout);
