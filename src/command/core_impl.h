@@ -61,7 +61,7 @@ class CommandCore::Impl {
 
   // --- What everyone may know (core_status.cpp).
   [[nodiscard]] std::string diagnosis() const;
-  [[nodiscard]] CommandStatus status() const;
+  void describe(CommandStatus& status) const;
   void publishStatus();
   void publishFrames();
   void warn(std::string text);
@@ -77,7 +77,8 @@ class CommandCore::Impl {
   Forecast forecast_;
   Arbiter arbiter_;
   Life life_ = Life::Working;
-  CommandStatus published_;
+  CommandStatus status_;     ///< of now
+  CommandStatus published_;  ///< that was told last
   robot::ActiveFrames published_frames_;
 };
 

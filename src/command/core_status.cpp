@@ -1,5 +1,6 @@
 // What everyone may know: the latched status and the active frames.
 
+#include <string_view>
 #include <utility>
 
 #include "core_impl.h"
@@ -31,20 +32,23 @@ CommandStatus::LinkState toLinkState(link::ScriptLinkState state) {
 
 std::string CommandCore::Impl::diagnosis() const {
   std::string text = keeper_.endedByCancel() ? keeper_.diagnosis() : robot::diagnose(links_.script(), robot_);
+  const auto add = [&text](std::string_view more) {
+    if (!more.empty()) text.append("; ").append(more);
+  };
   const robot::OrphanWatch& orphan = arbiter_.stops().orphan();
-  const std::string orphan_text = orphan.mayMove() ? orphan.text() : "";
-  for (const std::string& more :
-       {orphan_text, strangers_.text(), forecast_.loose().text(), keeper_.textOfTheRobotLeft()}) {
-    if (!more.empty()) text += "; " + more;
-  }
+  if (orphan.mayMove()) add(orphan.text());
+  add(strangers_.text());
+  add(forecast_.loose().text());
+  add(keeper_.textOfTheRobotLeft());
   return text;
 }
 
-CommandStatus CommandCore::Impl::status() const {
+/// Over what was there: it is looked at behind each event and is nearly always the same, so its texts and
+/// lists keep their places.
+void CommandCore::Impl::describe(CommandStatus& status) const {
   const link::ScriptLink& script = links_.script();
   const ConnectRun& connect = keeper_.run();
   const bool next_is_planned = arbiter_.queue().plansTheNext();
-  CommandStatus status;
   status.link = toLinkState(script.state());
   if (status.link == CommandStatus::LinkState::Ready && !connect.ready()) {
     status.link = CommandStatus::LinkState::Probing;
@@ -65,14 +69,13 @@ CommandStatus CommandCore::Impl::status() const {
   status.late_replies = script.lateReplies() + tags_.staleReports() + links_.lateEvents();
   status.decode_faults = script.decodeFaults() + links_.status().decodeFaults();
   status.blocks = board_.outputs();
-  return status;
 }
 
 void CommandCore::Impl::publishStatus() {
-  CommandStatus now = status();
-  if (now == published_) return;
-  published_ = now;
-  actions_.emplace_back(StatusChanged{std::move(now)});
+  describe(status_);
+  if (status_ == published_) return;
+  published_ = status_;
+  actions_.emplace_back(StatusChanged{published_});
 }
 
 void CommandCore::Impl::publishFrames() {
