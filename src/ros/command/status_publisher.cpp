@@ -8,13 +8,14 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
+#include <tf2_msgs/TFMessage.h>
 
 namespace cobot_command::ros_adapter {
 namespace {
 
 // Deep enough that a subscriber that is late for a moment loses nothing at 66 messages a second.
 constexpr std::uint32_t kQueueSize = 100;
-constexpr double kFreshEnough = 0.1;  // [s], for whoever begins to listen
+constexpr double kFreshEnough = 0.5;  // [s], for whoever begins to listen, until the next frame
 
 const arm::JointVector* pointerTo(const std::optional<arm::JointVector>& value) {
   return value ? &*value : nullptr;
@@ -34,24 +35,25 @@ geometry_msgs::TransformStamped stamped(const arm::Pose& pose, const std::string
 
 StatusPublisher::StatusPublisher(ros::NodeHandle node, JointNames joint_names, std::string prefix)
     : joint_names_(std::move(joint_names)), prefix_(std::move(prefix)), base_frame_(prefix_ + "base") {
-  joint_states_ = node.advertise<sensor_msgs::JointState>("joint_states", kQueueSize);
-  tool_pose_ = node.advertise<geometry_msgs::PoseStamped>("tool_pose", kQueueSize);
-  robot_status_ = node.advertise<cobot_command::RobotStatus>("robot_status", kQueueSize, true);
+  joint_states_ = HeardTopic::advertise<sensor_msgs::JointState>(node, "joint_states", kQueueSize);
+  tool_pose_ = HeardTopic::advertise<geometry_msgs::PoseStamped>(node, "tool_pose", kQueueSize);
+  robot_status_ = HeardTopic::advertise<cobot_command::RobotStatus>(node, "robot_status", kQueueSize, true);
   command_status_ = node.advertise<cobot_command::CommandStatus>("command_status", kQueueSize, true);
   active_frames_topic_ = node.advertise<cobot_command::ActiveFrames>("active_frames", kQueueSize, true);
   planned_path_ = node.advertise<visualization_msgs::Marker>("planned_path", kQueueSize, true);
-  frames_ = node.advertise<cobot_command::FrameTrace>("frames", kQueueSize);
-  status_frames_ = node.advertise<cobot_command::FrameTrace>("status_frames", kQueueSize);
+  frames_ = HeardTopic::advertise<cobot_command::FrameTrace>(node, "frames", kQueueSize);
+  status_frames_ = HeardTopic::advertise<cobot_command::FrameTrace>(node, "status_frames", kQueueSize);
+  tf_ = HeardTopic::advertise<tf2_msgs::TFMessage>(node, "/tf", kQueueSize);
   publish(active_frames_);  // so that it can be read before anything is known
 }
 
 void StatusPublisher::publish(const link::RobotStatus& status) {
   const ros::Time stamp = ros::Time::now();
-  if (status.joints && joint_states_.getNumSubscribers() > 0) {
+  if (status.joints && joint_states_.isHeard()) {
     joint_states_.publish(jointState(joint_names_, *status.joints, pointerTo(status.joint_velocities),
                                      pointerTo(status.joint_torques), stamp));
   }
-  if (status.tool && tool_pose_.getNumSubscribers() > 0) {
+  if (status.tool && tool_pose_.isHeard()) {
     geometry_msgs::PoseStamped message;
     message.header.stamp = stamp;
     message.header.frame_id = base_frame_;
@@ -68,7 +70,7 @@ void StatusPublisher::publishRobotStatus(cobot_command::RobotStatus message) {
   message.header.stamp = robot_status_told_.header.stamp;
   const bool is_news = message != robot_status_told_ || stamp < message.header.stamp ||
                        stamp - message.header.stamp >= ros::Duration(kFreshEnough);
-  if (!is_news && robot_status_.getNumSubscribers() == 0) return;
+  if (!is_news && !robot_status_.isHeard()) return;
   message.header.stamp = stamp;
   robot_status_.publish(message);
   robot_status_told_ = std::move(message);
@@ -88,16 +90,17 @@ void StatusPublisher::publish(const command::PathPlanned& path) {
 void StatusPublisher::sendActiveFrames(const ros::Time& stamp) {
   // tf warns of everything that comes with the stamp of what it has; a simulated clock may be slower than the
   // stream.
-  if (stamp == frames_sent_) return;
+  if (!tf_.isHeard() || stamp == frames_sent_) return;
   frames_sent_ = stamp;
-  std::vector<geometry_msgs::TransformStamped> frames;
+  tf2_msgs::TFMessage message;
   if (active_frames_.base) {
-    frames.push_back(stamped(*active_frames_.base, base_frame_, prefix_ + "active_base", stamp));
+    message.transforms.push_back(stamped(*active_frames_.base, base_frame_, prefix_ + "active_base", stamp));
   }
   if (active_frames_.tcp) {
-    frames.push_back(stamped(*active_frames_.tcp, prefix_ + "tool0", prefix_ + "active_tool", stamp));
+    message.transforms.push_back(
+        stamped(*active_frames_.tcp, prefix_ + "tool0", prefix_ + "active_tool", stamp));
   }
-  if (!frames.empty()) tf_.sendTransform(frames);
+  if (!message.transforms.empty()) tf_.publish(message);
 }
 
 void StatusPublisher::publish(const command::CommandStatus& status, const ClockPair& clocks) {
@@ -113,10 +116,10 @@ void StatusPublisher::publish(const command::FrameTraced& trace, const ClockPair
 }
 
 bool StatusPublisher::isHeard(link::Channel channel) const {
-  return topicOf(channel).getNumSubscribers() > 0;
+  return topicOf(channel).isHeard();
 }
 
-const ros::Publisher& StatusPublisher::topicOf(link::Channel channel) const {
+const HeardTopic& StatusPublisher::topicOf(link::Channel channel) const {
   return channel == link::Channel::Script ? frames_ : status_frames_;
 }
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include <ros/publisher.h>
-#include <tf2_ros/transform_broadcaster.h>
 
 #include "cobot_command/RobotStatus.h"
 #include "cobot_command/command/command_core.h"
+#include "cobot_command/ros/command/heard_topic.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -37,22 +37,22 @@ class StatusPublisher {
   [[nodiscard]] bool isHeard(link::Channel channel) const;
 
  private:
-  [[nodiscard]] const ros::Publisher& topicOf(link::Channel channel) const;
+  [[nodiscard]] const HeardTopic& topicOf(link::Channel channel) const;
   void publishRobotStatus(cobot_command::RobotStatus message);
   void sendActiveFrames(const ros::Time& stamp);
 
   JointNames joint_names_;
   std::string prefix_;
   std::string base_frame_;
-  ros::Publisher joint_states_;
-  ros::Publisher tool_pose_;
-  ros::Publisher robot_status_;
+  HeardTopic joint_states_;
+  HeardTopic tool_pose_;
+  HeardTopic robot_status_;
   ros::Publisher command_status_;
   ros::Publisher active_frames_topic_;
   ros::Publisher planned_path_;
-  ros::Publisher frames_;
-  ros::Publisher status_frames_;
-  tf2_ros::TransformBroadcaster tf_;
+  HeardTopic frames_;
+  HeardTopic status_frames_;
+  HeardTopic tf_;
   cobot_command::RobotStatus robot_status_told_;  ///< the last one
   robot::ActiveFrames active_frames_;
   ros::Time frames_sent_;  ///< the stamp of the last ones in tf
