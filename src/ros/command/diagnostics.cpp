@@ -1,13 +1,28 @@
 #include "cobot_command/ros/command/diagnostics.h"
 
+#include <cstdint>
+#include <functional>
 #include <tuple>
+#include <utility>
+
+#include <boost/make_shared.hpp>
+#include <ros/callback_queue.h>
 
 namespace cobot_command::ros_adapter {
 namespace {
 
-// How often it is looked whether something has changed: soon enough for people, and no flood when a link
-// comes and goes.
-constexpr double kLookPeriod = 0.1;  // [s]
+// From a change until it is told: soon enough for people, and no flood when a link comes and goes.
+constexpr double kChangesTogether = 0.1;  // [s]
+
+/// Timers are started and stopped on ROS's spinner, where their callbacks run.
+struct OnSpinner : ros::CallbackInterface {
+  explicit OnSpinner(std::function<void()> what) : what_(std::move(what)) {}
+  CallResult call() override {
+    what_();
+    return Success;
+  }
+  const std::function<void()> what_;
+};
 
 /// What is worth a message before the period is over.
 auto significant(const command::CommandStatus& s) {
@@ -24,9 +39,7 @@ auto significant(const link::RobotStatus& s) {
 // namespace where there is none.
 Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& self, double period,
                          bool status_wanted)
-    : period_(period),
-      rate_since_(ros::SteadyTime::now()),
-      updater_(node, ros::NodeHandle(self, "diagnostic_updater")) {
+    : rate_since_(ros::SteadyTime::now()), updater_(node, ros::NodeHandle(self, "diagnostic_updater")) {
   view_.status_wanted = status_wanted;
   updater_.setHardwareID("none");
   add("Link", describeLink);
@@ -34,8 +47,24 @@ Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& sel
   add("Queue", describeQueue);
   add("Robot", describeRobot);
   add("Status stream", describeStatusStream);
-  timer_ = node.createSteadyTimer(ros::WallDuration(kLookPeriod),
-                                  [this](const ros::SteadyTimerEvent&) { tick(); });
+  periodic_ = node.createSteadyTimer(ros::WallDuration(period),
+                                     [this](const ros::SteadyTimerEvent&) { publish(true); });
+  soon_ = node.createSteadyTimer(
+      ros::WallDuration(kChangesTogether), [this](const ros::SteadyTimerEvent&) { publish(false); }, true);
+}
+
+Diagnostics::~Diagnostics() {
+  ros::getGlobalCallbackQueue()->removeByID(reinterpret_cast<std::uintptr_t>(this));
+}
+
+/// With the lock. Nothing runs as long as nothing changes.
+void Diagnostics::noteChange() {
+  if (std::exchange(changed_, true)) return;
+  ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<OnSpinner>([this] {
+                                               soon_.stop();  // it has run once
+                                               soon_.start();
+                                             }),
+                                             reinterpret_cast<std::uintptr_t>(this));
 }
 
 void Diagnostics::add(const char* task, Describe describe) {
@@ -46,22 +75,20 @@ void Diagnostics::add(const char* task, Describe describe) {
 
 void Diagnostics::take(const command::CommandStatus& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  changed_ = changed_ || significant(status) != significant(command_);
+  if (significant(status) != significant(command_)) noteChange();
   command_ = status;
 }
 
 void Diagnostics::take(const link::RobotStatus& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  changed_ = changed_ || significant(status) != significant(robot_);
+  if (significant(status) != significant(robot_)) noteChange();
   robot_ = status;
   ++frames_;
   last_frame_ = ros::SteadyTime::now();
 }
 
-void Diagnostics::tick() {
+void Diagnostics::publish(bool due) {
   const ros::SteadyTime now = ros::SteadyTime::now();
-  // Half a look early, or the next one would be half a look late.
-  const bool due = (now - last_publication_).toSec() >= period_ - kLookPeriod / 2;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!due && !changed_) return;
@@ -77,7 +104,6 @@ void Diagnostics::tick() {
       rate_since_ = now;
     }
   }
-  last_publication_ = now;
   updater_.setHardwareID(view_.command.host.empty() ? "none" : view_.command.host);
   updater_.force_update();
 }

@@ -30,7 +30,7 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-constexpr double kServePeriod = 0.1;  // [s]; who asks for the end wakes the queue up
+constexpr double kServePeriod = 1;  // [s]; who asks for the end wakes the queue up, and so does roscpp
 /// From here on whoever has asked for the end, and sees nothing of it, wants to know why.
 constexpr Duration kPatienceWithoutWords = std::chrono::seconds(1);
 

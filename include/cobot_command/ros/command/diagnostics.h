@@ -38,6 +38,7 @@ class Diagnostics {
   /// `status_wanted`: a status stream is asked for, so that its absence is worth a warning.
   /// `period`: [s].
   Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& self, double period, bool status_wanted);
+  ~Diagnostics();
   Diagnostics(const Diagnostics&) = delete;
   Diagnostics& operator=(const Diagnostics&) = delete;
 
@@ -48,22 +49,22 @@ class Diagnostics {
   using Describe = void (*)(diagnostic_updater::DiagnosticStatusWrapper&, const DiagnosticsView&);
 
   void add(const char* task, Describe describe);
-  void tick();
+  void noteChange();
+  void publish(bool due);
 
   std::mutex mutex_;  // guards the next five
   command::CommandStatus command_;
   link::RobotStatus robot_;
   std::uint64_t frames_ = 0;
   std::optional<ros::SteadyTime> last_frame_;
-  bool changed_ = true;
+  bool changed_ = true;  ///< since the last publication
 
-  const double period_;
   DiagnosticsView view_;  // what is being published
-  ros::SteadyTime last_publication_;
   ros::SteadyTime rate_since_;
   std::uint64_t rate_frames_ = 0;
   diagnostic_updater::Updater updater_;
-  ros::SteadyTimer timer_;
+  ros::SteadyTimer periodic_;
+  ros::SteadyTimer soon_;  ///< once, behind a change
 };
 
 }  // namespace cobot_command::ros_adapter

@@ -41,8 +41,8 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
   TidyActionServer(const ros::NodeHandle& node, const std::string& name, OnGoal on_goal, OnCancel on_cancel)
       : Base(std::move(on_goal), std::move(on_cancel), false),
         action_(node, name),
-        tidying_(node.createSteadyTimer(ros::WallDuration(kTidyPeriod),
-                                        [this](const ros::SteadyTimerEvent&) { tidy(); })) {
+        tidying_(node.createSteadyTimer(
+            ros::WallDuration(kTidyPeriod), [this](const ros::SteadyTimerEvent&) { tidy(); }, false, false)) {
     widenQueues(action_);
   }
 
@@ -78,11 +78,15 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
           ros::Duration(1 / frequency), [this](const ros::TimerEvent&) { publishStatus(); }, false, false);
     }
     goals_ = action_.subscribe<typename Base::ActionGoal>(
-        "goal", heard, [this](const typename Base::ActionGoal::ConstPtr& goal) { this->goalCallback(goal); });
+        "goal", heard, [this](const typename Base::ActionGoal::ConstPtr& goal) {
+          this->goalCallback(goal);
+          tidying_.start();
+        });
     cancels_ = action_.subscribe<actionlib_msgs::GoalID>(
         "cancel", heard, [this](const actionlib_msgs::GoalID::ConstPtr& goal) {
           this->cancelCallback(goal);
           forgetTheFuture();
+          tidying_.start();
         });
   }
 
@@ -130,6 +134,7 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     if (!this->started_) return;
     actionlib_msgs::GoalStatusArray message;
     message.header.stamp = ros::Time::now();
+    message.status_list.reserve(this->status_list_.size());
     for (const auto& tracker : this->status_list_) message.status_list.push_back(tracker.status_);
     this->status_list_.remove_if([&](const auto& tracker) {
       const ros::Time& since = tracker.handle_destruction_time_;
@@ -171,6 +176,9 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     forgetTheFuture();  // a clock may have been set back
     // Whoever comes next shall not hear of goals that are long gone.
     if (status_.getNumSubscribers() == 0 && (goals_told_ || !this->status_list_.empty())) publishStatus();
+    // Until the next goal or cancel: fifteen servers that look after nothing would wake the node all the
+    // time.
+    if (this->status_list_.empty() && !goals_told_ && this->last_cancel_.isZero()) tidying_.stop();
   }
 
   /// Cancels count until now, whatever their stamps say.
@@ -185,9 +193,9 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
   ros::Publisher status_;
   ros::Subscriber goals_;
   ros::Subscriber cancels_;
-  ros::Timer telling_;       ///< of the status; runs while somebody listens
-  bool goals_told_ = false;  ///< the last status that was told had some
-  ros::SteadyTimer tidying_;
+  ros::Timer telling_;        ///< of the status; runs while somebody listens
+  bool goals_told_ = false;   ///< the last status that was told had some
+  ros::SteadyTimer tidying_;  ///< runs while there is anything to tidy
 };
 
 }  // namespace cobot_command::ros_adapter
