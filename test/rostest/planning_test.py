@@ -40,11 +40,11 @@ class Planning(CobotTestCase):
         self.assertIn("while it was planned", result.error_description)
 
     def test_takes_no_more_checks_than_may_wait(self):
-        # One that takes long, and the others behind it: so many at a time as actionlib's own queues hold.
+        # One that takes long, and the others behind it: no more at a time than actionlib's own queues hold.
         checks = [self.robot.send(sequence(*slow_lines(200))).wait_until_known()]
         while len(checks) < 64:
-            checks += [self.robot.send(sequence(*slow_lines(1))) for _ in range(21)]
-            checks[-1].wait_until_known()
+            burst = [self.robot.send(sequence(*slow_lines(1))) for _ in range(9)]
+            checks += [check.wait_until_known() for check in burst]
         self.assert_rejected(self.robot.run(sequence(*slow_lines(1))), 0x216)
         self.assert_rejected(self.robot.run(slow_lines(1, check_only=True)[0]), 0x216)
         for check in checks:

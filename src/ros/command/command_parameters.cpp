@@ -117,9 +117,8 @@ SettingTable deadlineTable(link::LinkSettings& l) {
       {"unplanned_motion_timeout", seconds(l.unplanned_motion_timeout, 1, 86400),
        "the same, when the motion could not be planned"},
       {"planning_budget", seconds(l.planning_budget, 0.01, 3600),
-       "for the plan of a check, or of a whole cycle, which ends with 16#20C then; only other checks wait "
-       "for "
-       "it"},
+       "for a plan: of a check, of a whole cycle, of a move or a script before it is sent, which ends with "
+       "16#20C then; only other plans wait for it"},
       {"stop_timeout", seconds(l.stop_timeout, 0.1, 60), "from an accepted stop until the robot stands"},
       {"evidence_timeout", seconds(l.evidence_timeout, 0.05, 10),
        "behind a queue tag, until the status stream shows the robot standing at the target (16#226); and for "
