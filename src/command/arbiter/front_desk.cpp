@@ -89,8 +89,9 @@ void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant 
 
 void FrontDesk::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
   Failures failures = blocks::GoalRules(goal).violations();
-  if (desks_.planning.checks() >= kMostWaiting)
-    failures.push_back(blocks::tooManyWait(desks_.planning.checks()));
+  if (const auto waiting = desks_.planning.checks(); waiting >= kMostWaiting) {
+    failures.push_back(blocks::tooManyWait(waiting));
+  }
   blocks::sortByTable(failures);
   if (rejected(id, goal, failures)) return;
   desks_.plans.check(id, goal, now);

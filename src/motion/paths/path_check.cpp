@@ -42,6 +42,7 @@ class PathCheck {
     const TcpCurve& path = timed_.postures.path();
     return (to.progress - from.progress) * (path.length() + path.turn());
   }
+  [[nodiscard]] double samplePeriod() const;
   [[nodiscard]] Result<Sample, Refusal> sampleAt(double time, const Sample& previous) const;
   /// From one good sample to the next one, looking closer where a joint jumps.
   Result<Sample, Refusal> advance(const Sample& from, double time);
@@ -112,19 +113,27 @@ Result<Sample, Refusal> PathCheck::advance(const Sample& from, double time) {
   return to;
 }
 
+/// [s]
+double PathCheck::samplePeriod() const {
+  const TcpCurve& path = timed_.postures.path();
+  const double top_speed = (path.length() + path.turn()) / timed_.profile.travel();
+  return std::clamp(kSampleWay / top_speed, kSamplePeriod, kLongestSamplePeriod);
+}
+
 Result<FollowedPath, Refusal> PathCheck::follow(const arm::JointVector& start) {
-  constexpr std::size_t kKeepEvery = 64;  // a joint turns less than half a turn meanwhile
+  constexpr double kKeepPeriod = 64e-3;  // [s], a joint turns less than half a turn meanwhile
   const double duration = timed_.profile.duration();
-  const auto steps = static_cast<std::size_t>(std::ceil(duration / kSamplePeriod));
+  const auto steps = static_cast<std::size_t>(std::ceil(duration / samplePeriod()));
   const double period = duration / static_cast<double>(steps);
+  const auto keep_every = static_cast<std::size_t>(std::max(1.0, std::floor(kKeepPeriod / period)));
 
   Sample sample{0.0, 0.0, start};
   if (auto refusal = checkPosture(sample)) {
     return refuse(std::move(*refusal));
   }
   FollowedPath followed;
-  followed.period = period * static_cast<double>(kKeepEvery);
-  followed.postures.reserve(steps / kKeepEvery + 1);
+  followed.period = period * static_cast<double>(keep_every);
+  followed.postures.reserve(steps / keep_every + 1);
   followed.postures.push_back(start);
   for (std::size_t i = 1; i <= steps; ++i) {
     auto next = advance(sample, i == steps ? duration : static_cast<double>(i) * period);
@@ -132,7 +141,7 @@ Result<FollowedPath, Refusal> PathCheck::follow(const arm::JointVector& start) {
       return refuse(std::move(next.error()));
     }
     sample = *next;
-    if (i % kKeepEvery == 0) {
+    if (i % keep_every == 0) {
       followed.postures.push_back(sample.joints);
     }
   }

@@ -10,8 +10,13 @@
 
 namespace cobot_command::motion {
 
-/// Samples are at most this far apart [s].
+/// Samples are at most this far apart [s], unless the TCP goes so slowly that they are close together on its
+/// way all the same.
 inline constexpr double kSamplePeriod = 1e-3;
+/// As far as it may go between two samples then, at its top speed (sum of m and rad): a quarter of what a
+/// fast one goes in kSamplePeriod. And the longest period [s], as ramps are not to fall between two samples.
+inline constexpr double kSampleWay = 0.25e-3;
+inline constexpr double kLongestSamplePeriod = 16e-3;
 
 /// A posture is singular where one of arm::SingularityDistance is below this [m or 1]: 2.5 mm, 0.14 degrees.
 /// No joint and no TCP gets from here onto the singularity within half a sample, so no exit from the reach

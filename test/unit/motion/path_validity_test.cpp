@@ -198,6 +198,32 @@ TEST(RandomPaths, areFollowedToTheLetterOrRefusedForATrueReason) {
   }
 }
 
+/// They are looked at less often than each millisecond.
+TEST(RandomPaths, thatAreSlowAreAlsoFollowedOrRefusedForATrueReason) {
+  const arm::ArmModel arm = model();
+  Random random(1871);
+  int followed = 0;
+  for (int i = 0; i < 100; ++i) {
+    SCOPED_TRACE(i);
+    Request request = random.request(arm);
+    if (i % 2 == 0) request.start[4] = random.uniform(0.01, 0.1);  // a wrist that turns fast all the same
+    Line slow{random.pose(0.01, 0.05) * tcpAt(arm, request.start, request.setting),
+              TcpSpeed{random.uniform(0.002, 0.05)}, milliseconds(50)};
+    request.command = slow;
+    const auto result = plan(arm, request.start, request.command, request.setting);
+    if (result) {
+      ++followed;
+      expectFollowed(arm, request, **result);
+    } else {
+      expectTrue(arm, request, result.error());
+    }
+    if (HasFatalFailure()) {
+      return;
+    }
+  }
+  EXPECT_GT(followed, 30);
+}
+
 TEST(RandomPaths, startingNextToASingularityAreAlsoFollowedOrRefusedForATrueReason) {
   const arm::ArmModel arm = model();
   Random random(4711);

@@ -50,8 +50,9 @@ TEST(SimulatorSetup, canAllBeSet) {
                                                  {"project_name", {"Cell"}},
                                                  {"log_traffic", {true}}});
   ASSERT_FALSE(fault) << describe(*fault);
-  // Whoever adds a member has to count it here, and so finds the table. The period is the node's own.
-  const auto& [address, script_port, status_port, scale, state_period] = setup.options;
+  // Whoever adds a member has to count it here, and so finds the table. Period and telling of states are the
+  // node's own.
+  const auto& [address, script_port, status_port, scale, state_period, tells_states] = setup.options;
   const auto& [model, settings, options, log_traffic] = setup;
   EXPECT_EQ(model, "tm12");
   EXPECT_EQ(address, "0.0.0.0");
@@ -59,6 +60,7 @@ TEST(SimulatorSetup, canAllBeSet) {
   EXPECT_EQ(status_port, 2);
   EXPECT_EQ(scale, 2.5);
   EXPECT_EQ(state_period, Duration::zero());
+  EXPECT_TRUE(tells_states);
   EXPECT_EQ(settings.project_name, "Cell");
   EXPECT_TRUE(log_traffic);
 }
