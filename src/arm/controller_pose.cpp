@@ -60,4 +60,9 @@ ControllerJoints toControllerJoints(const JointVector& joints) {
   return joints_deg;
 }
 
+bool isSamePose(const Pose& a, const Pose& b) {
+  constexpr double kSame = 1e-4;  // [m], and of the rotation matrix
+  return a.isApprox(b, kSame);
+}
+
 }  // namespace cobot_command::arm

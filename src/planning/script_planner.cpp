@@ -106,7 +106,7 @@ void ScriptPlanner::note(const script::WaitQueueTag&) {
 }
 
 void ScriptPlanner::follow(const Start& frames) {
-  const bool same_tcp = tcp_ && frames.tcp ? tcp_->isApprox(*frames.tcp) : !tcp_ && !frames.tcp;
+  const bool same_tcp = tcp_ && frames.tcp ? arm::isSamePose(*tcp_, *frames.tcp) : !tcp_ && !frames.tcp;
   if (!same_tcp) blend_.reset();
   base_ = frames.base;
   tcp_ = frames.tcp;

@@ -8,14 +8,8 @@
 namespace cobot_command::robot {
 namespace {
 
-/// The stream shows 32-bit floats of mm and degrees.
-constexpr double kSamePose = 1e-4;  // [m], and of the rotation matrix
 /// How long the stream may show the old frame of a robot that stands.
 constexpr Duration kPatience = std::chrono::seconds(1);
-
-bool same(const arm::Pose& a, const arm::Pose& b) {
-  return a.isApprox(b, kSamePose);
-}
 
 bool same(const std::optional<arm::Pose>& a, const std::optional<arm::Pose>& b) {
   return a.has_value() == b.has_value() && (!a || a->matrix() == b->matrix());
@@ -54,7 +48,7 @@ bool FrameWatch::isOver(const Commanded& commanded, const std::optional<arm::Pos
                         Instant now) {
   if (!streamed) return false;
   const bool shown =
-      commanded.pose ? same(*commanded.pose, *streamed) : streamed_name.value_or("") == commanded.name;
+      commanded.pose ? arm::isSamePose(*commanded.pose, *streamed) : streamed_name.value_or("") == commanded.name;
   const bool settled = now - commanded.since > kPatience && robot.moving() == false && !robot.held();
   return shown || settled;
 }

@@ -278,6 +278,16 @@ void CoreRig::answerPlan(PlanAnswer answer) {
   pump();
 }
 
+void CoreRig::finishPlanToSend() {
+  const auto plan = std::find_if(plans_.begin(), plans_.end(),
+                                 [](const PlanAsked& asked) { return asked.lane == PlanLane::Send; });
+  ASSERT_NE(plan, plans_.end()) << "nothing is planned to be sent";
+  const PlanAsked asked = *plan;
+  plans_.erase(plan);
+  core.planned(asked.id, asked.work(), now);
+  pump();
+}
+
 void CoreRig::take(const CommandsFell& action) {
   fell.push_back(action);
 }

@@ -75,6 +75,8 @@ class CoreRig {
   command::PlanAnswer makePlan() { return plans_.front().work(); }
   void answerPlan(command::PlanAnswer answer);
   void finishPlan() { answerPlan(makePlan()); }
+  /// Of what is to be sent, whatever else is planned.
+  void finishPlanToSend();
 
   // --- Time.
   /// Lets time pass, calling advance() exactly at each deadline.

@@ -20,4 +20,7 @@ using ControllerJoints = std::array<double, 6>;
 [[nodiscard]] JointVector toJointVector(const ControllerJoints& joints_deg);
 [[nodiscard]] ControllerJoints toControllerJoints(const JointVector& joints);
 
+/// Equal as far as the 32-bit floats of mm and degrees of a status stream can tell: to 0.1 mm, 0.1 mrad.
+[[nodiscard]] bool isSamePose(const Pose& a, const Pose& b);
+
 }  // namespace cobot_command::arm

@@ -62,6 +62,7 @@ struct CommandsFell {
 /// A plan is to be made, beside the core; answer with planned(). Only with Planning::Beside.
 struct PlanAsked {
   PlanJobId id;
+  PlanLane lane;
   PlanWork work;
 };
 struct StatusChanged {

@@ -9,6 +9,14 @@
 
 namespace cobot_command::command {
 
+namespace {
+
+std::string cancelledInFront(blocks::Block block) {
+  return fmt::format("the command in front of it, {}, was cancelled", toString(block));
+}
+
+}  // namespace
+
 Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
     : parts_(parts),
       desk_(parts.settings.planning_budget, parts.actions, planning),
@@ -27,10 +35,13 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
 void Arbiter::cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest) {
   const blocks::Run* const run = turns_.run();
   ConnectRun& connect = parts_.keeper.run();
+  if (queue_.plansTheNext() && queue_.front().id == id) {
+    cancelTurn(newest.value_or(queue_.newest()), now);
+    return;
+  }
   if (queue_.drop(id, "cancelled before its turn") || plans_.cancel(id)) return;
   if (run != nullptr && run->goal() == id) {
-    queue_.dropAll(fmt::format("the command in front of it, {}, was cancelled", toString(run->block())),
-                   newest.value_or(queue_.newest()));
+    queue_.dropAll(cancelledInFront(run->block()), newest.value_or(queue_.newest()));
     turns_.cancel("cancelled", now);
   } else if (connect.busy() && connect.goal() == id) {
     parts_.keeper.cancel(now);
@@ -39,11 +50,20 @@ void Arbiter::cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalI
   }
 }
 
+/// Of the goal that is planned, as its turn has come: nothing of it was sent, but a motion in front of it,
+/// that nobody answers for any more, may be under way.
+void Arbiter::cancelTurn(blocks::GoalId newest, Instant now) {
+  const blocks::GoalId id = queue_.front().id;
+  const blocks::Block block = blockOf(queue_.front().goal);
+  static_cast<void>(queue_.drop(id, "cancelled while it was planned"));
+  queue_.dropAll(cancelledInFront(block), newest);
+  stops_.askIfMoving(now);
+}
+
 FinishReport Arbiter::finish(blocks::FinishAfter after, Instant now, std::optional<blocks::GoalId> newest) {
   FinishReport found;
-  found.dropped = static_cast<int>(queue_.size());
   found.moves_on = parts_.forecast.loose().mayMove();
-  queue_.dropAll(kNothingBehindFinish, newest.value_or(queue_.newest()));
+  found.dropped = queue_.dropBehindTurn(kNothingBehindFinish, newest.value_or(queue_.newest()));
   found.under_way = turns_.busyWith();
   turns_.finish(after, now);
   return found;
@@ -112,6 +132,7 @@ void Arbiter::settle(Instant now) {
 void Arbiter::settleStops(Instant now) {
   while (const auto result = stops_.takeResult(now)) {
     window_.stopEnded(*result, now);
+    turns_.stopEnded(*result, now);
     if (!result->failed()) continue;
     queue_.dropUnstopped(fmt::format("{}: {}", robot::LooseMotion::kMayStillMove, result->failure.found));
   }

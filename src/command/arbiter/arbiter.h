@@ -72,6 +72,7 @@ class Arbiter {
   [[nodiscard]] const StopDesk& stops() const { return stops_; }
 
  private:
+  void cancelTurn(blocks::GoalId newest, Instant now);
   void settleStops(Instant now);
   void settleBeside(Instant now);
 

@@ -18,20 +18,28 @@ PlanAnswer tookTooLong(blocks::Block block) {
 }  // namespace
 
 void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
-  const auto origin = originOfTheLast(now);
   const auto take = [this, block = blockOf(goal), id](std::optional<PlanAnswer> answer) {
     this->answer(block, id, answer ? *std::move(answer) : tookTooLong(block));
   };
-  desk_.ask({blockOf(goal), id, Purpose::Check, parts_.forecast.workFor(goal, origin), take}, now);
+  const Arrival arrival = queue_.lastArrival();
+  const bool is_known = isOriginKnown(arrival);
+  auto make = parts_.forecast.workFor(goal, is_known ? originNow(arrival, now) : originThen(arrival));
+  desk_.ask({blockOf(goal), id, Purpose::Check, std::move(make), take,
+             [this, arrival] { return isOriginKnown(arrival); }},
+            now);
 }
 
-Forecast::OriginAt GoalPlans::originOfTheLast(Instant now) const {
-  const Arrival arrival = queue_.lastArrival();
+bool GoalPlans::isOriginKnown(Arrival arrival) const {
   const Waiting* const before = queue_.lastBefore(arrival);
-  if (before != nullptr && before->end_is_planned) {
-    return [this, arrival](Instant then) { return origin_behind_(arrival, then); };
-  }
+  return before == nullptr || !desk_.plans(before->id);
+}
+
+Forecast::OriginAt GoalPlans::originNow(Arrival arrival, Instant now) const {
   return [origin = origin_behind_(arrival, now)](Instant /*then*/) { return origin; };
+}
+
+Forecast::OriginAt GoalPlans::originThen(Arrival arrival) const {
+  return [this, arrival](Instant then) { return origin_behind_(arrival, then); };
 }
 
 void GoalPlans::answer(blocks::Block block, blocks::GoalId id, PlanAnswer answer) {
@@ -46,23 +54,22 @@ void GoalPlans::answer(blocks::Block block, blocks::GoalId id, PlanAnswer answer
 }
 
 void GoalPlans::foresee(Instant now) {
-  Waiting& last = queue_.back();
+  const Waiting& last = queue_.back();
   const auto command = blocks::GoalRules(last.goal).command();
   if (!command) return;
-  last.end_is_planned = true;
-  const auto origin = [this, arrival = last.arrival](Instant then) { return origin_behind_(arrival, then); };
   const auto take = [this, id = last.id](const std::optional<PlanAnswer>& answer) {
     takeForesight(id, answer ? answer->command.get() : nullptr);
   };
-  desk_.ask({command->block, last.id, Purpose::Foresee, parts_.forecast.workFor(*command, origin), take},
-            now);
+  desk_.ask(
+      {command->block, last.id, Purpose::Foresee, parts_.forecast.workFor(*command, originThen(last.arrival)),
+       take, [this, arrival = last.arrival] { return isOriginKnown(arrival); }},
+      now);
 }
 
 /// Refused as it comes, like a goal that is wrong by itself: it takes none with it.
 void GoalPlans::takeForesight(blocks::GoalId id, const PlannedCommand* planned) {
   Waiting* const waiting = queue_.find(id);
   if (waiting == nullptr) return;
-  waiting->end_is_planned = false;
   if (planned == nullptr) return;
   if (!planned->plan) {
     queue_.refuse(id, toRejection(blockOf(waiting->goal), {planned->plan.error()}));

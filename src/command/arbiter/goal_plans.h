@@ -34,8 +34,10 @@ class GoalPlans {
   void endAll(const std::string& why);
 
  private:
-  /// Of the goal that came last: as it is now, or when it is known where that in front of it ends.
-  [[nodiscard]] Forecast::OriginAt originOfTheLast(Instant now) const;
+  /// Where it starts that came then is not waited for.
+  [[nodiscard]] bool isOriginKnown(Arrival arrival) const;
+  [[nodiscard]] Forecast::OriginAt originNow(Arrival arrival, Instant now) const;
+  [[nodiscard]] Forecast::OriginAt originThen(Arrival arrival) const;
   void answer(blocks::Block block, blocks::GoalId id, PlanAnswer answer);
   void takeForesight(blocks::GoalId id, const PlannedCommand* planned);
   void endUnplanned(const PlanDesk::Job& check, const std::string& why);

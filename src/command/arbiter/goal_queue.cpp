@@ -64,6 +64,15 @@ void GoalQueue::dropAll(const std::string& why, blocks::GoalId newest) {
   }
 }
 
+int GoalQueue::dropBehindTurn(const std::string& why, blocks::GoalId newest) {
+  std::optional<Waiting> turn;
+  if (!empty() && front().turn == Waiting::Turn::PlansCommand) turn = take();
+  const std::size_t others = size();
+  dropAll(why, newest);
+  if (turn) waiting_.push_front(*std::move(turn));
+  return static_cast<int>(others);
+}
+
 /// A take-over is in front of all others, as it has dropped what waited.
 void GoalQueue::dropUnstopped(const std::string& why) {
   std::optional<Waiting> take_over;
@@ -71,6 +80,7 @@ void GoalQueue::dropUnstopped(const std::string& why) {
   dropAll(why);
   if (!take_over) return;
   const blocks::Block block = blocks::blockOf(take_over->goal);
+  forgetPlan(take_over->id);
   board_.end(block, take_over->id,
              blocks::toRejection(block, {{blocks::own_error::kStopNotConfirmed, why, ""}}));
 }

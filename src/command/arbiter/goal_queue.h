@@ -32,10 +32,9 @@ struct Waiting {
   blocks::GoalId id = 0;
   blocks::Goal goal;
   Arrival arrival = 0;
-  bool takes_over = false;      ///< once the stop that is under way for it is confirmed
-  int told_place = 0;           ///< in the queue, as last reported; 0: not yet
-  std::optional<Origin> end;    ///< where it will leave the robot, as far as that can be foreseen
-  bool end_is_planned = false;  ///< that is to be known soon
+  bool takes_over = false;    ///< once the stop that is under way for it is confirmed
+  int told_place = 0;         ///< in the queue, as last reported; 0: not yet
+  std::optional<Origin> end;  ///< where it will leave the robot, as far as that can be foreseen
   Turn turn = Turn::NotYet;
   std::optional<blocks::Outcome> found;  ///< when it was planned as a whole
 };
@@ -57,10 +56,9 @@ class GoalQueue {
 
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
   [[nodiscard]] std::size_t size() const { return waiting_.size(); }
-  /// Precondition of all: not empty.
+  /// Precondition of all three: not empty.
   [[nodiscard]] Waiting& front() { return waiting_.front(); }
   [[nodiscard]] const Waiting& front() const { return waiting_.front(); }
-  [[nodiscard]] Waiting& back() { return waiting_.back(); }
   [[nodiscard]] const Waiting& back() const { return waiting_.back(); }
   [[nodiscard]] Waiting* find(blocks::GoalId id);
   /// The last one that came before; nullptr: none waits.
@@ -78,6 +76,8 @@ class GoalQueue {
   void refuse(blocks::GoalId id, blocks::Outcome refusal);
   /// All, and those that wait in front of the core: up to `newest`, the last that had come when `why` did.
   void dropAll(const std::string& why, blocks::GoalId newest);
+  /// The same but for the one that is about to be sent. Returns how many have ended here.
+  int dropBehindTurn(const std::string& why, blocks::GoalId newest);
   /// With all that came until now, as nobody can know yet what makes them fall.
   void dropAll(const std::string& why) { dropAll(why, newest()); }
   /// Behind a stop that was not confirmed: all, and a take-over, which waited for it, fails.

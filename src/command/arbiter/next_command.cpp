@@ -11,15 +11,18 @@ bool NextCommand::isAsked(const blocks::Command& command, blocks::GoalId goal) c
 }
 
 NextCommand::State NextCommand::look(const blocks::Command& command, blocks::GoalId goal, Instant now) {
-  if (!isAsked(command, goal)) return make(command, goal, now);
+  if (!isAsked(command, goal)) return make(command, goal, now, now);
   if (!asked_->answered) return State::Planning;
   if (!asked_->planned) return refuse({blocks::own_error::kPlanningBudget, "", ""});
   const Origin origin = forecast_.origin(now);
-  if (isSameStart(asked_->planned->origin, origin)) return take(*asked_->planned, origin);
-  return make(command, goal, now);
+  if (isStillGood(*asked_->planned, origin)) return take(*asked_->planned, origin);
+  if (now - asked_->first < settings_.planning_budget) return make(command, goal, asked_->first, now);
+  return refuse({blocks::own_error::kPlanningBudget,
+                 "what it starts from changed each time before its plan was made", ""});
 }
 
-NextCommand::State NextCommand::make(const blocks::Command& command, blocks::GoalId goal, Instant now) {
+NextCommand::State NextCommand::make(const blocks::Command& command, blocks::GoalId goal, Instant first,
+                                     Instant now) {
   forget();
   auto order = forecast_.order(command);
   if (!order) return refuse(order.error());
@@ -27,19 +30,20 @@ NextCommand::State NextCommand::make(const blocks::Command& command, blocks::Goa
   if (!order_.commands) return State::Ready;
   const Origin origin = forecast_.origin(now);
   if (forecast_.isPlannedAtOnce(order_)) return take(*forecast_.plan(order_, origin), origin);
-  ask(goal, origin, now);
+  ask({goal, order_.key, first}, origin, now);
   return asked_->answered ? take(*asked_->planned, origin) : State::Planning;
 }
 
-void NextCommand::ask(blocks::GoalId goal, const Origin& origin, Instant now) {
-  asked_ = Asked{goal, order_.key};
-  const auto take = [this, goal, key = order_.key](std::optional<PlanAnswer> answer) {
+void NextCommand::ask(Asked asked, const Origin& origin, Instant now) {
+  asked_ = asked;
+  const auto take = [this, goal = asked.goal, key = asked.key](std::optional<PlanAnswer> answer) {
     if (!asked_ || asked_->goal != goal || asked_->key != key) return;
     asked_->answered = true;
     if (answer) asked_->planned = std::move(answer->command);
   };
-  desk_.drop(goal);  // what was foreseen of it
-  desk_.ask({order_.block, goal, PlanDesk::Purpose::Send, forecast_.workFor(order_, origin), take}, now);
+  desk_.drop(asked.goal);  // what was foreseen of it
+  desk_.ask({order_.block, asked.goal, PlanDesk::Purpose::Send, forecast_.workFor(order_, origin), take},
+            now);
 }
 
 NextCommand::State NextCommand::take(PlannedCommand& planned, const Origin& now) {

@@ -1,5 +1,6 @@
 // The command that goes out next: its lines, and its plan, which is made beside the core when that may take
-// long, and anew when the robot, or its frames, are not where they were any more.
+// long, and anew when the robot, or its frames, are not where they were any more. However often: its budget
+// counts from the first beginning on.
 #pragma once
 
 #include <memory>
@@ -16,8 +17,9 @@ namespace cobot_command::command {
 
 class NextCommand {
  public:
-  /// Both have to live longer.
-  NextCommand(const Forecast& forecast, PlanDesk& desk) : forecast_(forecast), desk_(desk) {}
+  /// All have to live longer.
+  NextCommand(const link::LinkSettings& settings, const Forecast& forecast, PlanDesk& desk)
+      : settings_(settings), forecast_(forecast), desk_(desk) {}
 
   enum class State {
     Planning,  ///< to be looked at again behind the next event
@@ -38,16 +40,18 @@ class NextCommand {
   struct Asked {
     blocks::GoalId goal = 0;
     blocks::CommandKey key = 0;
+    Instant first;  ///< when a plan of it was asked for first
     bool answered = false;
     std::shared_ptr<PlannedCommand> planned = nullptr;  ///< nothing in the answer: it took too long
   };
 
   [[nodiscard]] bool isAsked(const blocks::Command& command, blocks::GoalId goal) const;
-  [[nodiscard]] State make(const blocks::Command& command, blocks::GoalId goal, Instant now);
-  void ask(blocks::GoalId goal, const Origin& origin, Instant now);
+  [[nodiscard]] State make(const blocks::Command& command, blocks::GoalId goal, Instant first, Instant now);
+  void ask(Asked asked, const Origin& origin, Instant now);
   [[nodiscard]] State take(PlannedCommand& planned, const Origin& now);
   [[nodiscard]] State refuse(blocks::Failure failure);
 
+  const link::LinkSettings& settings_;
   const Forecast& forecast_;
   PlanDesk& desk_;
   CommandOrder order_;

@@ -26,6 +26,8 @@ class StopDesk {
   /// Whose stop that is which was asked for last. Precondition: accept() was called for it.
   void accept(blocks::GoalId goal) { goals_.accept(goal); }
   void answerWithTheLast(blocks::GoalId goal) { goals_.wait(goal, run_.last()); }
+  /// That was asked for last.
+  [[nodiscard]] StopRun::Number last() const { return run_.last(); }
   void abortGoals(const std::string& why) { goals_.abort(why); }
   /// A stop that has ended, with what that means for robot and forecast.
   [[nodiscard]] std::optional<StopRun::Result> takeResult(Instant now);

@@ -22,7 +22,10 @@ bool couldNotBePlanned(const blocks::Outcome& found) {
 }  // namespace
 
 Turns::Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder frames)
-    : parts_(parts), desks_(desks), frames_(std::move(frames)), next_(parts.forecast, desks.planning) {}
+    : parts_(parts),
+      desks_(desks),
+      frames_(std::move(frames)),
+      next_(parts.settings, parts.forecast, desks.planning) {}
 
 // --- What is there.
 
@@ -94,7 +97,6 @@ bool Turns::isBeingPlanned(Waiting& first, Instant now) {
   const blocks::GoalRules rules(first.goal);
   if (const auto command = rules.command()) {
     first.turn = Turn::PlansCommand;
-    first.end_is_planned = true;  // on its way
     return next_.look(*command, first.id, now) == NextCommand::State::Planning;
   }
   if (rules.isPlanned() && first.turn == Turn::NotYet) {
@@ -107,7 +109,7 @@ bool Turns::isBeingPlanned(Waiting& first, Instant now) {
 
 Turns::Failures Turns::objectionsTo(const Waiting& next) const {
   Failures failures = objectionsToAny(blocks::BufferMode::Aborting);
-  const bool has_waited = next.told_place > 0 || next.turn != Waiting::Turn::NotYet;
+  const bool has_waited = next.told_place > 0;
   if (failures.empty() && has_waited) {
     if (auto moved = blocks::GoalRules(next.goal).findMovedFrame(frames_)) {
       failures.push_back(std::move(*moved));
@@ -143,8 +145,9 @@ void Turns::beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, 
   send(now);
 }
 
-/// What waits behind it stands on where it would have left the robot. When it has not waited itself, nothing
-/// waits behind it: it is refused as it comes, like a goal that is wrong by itself, and takes none with it.
+/// What waits behind it stands on where it would have left the robot. When it has not waited itself, it is
+/// refused as it comes, like a goal that is wrong by itself, and takes none with it, also not those that came
+/// while it was planned.
 void Turns::refuseTurn(const Waiting& next, blocks::Outcome refusal) {
   const blocks::Block block = blocks::blockOf(next.goal);
   desks_.queue.forgetPlan(next.id);
@@ -157,6 +160,12 @@ void Turns::refuseTurn(const Waiting& next, blocks::Outcome refusal) {
 
 /// Nothing (false) as long as the run has nothing to send, or that is planned.
 bool Turns::continueRun(Instant now) {
+  if (finishes_behind_motion_) {
+    if (parts_.forecast.loose().mayMove() && parts_.robot.tellsMotion()) return false;
+    finishes_behind_motion_ = false;
+    run_->finish(blocks::FinishAfter::Move, now);
+    return true;
+  }
   const auto command = run_->next();
   if (!command) return false;
   if (command->leaves_only && !parts_.keeper.objectionsToCommands().empty()) {
@@ -224,6 +233,8 @@ void Turns::endRun(Instant now) {
   if (!run_->outcome()) return;
   assert(desks_.window.empty());
   next_.forget();
+  stopping_.reset();
+  finishes_behind_motion_ = false;
   const auto done = std::exchange(run_, nullptr);
   if (done->outcome()->ending == blocks::Ending::Aborted) {
     if (done->leavesMotions()) desks_.stops.askIfMoving(now);
@@ -235,8 +246,43 @@ void Turns::endRun(Instant now) {
 
 void Turns::cancel(const std::string& why, Instant now) {
   if (!run_ || !desks_.window.empty()) parts_.forecast.forgetPath();  // else it stays as it is
+  if (isBetweenCommands()) {
+    stopBetweenCommands(why, now);
+    return;
+  }
   if (run_) run_->cancel(why, now);
   desks_.window.cancel(why, now);
+}
+
+bool Turns::isBetweenCommands() const {
+  return run_ && !run_->outcome() && !run_->leavesTheRobot() && desks_.window.empty() &&
+         parts_.forecast.loose().mayMove();
+}
+
+/// To the goal it is as if its last command was still under way: it ends with what becomes of the robot.
+void Turns::stopBetweenCommands(const std::string& why, Instant now) {
+  if (stopping_) return;
+  next_.forget();
+  if (!desks_.stops.busy()) desks_.stops.ask(now);
+  if (!desks_.stops.busy()) {  // nobody hears it
+    run_->cancel(why, now);
+    return;
+  }
+  stopping_ = Stopping{desks_.stops.last(), why};
+  blocks::Progress progress;
+  progress.phase = blocks::Phase::Stopping;
+  progress.text = why + ", stopping the robot";
+  run_->commandProgressed(0, progress);
+}
+
+void Turns::stopEnded(const StopRun::Result& result, Instant now) {
+  if (!stopping_ || stopping_->stop != result.number || !run_ || run_->outcome()) return;
+  const auto next = run_->next();
+  run_->commandEnded(
+      next ? next->key : 0,
+      result.failed() ? toOutcome(next ? next->block : run_->block(), blocks::Ending::Aborted, result.failure)
+                      : blocks::commandAborted(fmt::format("{}; {}", stopping_->why, result.words())),
+      now);
 }
 
 void Turns::abandon(const std::string& why, Instant now) {
@@ -245,7 +291,13 @@ void Turns::abandon(const std::string& why, Instant now) {
 }
 
 void Turns::finish(blocks::FinishAfter after, Instant now) {
-  if (run_) run_->finish(after, now);
+  const bool behind_motion =
+      after == blocks::FinishAfter::Move && isBetweenCommands() && parts_.robot.tellsMotion();
+  if (behind_motion) {
+    finishes_behind_motion_ = true;
+  } else if (run_) {
+    run_->finish(after, now);
+  }
 }
 
 void Turns::abortAll(const std::string& why, blocks::GoalId newest, Instant now) {

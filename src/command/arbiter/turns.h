@@ -58,6 +58,7 @@ class Turns {
   void stopAll(const std::string& why, blocks::GoalId newest, Instant now);
   void tellPlaces();
 
+  void stopEnded(const StopRun::Result& result, Instant now);
   void linkLost(const std::string& reason, Instant now);
   void robotChanged(Instant now);
   void advance(Instant now);
@@ -74,6 +75,9 @@ class Turns {
   void beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now);
   void refuseTurn(const Waiting& next, blocks::Outcome refusal);
   bool continueRun(Instant now);
+  /// Its last command was blended and is done, but moves the robot still; the next one is not out yet.
+  [[nodiscard]] bool isBetweenCommands() const;
+  void stopBetweenCommands(const std::string& why, Instant now);
   [[nodiscard]] std::optional<blocks::Failure> objectionTo(const blocks::Command& command) const;
   /// What was looked at in this event.
   [[nodiscard]] std::optional<blocks::Failure> prepare(const blocks::Command& command, Instant now);
@@ -87,6 +91,13 @@ class Turns {
   blocks::FrameFinder frames_;
   NextCommand next_;
   std::unique_ptr<blocks::Run> run_;
+  /// A cancel of it between two commands: the stop that it waits for, and why.
+  struct Stopping {
+    StopRun::Number stop = 0;
+    std::string why;
+  };
+  std::optional<Stopping> stopping_;
+  bool finishes_behind_motion_ = false;  ///< it was to be finished between two commands
 };
 
 }  // namespace cobot_command::command

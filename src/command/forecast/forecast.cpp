@@ -31,7 +31,7 @@ PlanAnswer planGoal(const blocks::Goal& goal, const arm::ArmModel* arm, const st
   scene.give_up = [dropped] { return dropped->load(); };
   if (auto whole = rules.plan(scene)) return {std::move(*whole), {}};
   const blocks::Command command = *rules.command();
-  const Planned plan = planFor(arm, command, base, origin);
+  const Planned plan = planFor(arm, command, base, origin, scene.give_up);
   PlanAnswer answer{outcomeOf(command.block, plan, arm != nullptr), {}};
   if (plan && *plan) answer.tool_path = toolPathOf(**plan, *arm);
   return answer;
@@ -49,9 +49,9 @@ std::shared_ptr<PlannedCommand> planCommand(const arm::ArmModel* arm,
 
 std::shared_ptr<PlannedCommand> foresee(const arm::ArmModel* arm, const blocks::Command& command,
                                         const std::optional<arm::Pose>& base,
-                                        const std::optional<Origin>& origin) {
+                                        const std::optional<Origin>& origin, const blocks::GiveUp& give_up) {
   return std::shared_ptr<PlannedCommand>(
-      new PlannedCommand{origin.value_or(Origin()), planFor(arm, command, base, origin)});
+      new PlannedCommand{origin.value_or(Origin()), planFor(arm, command, base, origin, give_up)});
 }
 
 /// Where blended motions leave the robot.
@@ -115,10 +115,10 @@ PlanDesk::MakeWork Forecast::workFor(const CommandOrder& order, const Origin& or
 }
 
 PlanDesk::MakeWork Forecast::workFor(const blocks::Command& command, OriginAt origin_at) const {
-  return [=](const PlanDesk::Dropped& /*dropped*/, Instant now) -> PlanWork {
+  return [=](const PlanDesk::Dropped& dropped, Instant now) -> PlanWork {
     const auto origin = origin_at(now);
-    return [command, origin, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
-      return {{}, {}, foresee(arm.get(), command, base, origin)};
+    return [command, origin, dropped, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
+      return {{}, {}, foresee(arm.get(), command, base, origin, [dropped] { return dropped->load(); })};
     };
   };
 }

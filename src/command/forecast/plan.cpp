@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/refusal_failure.h"
 #include "cobot_command/common/units.h"
@@ -14,6 +15,8 @@ namespace {
 constexpr double kNextTo = degToRad(0.5);  // [rad]
 /// A robot that stands is streamed within this of where it was.
 constexpr double kSamePlace = degToRad(0.1);  // [rad]
+/// One that blends into a motion under way is sent so much later than it was planned for, at least.
+constexpr Duration kSameMoment = std::chrono::milliseconds(20);
 /// Of one motion, for a marker.
 constexpr std::size_t kPathPoints = 60;
 
@@ -28,7 +31,7 @@ std::optional<robot::Target> targetOf(const std::vector<script::ScriptCommand>& 
 }
 
 bool isSame(const std::optional<arm::Pose>& a, const std::optional<arm::Pose>& b) {
-  return a && b ? a->isApprox(*b) : !a && !b;
+  return a && b ? arm::isSamePose(*a, *b) : !a && !b;
 }
 
 bool isSamePlace(const std::optional<arm::JointVector>& a, const std::optional<arm::JointVector>& b) {
@@ -40,12 +43,22 @@ bool isBehindTheSame(const Origin& then, const Origin& now) {
   return then.behind->duration() == now.behind->duration();
 }
 
-}  // namespace
-
 bool isSameStart(const Origin& then, const Origin& now) {
   return isSamePlace(then.start.joints, now.start.joints) && isSame(then.start.base, now.start.base) &&
          isSame(then.start.tcp, now.start.tcp) && then.start.speed_override == now.start.speed_override &&
          then.frames_told == now.frames_told && isBehindTheSame(then, now);
+}
+
+/// The robot has gone past the place where it was to blend into the next motion.
+bool isPastItsBlend(const PlannedCommand& planned, const Origin& now) {
+  if (!now.isBehindMotion() || !planned.plan || !*planned.plan) return false;
+  return now.arrival - planned.origin.arrival > std::max((*planned.plan)->start_delay, kSameMoment);
+}
+
+}  // namespace
+
+bool isStillGood(const PlannedCommand& planned, const Origin& now) {
+  return isSameStart(planned.origin, now) && !isPastItsBlend(planned, now);
 }
 
 Planned planFor(const arm::ArmModel* arm, const std::vector<script::ScriptCommand>& commands,
@@ -83,11 +96,12 @@ Result<blocks::Order, blocks::Failure> linesOf(const blocks::Command& command,
 }
 
 Planned planFor(const arm::ArmModel* arm, const blocks::Command& command,
-                const std::optional<arm::Pose>& base, const std::optional<Origin>& origin) {
+                const std::optional<arm::Pose>& base, const std::optional<Origin>& origin,
+                const blocks::GiveUp& give_up) {
   const auto order = linesOf(command, base);
   if (!order) return refuse(order.error());
   if (!origin || !order->commands) return std::optional<Plan>();
-  return planFor(arm, *order->commands, *origin);
+  return planFor(arm, *order->commands, *origin, give_up);
 }
 
 std::vector<arm::Pose> toolPathOf(const Plan& plan, const arm::ArmModel& arm) {

@@ -40,9 +40,6 @@ struct Plan {
   std::vector<motion::TrajectoryPtr> motions;  ///< of a command that moves: one, of a raw script: several
 };
 
-/// What was planned from `then` is good for what begins at `now`, but for the time that has passed since.
-[[nodiscard]] bool isSameStart(const Origin& then, const Origin& now);
-
 /// No plan when the start or the effect of a command is not known, or there is no model.
 using Planned = Result<std::optional<Plan>, blocks::Failure>;
 
@@ -52,6 +49,9 @@ struct PlannedCommand {
   Planned plan;
   std::vector<arm::Pose> tool_path = {};  ///< of its motions: the TCP in the robot base, for people
 };
+
+/// It is what would be planned from `now`, but for the time that has passed since.
+[[nodiscard]] bool isStillGood(const PlannedCommand& planned, const Origin& now);
 
 /// `give_up`: may be empty; asked between two commands.
 [[nodiscard]] Planned planFor(const arm::ArmModel* arm, const std::vector<script::ScriptCommand>& commands,
@@ -63,7 +63,8 @@ struct PlannedCommand {
 
 /// Of a command that begins at `origin`; refused when its lines are.
 [[nodiscard]] Planned planFor(const arm::ArmModel* arm, const blocks::Command& command,
-                              const std::optional<arm::Pose>& base, const std::optional<Origin>& origin);
+                              const std::optional<arm::Pose>& base, const std::optional<Origin>& origin,
+                              const blocks::GiveUp& give_up);
 
 /// Of its motions: poses of the TCP in the robot base, for people.
 [[nodiscard]] std::vector<arm::Pose> toolPathOf(const Plan& plan, const arm::ArmModel& arm);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "cobot_command/common/deadline.h"
+
 namespace cobot_command::command {
 namespace {
 
@@ -17,20 +19,8 @@ void PlanDesk::ask(Job job, Instant now) {
   if (planning_ == Planning::AtOnce) {
     open.job.take(begin(open, now)());
   } else {
-    open_.insert(placeFor(open.job.purpose), std::move(open));
+    laneOf(open.job.purpose).push_back(std::move(open));
   }
-}
-
-PlanDesk::Place PlanDesk::placeFor(Purpose purpose) {
-  if (purpose != Purpose::Send) return open_.end();
-  const auto place = std::find_if(open_.begin(), open_.end(),
-                                  [](const Open& open) { return open.job.purpose != Purpose::Send; });
-  if (place != open_.end() && place->deadline) {
-    giveUp(place->dropped);
-    place->id = ++last_;  // what comes of its first beginning is for nobody
-    place->deadline.reset();
-  }
-  return place;
 }
 
 PlanWork PlanDesk::begin(Open& open, Instant now) {
@@ -39,64 +29,95 @@ PlanWork PlanDesk::begin(Open& open, Instant now) {
 }
 
 void PlanDesk::proceed(Instant now) {
-  if (open_.empty() || open_.front().deadline) return;
-  Open& first = open_.front();
-  first.deadline = now + budget_;
-  actions_.emplace_back(PlanAsked{first.id, begin(first, now)});
+  proceed(to_send_, PlanLane::Send, now);
+  proceed(others_, PlanLane::Other, now);
 }
 
-PlanDesk::Job PlanDesk::remove(Place open) {
+void PlanDesk::proceed(Lane& lane, PlanLane name, Instant now) {
+  if (lane.empty() || lane.front().deadline) return;
+  Open& first = lane.front();
+  if (first.job.is_ready && !first.job.is_ready()) return;
+  first.deadline = now + budget_;
+  actions_.emplace_back(PlanAsked{first.id, name, begin(first, now)});
+}
+
+PlanDesk::Job PlanDesk::remove(Lane& lane, Lane::iterator open) {
   giveUp(open->dropped);
   Job job = std::move(open->job);
-  open_.erase(open);
+  lane.erase(open);
   return job;
 }
 
 void PlanDesk::answered(PlanJobId id, PlanAnswer answer) {
-  const auto open = std::find_if(open_.begin(), open_.end(), [id](const Open& o) { return o.id == id; });
-  if (open != open_.end()) remove(open).take(std::move(answer));
+  if (!answered(to_send_, id, answer)) static_cast<void>(answered(others_, id, answer));
+}
+
+bool PlanDesk::answered(Lane& lane, PlanJobId id, PlanAnswer& answer) {
+  const auto open = std::find_if(lane.begin(), lane.end(), [id](const Open& o) { return o.id == id; });
+  if (open == lane.end()) return false;
+  remove(lane, open).take(std::move(answer));
+  return true;
 }
 
 void PlanDesk::endOverdue(Instant now) {
-  while (!open_.empty() && open_.front().deadline && now >= *open_.front().deadline) {
-    remove(open_.begin()).take(std::nullopt);
+  endOverdue(to_send_, now);
+  endOverdue(others_, now);
+}
+
+void PlanDesk::endOverdue(Lane& lane, Instant now) {
+  while (!lane.empty() && lane.front().deadline && now >= *lane.front().deadline) {
+    remove(lane, lane.begin()).take(std::nullopt);
   }
 }
 
 std::optional<Instant> PlanDesk::nextDeadline() const {
-  return open_.empty() ? std::nullopt : open_.front().deadline;
+  const auto of = [](const Lane& lane) { return lane.empty() ? std::nullopt : lane.front().deadline; };
+  return earlier(of(to_send_), of(others_));
+}
+
+bool PlanDesk::plans(blocks::GoalId goal) const {
+  const auto is_of_goal = [goal](const Open& open) {
+    return open.job.goal == goal && open.job.purpose != Purpose::Check;
+  };
+  return std::any_of(to_send_.begin(), to_send_.end(), is_of_goal) ||
+         std::any_of(others_.begin(), others_.end(), is_of_goal);
 }
 
 std::size_t PlanDesk::checks() const {
   return static_cast<std::size_t>(std::count_if(
-      open_.begin(), open_.end(), [](const Open& open) { return open.job.purpose == Purpose::Check; }));
+      others_.begin(), others_.end(), [](const Open& open) { return open.job.purpose == Purpose::Check; }));
 }
 
 void PlanDesk::drop(blocks::GoalId goal) {
-  for (auto open = open_.begin(); open != open_.end();) {
+  drop(to_send_, goal);
+  drop(others_, goal);
+}
+
+void PlanDesk::drop(Lane& lane, blocks::GoalId goal) {
+  for (auto open = lane.begin(); open != lane.end();) {
     const bool dropped = open->job.goal == goal && open->job.purpose != Purpose::Check;
     if (dropped) giveUp(open->dropped);
-    open = dropped ? open_.erase(open) : open + 1;
+    open = dropped ? lane.erase(open) : open + 1;
   }
 }
 
 std::optional<PlanDesk::Job> PlanDesk::dropCheck(blocks::GoalId goal) {
-  const auto open = std::find_if(open_.begin(), open_.end(), [goal](const Open& o) {
+  const auto open = std::find_if(others_.begin(), others_.end(), [goal](const Open& o) {
     return o.job.goal == goal && o.job.purpose == Purpose::Check;
   });
-  return open == open_.end() ? std::nullopt : std::make_optional(remove(open));
+  return open == others_.end() ? std::nullopt : std::make_optional(remove(others_, open));
 }
 
 std::vector<PlanDesk::Job> PlanDesk::dropChecks() {
   std::vector<Job> jobs;
-  for (auto open = open_.begin(); open != open_.end();) {
+  for (auto open = others_.begin(); open != others_.end();) {
     if (open->job.purpose != Purpose::Check) {
       ++open;
       continue;
     }
     giveUp(open->dropped);
     jobs.push_back(std::move(open->job));
-    open = open_.erase(open);
+    open = others_.erase(open);
   }
   return jobs;
 }

@@ -40,6 +40,8 @@ class PlanDesk {
     MakeWork make;
     /// Gets the answer; nothing: it took longer than its budget. May ask for another plan.
     std::function<void(std::optional<PlanAnswer> answer)> take;
+    /// What it begins with is known; may be empty: it is. Until then those behind it wait, too.
+    std::function<bool()> is_ready = {};
   };
 
   /// With Planning::AtOnce each plan is made, and taken, while it is asked for.
@@ -47,7 +49,7 @@ class PlanDesk {
       : budget_(budget), actions_(actions), planning_(planning) {}
 
   void ask(Job job, Instant now);
-  /// Begins the next one when none is worked on. To be called behind each event.
+  /// Begins the next ones where none is worked on. To be called behind each event.
   void proceed(Instant now);
   /// Left alone when nobody waits for it (any more).
   void answered(PlanJobId id, PlanAnswer answer);
@@ -55,6 +57,8 @@ class PlanDesk {
   void endOverdue(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
+  /// That goal is to be sent, or foreseen, with a plan that is still to come.
+  [[nodiscard]] bool plans(blocks::GoalId goal) const;
   /// How many goals wait to be answered by their plan.
   [[nodiscard]] std::size_t checks() const;
   /// Whatever is planned to send or foresee that goal.
@@ -70,17 +74,22 @@ class PlanDesk {
     std::shared_ptr<std::atomic<bool>> dropped = nullptr;  ///< of the one that is worked on, the first
     std::optional<Instant> deadline = std::nullopt;        ///< the same
   };
-  using Place = std::deque<Open>::iterator;
+  using Lane = std::deque<Open>;
 
+  [[nodiscard]] Lane& laneOf(Purpose purpose) { return purpose == Purpose::Send ? to_send_ : others_; }
   [[nodiscard]] static PlanWork begin(Open& open, Instant now);
-  [[nodiscard]] Place placeFor(Purpose purpose);
-  Job remove(Place open);
+  void proceed(Lane& lane, PlanLane name, Instant now);
+  static Job remove(Lane& lane, Lane::iterator open);
+  [[nodiscard]] static bool answered(Lane& lane, PlanJobId id, PlanAnswer& answer);
+  static void endOverdue(Lane& lane, Instant now);
+  static void drop(Lane& lane, blocks::GoalId goal);
 
   Duration budget_;
   std::vector<Action>& actions_;
   Planning planning_;
   PlanJobId last_ = 0;
-  std::deque<Open> open_;
+  Lane to_send_;
+  Lane others_;
 };
 
 }  // namespace cobot_command::command

@@ -1,5 +1,6 @@
 #include "cobot_command/runtime/command/command_runtime.h"
 
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <future>
@@ -54,7 +55,7 @@ class CommandRuntime::Impl {
         start_(Clock::now()),
         alarm_(thread_.context(), [this] { advance(); }) {
     thread_.post([this] { advance(); });
-    planner_.start();
+    for (CoreThread& planner : planners_) planner.start();
     thread_.start();
   }
 
@@ -87,7 +88,8 @@ class CommandRuntime::Impl {
       carryOut();
       connections_.clear();
     });
-    planner_.finish([] {});  // what it is at was dropped: it ends behind its step
+    // What they are at was dropped: they end behind their step.
+    for (CoreThread& planner : planners_) planner.finish([] {});
   }
 
   [[nodiscard]] Instant now() const { return Instant(Clock::now() - start_); }
@@ -154,7 +156,7 @@ class CommandRuntime::Impl {
   template <class Told>
   void carryOut(const Told& /*told*/) {}
   void carryOut(const command::PlanAsked& plan) {
-    planner_.post([this, id = plan.id, work = plan.work] {
+    planners_.at(static_cast<std::size_t>(plan.lane)).post([this, id = plan.id, work = plan.work] {
       post([id, answer = work()](auto& core, Instant now) { core.planned(id, answer, now); });
     });
   }
@@ -185,7 +187,7 @@ class CommandRuntime::Impl {
     }
   }
 
-  CoreThread planner_;  ///< what may take long is planned here; it outlives the core's thread, which asks it
+  std::array<CoreThread, 2> planners_;  ///< of each lane; they outlive the core's thread, which asks them
   CoreThread thread_;   ///< first of the core's: the sockets and the alarm live on its context
   const Observer observer_;
   const command::NewestGoal newest_;

@@ -1,9 +1,8 @@
 // Commands that are planned beside the core before they are sent: what happens meanwhile.
 
+#include "planned_commands.h"
+
 #include "block_goals.h"
-#include "core_rig.h"
-#include "motion_goals.h"
-#include "status_frames.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,45 +15,6 @@ using namespace blocks;
 using namespace command;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-MoveAbsoluteGoal toJoints(double j1, BufferMode mode = BufferMode::Refuse) {
-  MoveAbsoluteGoal goal = moveJoints({j1, 0, 90, 0, 90, 0});
-  goal.buffer_mode = static_cast<int>(mode);
-  return goal;
-}
-
-/// In joint space it can be made from anywhere; where it is not possible, the third joint is too far.
-MoveAbsoluteGoal tooFar(BufferMode mode = BufferMode::Refuse) {
-  MoveAbsoluteGoal goal = toJoints(0, mode);
-  goal.target[2] = 170;
-  return goal;
-}
-
-class CommandPlannedBeside : public ::testing::Test {
- protected:
-  CommandPlannedBeside() {
-    rig.connect();
-    rig.status(StatusFrames());
-  }
-  [[nodiscard]] bool isSent(const std::string& beginning) {
-    if (rig.nothingSent()) return false;
-    script_ = rig.takeScript();
-    return script_.script.rfind(beginning, 0) == 0;
-  }
-  Ending endingOf(GoalId id) {
-    EXPECT_NE(rig.outcome(id), nullptr);
-    return rig.outcome(id) == nullptr ? Ending::Rejected : rig.outcome(id)->ending;
-  }
-  /// The last script that was sent is accepted, its tag is back, and the robot stands there.
-  void arrive(float j1) {
-    rig.reply(script_.id);
-    rig.tag(rig.latest().open_tags.at(0));
-    rig.stream(StatusFrames().at({j1, 0, 90, 0, 90, 0}));
-  }
-
-  CoreRig rig{*arm::ArmModel::named("tm5-900"), link::LinkSettings{}, Planning::Beside};
-  protocol::ScriptRequest script_;
-};
 
 TEST_F(CommandPlannedBeside, isSentWithItsPlan) {
   const GoalId id = rig.submit(toJoints(40));
@@ -165,7 +125,7 @@ TEST_F(CommandPlannedBeside, isNotPlannedAnewForWhatTheStreamRounds) {
 TEST_F(CommandPlannedBeside, comesBeforeWhatWaitsBehindItInTheOrderOfTheGoals) {
   const GoalId first = rig.submit(toJoints(40));
   const GoalId second = rig.submit(toJoints(60, BufferMode::Buffered));
-  rig.finishPlan();
+  rig.finishPlanToSend();
   EXPECT_TRUE(rig.accepted(first));
   EXPECT_TRUE(isSent("PTP(\"JPP\",40"));
   rig.finishPlan();  // what is foreseen of the second
@@ -229,8 +189,7 @@ TEST_F(CommandPlannedBeside, isWhateverComesNextInACycle) {
 }
 
 TEST_F(CommandPlannedBeside, blendsFromWhereTheRobotWillBeWhenItIsSent) {
-  MoveAbsoluteGoal blended = toJoints(40);
-  blended.blending_enable = true;
+  const MoveAbsoluteGoal blended = blendedTo(40);
   rig.submit(blended);
   rig.finishPlan();
   ASSERT_TRUE(isSent("PTP"));
@@ -256,6 +215,77 @@ TEST_F(CommandPlannedBeside, blendsFromWhereTheRobotWillBeWhenItIsSent) {
   direct.pass(2s);
   EXPECT_EQ(rig.progress(behind).size(), direct.progress(same).size());
   EXPECT_EQ(rig.progress(behind).back().phase, direct.progress(same).back().phase);
+}
+
+/// A stream of an older controller: its TCP is computed from poses that tremble in their last bits.
+StatusFrames trembling(int frame) {
+  const auto j1 = static_cast<float>(0.002 * (frame % 3));
+  StatusFrames frames;
+  frames.at({j1, 0, 90, 0, 90, 0});
+  frames.with(
+      protocol::item::ofFloats("Coord_Robot_Flange", {517.5F + 0.01F * j1, -122.3F, 461.05F, 180, 0, 90}));
+  frames.with(
+      protocol::item::ofFloats("Coord_Robot_Tool", {517.5F, -122.3F + 0.01F * j1, 361.05F, 180, 0, 90}));
+  return frames;
+}
+
+TEST_F(CommandPlannedBeside, isSentThoughTheStreamTrembles) {
+  rig.stream(trembling(0));
+  const GoalId id = rig.submit(toJoints(40));
+  for (int frame = 1; frame < 20 && rig.isPlanning(); ++frame) {
+    PlanAnswer answer = rig.makePlan();
+    rig.stream(trembling(frame), 1);
+    rig.answerPlan(std::move(answer));
+  }
+  EXPECT_TRUE(rig.accepted(id));
+  EXPECT_TRUE(isSent("PTP"));
+}
+
+TEST_F(CommandPlannedBeside, isRefusedWhenWhatItStartsFromNeverStaysTheSame) {
+  const GoalId id = rig.submit(toJoints(40));
+  for (int i = 1; i < 2000 && rig.isPlanning(); ++i) {
+    PlanAnswer answer = rig.makePlan();
+    rig.stream(StatusFrames().with(protocol::item::ofInt("Project_Speed", 50 + i % 2)), 1);
+    rig.pass(CoreRig::kStreamPeriod);
+    rig.answerPlan(std::move(answer));
+  }
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->error_id, own_error::kPlanningBudget);
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST_F(CommandPlannedBeside, takesWithItWhatCameBehindItWhenItIsCancelled) {
+  const GoalId first = rig.submit(toJoints(40));
+  const GoalId second = rig.submit(toJoints(60, BufferMode::Buffered));
+  rig.cancel(first);
+  EXPECT_EQ(endingOf(first), Ending::CommandAborted);
+  ASSERT_NE(rig.outcome(second), nullptr);
+  EXPECT_EQ(endingOf(second), Ending::CommandAborted);
+  EXPECT_THAT(rig.outcome(second)->error_description, HasSubstr("was cancelled"));
+}
+
+TEST_F(CommandPlannedBeside, stopsTheBlendedMotionInFrontOfItWhenItIsCancelled) {
+  rig.submit(blendedTo(40));
+  rig.finishPlan();
+  ASSERT_TRUE(isSent("PTP"));
+  rig.reply(script_.id);
+  const GoalId second = rig.submit(toJoints(60));
+  rig.cancel(second);
+  EXPECT_EQ(endingOf(second), Ending::CommandAborted);
+  EXPECT_TRUE(isSent("StopAndClearBuffer"));
+}
+
+TEST_F(CommandPlannedBeside, isCarriedOutByAFinishThatDropsWhatIsBehindIt) {
+  const GoalId first = rig.submit(toJoints(40));
+  const GoalId second = rig.submit(toJoints(60, BufferMode::Buffered));
+  const FinishReport report = rig.core.finish(FinishAfter::Move, rig.now);
+  rig.pump();
+  EXPECT_EQ(report.under_way, kBlock<MoveAbsoluteGoal>);
+  EXPECT_EQ(report.dropped, 1);
+  EXPECT_EQ(endingOf(second), Ending::CommandAborted);
+  rig.finishPlanToSend();
+  EXPECT_TRUE(rig.accepted(first));
+  EXPECT_TRUE(isSent("PTP"));
 }
 
 }  // namespace

@@ -124,8 +124,7 @@ TEST(PlanBesideTheCore, delaysNeitherCommandsNorStops) {
   Planned rig;
   const GoalId check = rig.submit(sequence());
   const GoalId move = rig.submit(toJoints(40));
-  rig.finishPlan();  // of the check, which has made room
-  rig.finishPlan();
+  rig.finishPlanToSend();
   rig.reply(rig.takeScript().id);
   EXPECT_EQ(rig.outcome(move), nullptr);
   const GoalId stop = rig.submit(StopGoal{});
@@ -161,22 +160,39 @@ TEST(CycleThatIsPlanned, beginsWithItsPlan) {
   EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
 }
 
-TEST(CycleThatIsPlanned, comesBeforeChecksWhichBeginAnew) {
+TEST(CycleThatIsPlanned, doesNotWaitForChecksNorTheyForIt) {
   Planned rig;
   const GoalId check = rig.submit(sequence());
   const GoalId other = rig.submit(sequence());
-  const PlanAnswer late = rig.makePlan();
   const GoalId id = rig.submit(cycle());
-  rig.answerPlan(late);  // of the check that has lost its place
-  EXPECT_EQ(rig.outcome(check), nullptr);
-  rig.finishPlan();
+  rig.finishPlanToSend();
   EXPECT_TRUE(rig.accepted(id));
-  rig.finishPlan();
+  rig.finishPlanToSend();
   rig.takeScript();
+  EXPECT_EQ(rig.outcome(check), nullptr);
   rig.finishPlan();
   EXPECT_EQ(rig.endingOf(check), Ending::Done);
   rig.finishPlan();
   EXPECT_EQ(rig.endingOf(other), Ending::Done);
+}
+
+TEST(PlanBesideTheCore, endsInItsBudgetHoweverManyMovesAreSentMeanwhile) {
+  Planned rig;
+  const GoalId check = rig.submit(sequence());
+  double j1 = 0;
+  for (int i = 0; i < 9; ++i) {
+    j1 = j1 == 0 ? 40 : 0;
+    const GoalId move = rig.submit(toJoints(j1));
+    rig.finishPlanToSend();
+    rig.reply(rig.takeScript().id);
+    rig.tag(rig.latest().open_tags.at(0));
+    rig.stream(StatusFrames().at({static_cast<float>(j1), 0, 90, 0, 90, 0}));
+    EXPECT_EQ(rig.endingOf(move), Ending::Done);
+    rig.pass(900ms);
+  }
+  EXPECT_EQ(rig.outcome(check), nullptr);
+  rig.pass(2s);
+  EXPECT_EQ(rig.outcome(check)->error_id, own_error::kPlanningBudget);
 }
 
 TEST(CycleThatIsPlanned, countsAsUnderWay) {

@@ -157,6 +157,12 @@ class Chaos {
     step.dwell = static_cast<double>(pick(2));
     if (pick(2) == 0) step.output = SetOutputGoal{0, "EndModule", 0, 1};
     goal.steps.assign(1 + pick(3), step);
+    if (pick(2) == 0) {  // all but the last are blended, which have nothing behind them
+      for (std::size_t i = 0; i + 1 < goal.steps.size(); ++i) {
+        goal.steps[i] = {step.move, std::nullopt, std::nullopt, 0};
+        goal.steps[i].move.blending_enable = true;
+      }
+    }
     goal.cycles = static_cast<int>(pick(3));
     goal.buffer_mode = static_cast<int>(pick(3));
     last_ = rig_.submit(goal);
