@@ -30,6 +30,12 @@ PickAndPlaceRun::PickAndPlaceRun(GoalId id, PickAndPlaceGoal goal, std::vector<S
 }
 
 std::optional<Command> PickAndPlaceRun::next() const {
+  auto command = nextPart();
+  if (command) command->key = commands_;
+  return command;
+}
+
+std::optional<Command> PickAndPlaceRun::nextPart() const {
   if (under_way_ || beginsNoMore()) return std::nullopt;
   if (state_ == State::Moving) return commandOf(step().move);
   if (state_ == State::Setting) return commandOf(*step().output);

@@ -34,7 +34,10 @@ class PickAndPlaceRun final : public Run {
   [[nodiscard]] std::optional<Command> next() const override;
   /// Which cycle is the last, finish() may change until the move is done.
   [[nodiscard]] bool leavesNode() const override;
-  void commandStarted(CommandKey /*key*/) override { under_way_ = true; }
+  void commandStarted(CommandKey /*key*/) override {
+    under_way_ = true;
+    ++commands_;
+  }
   void commandProgressed(CommandKey key, const Progress& progress) override;
   void commandEnded(CommandKey key, const Outcome& outcome, Instant now) override;
   void commandRefused(CommandKey key, const Failure& failure, Instant now) override;
@@ -54,6 +57,8 @@ class PickAndPlaceRun final : public Run {
   using Event = PickAndPlaceEvent;
 
   void fire(Event event, Instant now);
+  /// Without its key.
+  [[nodiscard]] std::optional<Command> nextPart() const;
   /// Of the step: a command, or the wait for an input.
   void endPart(const Outcome& outcome, Instant now);
   /// Whose errors the part under way has.
@@ -80,6 +85,7 @@ class PickAndPlaceRun final : public Run {
   std::size_t step_ = 0;
   int cycle_ = 1;
   bool under_way_ = false;
+  CommandKey commands_ = 0;                   ///< that have been sent
   std::optional<std::string> cancelled_why_;  ///< and what became of the robot
   std::string finished_why_;                  ///< it is to end behind this cycle, or this move
   bool ends_behind_move_ = false;

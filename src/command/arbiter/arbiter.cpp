@@ -26,7 +26,7 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
               parts.forecast, std::move(ports.gate)),
       stops_(parts, stop_, window_),
       plans_(parts, desk_, queue_,
-             [this](Arrival arrival, Instant now) { return turns_.originBehind(arrival, now); }),
+             [this](Ticket ticket, Instant now) { return turns_.originBehind(ticket, now); }),
       turns_(parts, {desk_, queue_, plans_, stops_, window_}, std::move(ports.frames)),
       front_desk_(parts, {desk_, queue_, plans_, stops_, window_}, turns_) {}
 

@@ -21,25 +21,26 @@ void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, Instant now) 
   const auto take = [this, block = blockOf(goal), id](std::optional<PlanAnswer> answer) {
     this->answer(block, id, answer ? *std::move(answer) : tookTooLong(block));
   };
-  const Arrival arrival = queue_.lastArrival();
-  const bool is_known = isOriginKnown(arrival);
-  auto make = parts_.forecast.workFor(goal, is_known ? originNow(arrival, now) : originThen(arrival));
+  const Ticket ticket = queue_.lastTicket();
+  const bool is_known = isOriginKnown(ticket);
+  auto make = parts_.forecast.workFor(goal, is_known ? originNow(ticket, now) : originThen(ticket));
+  auto is_ready = [this, ticket] { return isOriginKnown(ticket); };
   desk_.ask({blockOf(goal), id, Purpose::Check, std::move(make), take,
-             [this, arrival] { return isOriginKnown(arrival); }},
+             is_known ? std::function<bool()>() : is_ready},
             now);
 }
 
-bool GoalPlans::isOriginKnown(Arrival arrival) const {
-  const Waiting* const before = queue_.lastBefore(arrival);
+bool GoalPlans::isOriginKnown(Ticket ticket) const {
+  const Waiting* const before = queue_.lastBefore(ticket);
   return before == nullptr || !desk_.plans(before->id);
 }
 
-Forecast::OriginAt GoalPlans::originNow(Arrival arrival, Instant now) const {
-  return [origin = origin_behind_(arrival, now)](Instant /*then*/) { return origin; };
+Forecast::OriginAt GoalPlans::originNow(Ticket ticket, Instant now) const {
+  return [origin = origin_behind_(ticket, now)](Instant /*then*/) { return origin; };
 }
 
-Forecast::OriginAt GoalPlans::originThen(Arrival arrival) const {
-  return [this, arrival](Instant then) { return origin_behind_(arrival, then); };
+Forecast::OriginAt GoalPlans::originThen(Ticket ticket) const {
+  return [this, ticket](Instant then) { return origin_behind_(ticket, then); };
 }
 
 void GoalPlans::answer(blocks::Block block, blocks::GoalId id, PlanAnswer answer) {
@@ -61,8 +62,8 @@ void GoalPlans::foresee(Instant now) {
     takeForesight(id, answer ? answer->command.get() : nullptr);
   };
   desk_.ask(
-      {command->block, last.id, Purpose::Foresee, parts_.forecast.workFor(*command, originThen(last.arrival)),
-       take, [this, arrival = last.arrival] { return isOriginKnown(arrival); }},
+      {command->block, last.id, Purpose::Foresee, parts_.forecast.workFor(*command, originThen(last.ticket)),
+       take, [this, ticket = last.ticket] { return isOriginKnown(ticket); }},
       now);
 }
 

@@ -15,9 +15,9 @@ namespace cobot_command::command {
 
 class GoalPlans {
  public:
-  /// Where a goal starts that came then, behind all that is on the wire and came before it; nothing when
-  /// nobody knows.
-  using OriginBehind = std::function<std::optional<Origin>(Arrival arrival, Instant now)>;
+  /// Where the goal with that ticket starts: behind all that is on the wire, and waits with an earlier one;
+  /// nothing when nobody knows.
+  using OriginBehind = std::function<std::optional<Origin>(Ticket ticket, Instant now)>;
   /// All have to live longer.
   GoalPlans(const CoreParts& parts, PlanDesk& desk, GoalQueue& queue, OriginBehind origin_behind)
       : parts_(parts), desk_(desk), queue_(queue), origin_behind_(std::move(origin_behind)) {}
@@ -34,10 +34,10 @@ class GoalPlans {
   void endAll(const std::string& why);
 
  private:
-  /// Where it starts that came then is not waited for.
-  [[nodiscard]] bool isOriginKnown(Arrival arrival) const;
-  [[nodiscard]] Forecast::OriginAt originNow(Arrival arrival, Instant now) const;
-  [[nodiscard]] Forecast::OriginAt originThen(Arrival arrival) const;
+  /// Where the goal with that ticket starts is not being planned.
+  [[nodiscard]] bool isOriginKnown(Ticket ticket) const;
+  [[nodiscard]] Forecast::OriginAt originNow(Ticket ticket, Instant now) const;
+  [[nodiscard]] Forecast::OriginAt originThen(Ticket ticket) const;
   void answer(blocks::Block block, blocks::GoalId id, PlanAnswer answer);
   void takeForesight(blocks::GoalId id, const PlannedCommand* planned);
   void endUnplanned(const PlanDesk::Job& check, const std::string& why);

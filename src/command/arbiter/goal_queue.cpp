@@ -15,14 +15,14 @@ Waiting* GoalQueue::find(blocks::GoalId id) {
   return found == waiting_.end() ? nullptr : &*found;
 }
 
-const Waiting* GoalQueue::lastBefore(Arrival arrival) const {
+const Waiting* GoalQueue::lastBefore(Ticket ticket) const {
   const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(),
-                                 [arrival](const Waiting& w) { return w.arrival < arrival; });
+                                 [ticket](const Waiting& w) { return w.ticket < ticket; });
   return last == waiting_.rend() ? nullptr : &*last;
 }
 
 void GoalQueue::push(Waiting waiting) {
-  waiting.arrival = last_arrival_;
+  waiting.ticket = last_ticket_;
   board_.wait(blocks::blockOf(waiting.goal), waiting.id);
   waiting_.push_back(std::move(waiting));
 }

@@ -21,8 +21,8 @@
 
 namespace cobot_command::command {
 
-/// Counts up: when a goal came, among all others.
-using Arrival = std::uint64_t;
+/// Counts up, in the order in which goals come.
+using Ticket = std::uint64_t;
 
 /// A goal that was checked, and is not on the wire yet.
 struct Waiting {
@@ -31,7 +31,7 @@ struct Waiting {
 
   blocks::GoalId id = 0;
   blocks::Goal goal;
-  Arrival arrival = 0;
+  Ticket ticket = 0;
   bool takes_over = false;    ///< once the stop that is under way for it is confirmed
   int told_place = 0;         ///< in the queue, as last reported; 0: not yet
   std::optional<Origin> end;  ///< where it will leave the robot, as far as that can be foreseen
@@ -48,9 +48,9 @@ class GoalQueue {
   /// A goal was submitted, of whatever kind.
   void came(blocks::GoalId id) {
     newest_submitted_ = std::max(newest_submitted_, id);
-    ++last_arrival_;
+    ++last_ticket_;
   }
-  [[nodiscard]] Arrival lastArrival() const { return last_arrival_; }
+  [[nodiscard]] Ticket lastTicket() const { return last_ticket_; }
   /// The newest that has come anywhere.
   [[nodiscard]] blocks::GoalId newest() const { return newest_ ? newest_() : newest_submitted_; }
 
@@ -61,8 +61,8 @@ class GoalQueue {
   [[nodiscard]] const Waiting& front() const { return waiting_.front(); }
   [[nodiscard]] const Waiting& back() const { return waiting_.back(); }
   [[nodiscard]] Waiting* find(blocks::GoalId id);
-  /// The last one that came before; nullptr: none waits.
-  [[nodiscard]] const Waiting* lastBefore(Arrival arrival) const;
+  /// The last one with an earlier ticket; nullptr: none waits.
+  [[nodiscard]] const Waiting* lastBefore(Ticket ticket) const;
   /// The first one is planned, as its turn has come.
   [[nodiscard]] bool plansTheNext() const { return !empty() && front().turn != Waiting::Turn::NotYet; }
 
@@ -101,7 +101,7 @@ class GoalQueue {
   std::deque<Waiting> waiting_;
   NewestGoal newest_;
   blocks::GoalId newest_submitted_ = 0;
-  Arrival last_arrival_ = 0;
+  Ticket last_ticket_ = 0;
   CommandsFell fell_{0, ""};  ///< the last that fell
 };
 

@@ -57,8 +57,8 @@ std::vector<blocks::Failure> Turns::objectionsToAny(blocks::BufferMode mode) con
   return failures;
 }
 
-std::optional<Origin> Turns::originBehind(Arrival arrival, Instant now) const {
-  if (const Waiting* const before = desks_.queue.lastBefore(arrival)) return before->end;
+std::optional<Origin> Turns::originBehind(Ticket ticket, Instant now) const {
+  if (const Waiting* const before = desks_.queue.lastBefore(ticket)) return before->end;
   if (!run_ || run_->leavesTheRobot()) return parts_.forecast.origin(now);
   return run_->isOneCommand() ? desks_.window.end() : std::nullopt;
 }

@@ -39,9 +39,9 @@ class Turns {
   [[nodiscard]] std::optional<blocks::Block> busyWith() const;
   /// Why no command may be taken now, whatever it is; in table order.
   [[nodiscard]] std::vector<blocks::Failure> objectionsToAny(blocks::BufferMode mode) const;
-  /// Where a goal starts that came then: behind all that is on the wire, and waited before; nothing when
-  /// nobody knows.
-  [[nodiscard]] std::optional<Origin> originBehind(Arrival arrival, Instant now) const;
+  /// Where the goal with that ticket starts: behind all that is on the wire, and waits with an earlier one;
+  /// nothing when nobody knows.
+  [[nodiscard]] std::optional<Origin> originBehind(Ticket ticket, Instant now) const;
 
   /// Begins what can begin.
   void dispatch(Instant now);
