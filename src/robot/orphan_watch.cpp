@@ -17,13 +17,17 @@ void OrphanWatch::see(const RobotWatch& robot) {
     fire(OrphanEvent::OutOfSight);
   } else if (*moving) {
     fire(OrphanEvent::SeenMoving);
-  } else if (!robot.held()) {  // a paused one may have to go on
-    fire(OrphanEvent::SeenStanding);
+  } else {
+    fire(robot.held() ? OrphanEvent::SeenHeld : OrphanEvent::SeenStanding);
   }
 }
 
 const char* OrphanWatch::text() const {
   if (state_ == OrphanState::Moving) return "the robot moves, and no goal of this layer asked for it";
+  if (state_ == OrphanState::Held) {
+    return "the robot is held, by a pause or a safeguard, and what was queued before this connection may go "
+           "on";
+  }
   if (state_ == OrphanState::Unseen) {
     return "the robot moved when it was last seen, and no goal of this layer asked for it: the status stream "
            "has to show it standing, or a stop to be executed";

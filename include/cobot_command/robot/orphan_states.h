@@ -12,6 +12,7 @@ enum class OrphanState {
   NoLink,
   Looking,  ///< commands can be sent, and it has not been seen yet whether the robot moves
   None,     ///< it stood, or it has been commanded since, or the flow was elsewhere: the project moves it
+  Held,     ///< it stands, but a pause or a safeguard holds what may be queued from before
   Moving,   ///< it moves, and no goal of this layer asked for it
   Unseen    ///< it moved when it was last seen: a stream that is gone shows no robot that stands
 };
@@ -21,6 +22,7 @@ enum class OrphanEvent {
   Elsewhere,
   SeenMoving,
   SeenStanding,
+  SeenHeld,
   OutOfSight,  ///< nobody can tell any more whether it moves
   Commanded,   ///< a command of this layer was sent
   Stopped,     ///< a stop was confirmed
@@ -43,12 +45,19 @@ struct OrphanTable {
 
     {S::Looking, E::SeenMoving,   S::Moving,  A::Found},
     {S::Looking, E::SeenStanding, S::None,    A::None},
+    {S::Looking, E::SeenHeld,     S::Held,    A::Found},
     {S::Looking, E::Commanded,    S::None,    A::None},
     {S::Looking, E::Elsewhere,    S::None,    A::None},
     {S::Looking, E::Stopped,      S::None,    A::None},
     {S::Looking, E::LinkGone,     S::NoLink,  A::None},
 
     {S::None,    E::LinkGone,     S::NoLink,  A::None},
+
+    {S::Held,    E::SeenMoving,   S::Moving,  A::None},
+    {S::Held,    E::SeenStanding, S::None,    A::None},
+    {S::Held,    E::Stopped,      S::None,    A::None},
+    {S::Held,    E::Elsewhere,    S::None,    A::None},
+    {S::Held,    E::LinkGone,     S::NoLink,  A::None},
 
     {S::Moving,  E::SeenStanding, S::None,    A::None},
     {S::Moving,  E::Stopped,      S::None,    A::None},

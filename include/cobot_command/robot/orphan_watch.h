@@ -12,7 +12,7 @@ class OrphanWatch {
   void see(const RobotWatch& robot);
 
   [[nodiscard]] bool mayMove() const {
-    return state_ == OrphanState::Moving || state_ == OrphanState::Unseen;
+    return state_ == OrphanState::Moving || state_ == OrphanState::Held || state_ == OrphanState::Unseen;
   }
   /// What is to be told of it; empty: nothing.
   [[nodiscard]] const char* text() const;

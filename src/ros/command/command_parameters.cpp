@@ -139,9 +139,9 @@ SettingTable behaviourTable(CommandParameters& p) {
       {"auto_reconnect", flag(p.link.auto_reconnect),
        "a connect goal whose link is lost stays active and tries again"},
       {"stop_orphaned_motion", flag(p.link.stop_orphaned_motion),
-       "a robot that still moves when a link is made is stopped, also one that another command node moves: "
-       "to start a second node stops the robot of the first. False: it is left alone, and nothing is sent "
-       "before it stands; for several clients of one controller"},
+       "a robot that still moves when a link is made, or that a pause or a safeguard holds, is stopped, also "
+       "one that another command node moves: to start a second node stops the robot of the first. False: it "
+       "is left alone, and nothing is sent before it stands; for several clients of one controller"},
       {"simulated_controller", text(p.simulated_controller, orEmpty(nodeName())),
        "node whose `~listening` ports are used, for ports that it was free to choose"},
       {"diagnostic_period", real(p.diagnostic_period, 0.1, 3600, "s"), "of `/diagnostics`"},

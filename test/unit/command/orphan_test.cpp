@@ -171,5 +171,55 @@ TEST(OrphanedMotion, isNoneWhenTheFlowWasElsewhereFirst) {
   EXPECT_TRUE(rig.nothingSent());
 }
 
+TEST(HeldFromBefore, isStoppedWhenTheLinkIsMade) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  connectTo(rig, StatusFrames().paused());
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("what was queued before this connection may go on"));
+  const auto stop = rig.takeScript();
+  EXPECT_EQ(stop.script, "StopAndClearBuffer()");
+  const GoalId goal = rig.submit(moveWith(BufferMode::Buffered));
+  EXPECT_TRUE(rig.nothingSent());
+  rig.reply(stop.id);
+  rig.stream(StatusFrames().paused());
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+  EXPECT_TRUE(rig.accepted(goal));
+}
+
+TEST(HeldFromBefore, isLeftAndNothingQueuesBehindItUnseen) {
+  CoreRig rig(std::nullopt, leaveIt());
+  connectTo(rig, StatusFrames().paused());
+  EXPECT_TRUE(rig.nothingSent());
+  const GoalId refused = rig.submit(CoreRig::move());
+  ASSERT_NE(rig.outcome(refused), nullptr);
+  EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kOrphanMoves);
+  const GoalId waits = rig.submit(moveWith(BufferMode::Buffered));
+  EXPECT_TRUE(rig.nothingSent());
+  EXPECT_EQ(rig.outcome(waits), nullptr);
+  rig.stream(StatusFrames().moving());
+  EXPECT_TRUE(rig.nothingSent());
+  rig.stream(StatusFrames());
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+}
+
+TEST(HeldFromBefore, isStoppedByATakeOver) {
+  CoreRig rig(std::nullopt, leaveIt());
+  connectTo(rig, StatusFrames().paused());
+  rig.submit(moveWith(BufferMode::Aborting));
+  const auto stop = rig.takeScript();
+  EXPECT_EQ(stop.script, "StopAndClearBuffer()");
+  rig.reply(stop.id);
+  rig.stream(StatusFrames().paused());
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+}
+
+TEST(HeldFromBefore, isNotWhatIsHeldLater) {
+  CoreRig rig(std::nullopt, link::LinkSettings{});
+  connectTo(rig, StatusFrames());
+  rig.stream(StatusFrames().paused());
+  EXPECT_TRUE(rig.nothingSent());
+  rig.submit(CoreRig::move());
+  EXPECT_THAT(rig.takeScript().script, HasSubstr("PTP"));
+}
+
 }  // namespace
 }  // namespace cobot_command::testing
