@@ -47,8 +47,8 @@ bool FrameWatch::isOver(const Commanded& commanded, const std::optional<arm::Pos
                         const std::optional<std::string>& streamed_name, const RobotWatch& robot,
                         Instant now) {
   if (!streamed) return false;
-  const bool shown =
-      commanded.pose ? arm::isSamePose(*commanded.pose, *streamed) : streamed_name.value_or("") == commanded.name;
+  const bool shown = commanded.pose ? arm::isSamePose(*commanded.pose, *streamed)
+                                    : streamed_name.value_or("") == commanded.name;
   const bool settled = now - commanded.since > kPatience && robot.moving() == false && !robot.held();
   return shown || settled;
 }

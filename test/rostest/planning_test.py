@@ -3,7 +3,7 @@
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import CommandStatus, FrameTrace, MoveAbsoluteGoal, SequenceStep, StopGoal
+from cobot_command.msg import CommandStatus, FrameTrace, MoveAbsoluteGoal, RobotStatus, SequenceStep, StopGoal
 from cobot_goals import (BUFFERED, ELSEWHERE, HOME, POSE, SLOWLY, base, circle, cycle, line_to, ptp_to, relative, script,
                          sequence, step, tcp, to_joints, turn)
 from cobot_test import CobotTestCase, Latest
@@ -63,6 +63,8 @@ class Planning(CobotTestCase):
         connect = self.robot.send(self.robot.connect_goal(), "hurried/")
         Latest("hurried/command_status", CommandStatus).wait_for(
             lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a ready link")
+        self.robot.operate("set_project_speed", 5)  # of 1 mm/s: for more than an hour
+        Latest("hurried/robot_status", RobotStatus).wait_for(lambda s: s.project_speed == 5, "the low project speed")
         slow = {"speed": 1, "check_only": True}
         goals = (relative(0, 0, -300, **slow), slow_lines(1, check_only=True)[0], slow_lines(1)[0],
                  script(*['Line("CAP",517.5,-122.3,161.05,180,0,90,1,200,0,false)',
@@ -72,6 +74,8 @@ class Planning(CobotTestCase):
         for goal in goals:
             with self.subTest(type(goal).__name__):
                 self.assert_rejected(self.robot.run(goal, "hurried/"), 0x20C)
+        self.robot.operate("set_project_speed", 100)
+        self.robot.robot_status.wait_for(lambda s: s.project_speed == 100, "the whole speed")
         connect.cancel()
         self.assert_done(connect.finish())
 

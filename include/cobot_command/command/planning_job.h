@@ -14,7 +14,8 @@ namespace cobot_command::command {
 /// Counts up; 0: none.
 using PlanJobId = std::uint64_t;
 
-/// Each is to be worked on by itself, one plan after the other: what is to be sent now waits for nothing else.
+/// Each is to be worked on by itself, one plan after the other: what is to be sent now waits for nothing
+/// else.
 enum class PlanLane { Send, Other };
 
 /// A command with its plan; for the core alone.

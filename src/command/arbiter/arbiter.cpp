@@ -88,7 +88,13 @@ void Arbiter::shutDown(const std::string& why, Instant now) {
 
 // --- Events.
 
+/// A command that is planned, as its turn has come, would be at the controller by now: it fails like one that
+/// is.
 void Arbiter::linkLost(const std::string& reason, Instant now) {
+  if (!queue_.empty() && queue_.front().turn == Waiting::Turn::PlansCommand) {
+    const blocks::Block block = blockOf(queue_.front().goal);
+    queue_.refuse(queue_.front().id, toRejection(block, {{blocks::motion_error::kLinkDropped, reason, ""}}));
+  }
   queue_.dropAll("the link was lost: " + reason);
   window_.besideLinkLost(reason, now);
   turns_.linkLost(reason, now);

@@ -45,7 +45,7 @@ void GoalQueue::refuse(blocks::GoalId id, blocks::Outcome refusal) {
   end(at(id), std::move(refusal));
 }
 
-void GoalQueue::end(std::deque<Waiting>::iterator waiting, blocks::Outcome outcome) {
+void GoalQueue::end(const std::deque<Waiting>::iterator& waiting, blocks::Outcome outcome) {
   const blocks::GoalId id = waiting->id;
   const blocks::Block block = blocks::blockOf(waiting->goal);
   waiting_.erase(waiting);

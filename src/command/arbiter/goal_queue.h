@@ -93,7 +93,7 @@ class GoalQueue {
 
  private:
   [[nodiscard]] std::deque<Waiting>::iterator at(blocks::GoalId id);
-  void end(std::deque<Waiting>::iterator waiting, blocks::Outcome outcome);
+  void end(const std::deque<Waiting>::iterator& waiting, blocks::Outcome outcome);
 
   OutputBoard& board_;
   PlanDesk& plans_;

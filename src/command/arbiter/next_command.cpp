@@ -34,7 +34,7 @@ NextCommand::State NextCommand::make(const blocks::Command& command, blocks::Goa
   return asked_->answered ? take(*asked_->planned, origin) : State::Planning;
 }
 
-void NextCommand::ask(Asked asked, const Origin& origin, Instant now) {
+void NextCommand::ask(const Asked& asked, const Origin& origin, Instant now) {
   asked_ = asked;
   const auto take = [this, goal = asked.goal, key = asked.key](std::optional<PlanAnswer> answer) {
     if (!asked_ || asked_->goal != goal || asked_->key != key) return;

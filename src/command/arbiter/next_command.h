@@ -47,7 +47,7 @@ class NextCommand {
 
   [[nodiscard]] bool isAsked(const blocks::Command& command, blocks::GoalId goal) const;
   [[nodiscard]] State make(const blocks::Command& command, blocks::GoalId goal, Instant first, Instant now);
-  void ask(Asked asked, const Origin& origin, Instant now);
+  void ask(const Asked& asked, const Origin& origin, Instant now);
   [[nodiscard]] State take(PlannedCommand& planned, const Origin& now);
   [[nodiscard]] State refuse(blocks::Failure failure);
 

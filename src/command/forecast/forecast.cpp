@@ -114,7 +114,7 @@ PlanDesk::MakeWork Forecast::workFor(const CommandOrder& order, const Origin& or
   };
 }
 
-PlanDesk::MakeWork Forecast::workFor(const blocks::Command& command, OriginAt origin_at) const {
+PlanDesk::MakeWork Forecast::workFor(const blocks::Command& command, const OriginAt& origin_at) const {
   return [=](const PlanDesk::Dropped& dropped, Instant now) -> PlanWork {
     const auto origin = origin_at(now);
     return [command, origin, dropped, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
@@ -123,7 +123,7 @@ PlanDesk::MakeWork Forecast::workFor(const blocks::Command& command, OriginAt or
   };
 }
 
-PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, OriginAt origin_at) const {
+PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const OriginAt& origin_at) const {
   return [=](const PlanDesk::Dropped& dropped, Instant now) -> PlanWork {
     const auto origin = origin_at(now);
     return [=, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {

@@ -51,9 +51,9 @@ class Forecast {
   using OriginAt = std::function<std::optional<Origin>(Instant now)>;
   [[nodiscard]] PlanDesk::MakeWork workFor(const CommandOrder& order, const Origin& origin) const;
   /// Of a goal that waits and is one command; no plan where its origin is not known.
-  [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Command& command, OriginAt origin) const;
+  [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Command& command, const OriginAt& origin) const;
   /// Of a goal that is answered by its plan, or planned as a whole.
-  [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Goal& goal, OriginAt origin) const;
+  [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Goal& goal, const OriginAt& origin) const;
 
   // --- What went out, and what became of it.
   void sent(const CommandOrder& order, Instant now);

@@ -41,7 +41,7 @@ void PlanDesk::proceed(Lane& lane, PlanLane name, Instant now) {
   actions_.emplace_back(PlanAsked{first.id, name, begin(first, now)});
 }
 
-PlanDesk::Job PlanDesk::remove(Lane& lane, Lane::iterator open) {
+PlanDesk::Job PlanDesk::remove(Lane& lane, const Lane::iterator& open) {
   giveUp(open->dropped);
   Job job = std::move(open->job);
   lane.erase(open);

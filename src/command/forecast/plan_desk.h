@@ -79,7 +79,7 @@ class PlanDesk {
   [[nodiscard]] Lane& laneOf(Purpose purpose) { return purpose == Purpose::Send ? to_send_ : others_; }
   [[nodiscard]] static PlanWork begin(Open& open, Instant now);
   void proceed(Lane& lane, PlanLane name, Instant now);
-  static Job remove(Lane& lane, Lane::iterator open);
+  static Job remove(Lane& lane, const Lane::iterator& open);
   [[nodiscard]] static bool answered(Lane& lane, PlanJobId id, PlanAnswer& answer);
   static void endOverdue(Lane& lane, Instant now);
   static void drop(Lane& lane, blocks::GoalId goal);

@@ -188,7 +188,7 @@ class CommandRuntime::Impl {
   }
 
   std::array<CoreThread, 2> planners_;  ///< of each lane; they outlive the core's thread, which asks them
-  CoreThread thread_;   ///< first of the core's: the sockets and the alarm live on its context
+  CoreThread thread_;  ///< first of the core's: the sockets and the alarm live on its context
   const Observer observer_;
   const command::NewestGoal newest_;
   command::CommandCore core_;

@@ -37,8 +37,8 @@ class CommandPlannedBeside : public ::testing::Test {
   }
   [[nodiscard]] bool isSent(const std::string& beginning) {
     if (rig.nothingSent()) return false;
-    script_ = rig.takeScript();
-    return script_.script.rfind(beginning, 0) == 0;
+    script = rig.takeScript();
+    return script.script.rfind(beginning, 0) == 0;
   }
   blocks::Ending endingOf(blocks::GoalId id) {
     EXPECT_NE(rig.outcome(id), nullptr);
@@ -46,13 +46,13 @@ class CommandPlannedBeside : public ::testing::Test {
   }
   /// The last script that was sent is accepted, its tag is back, and the robot stands there.
   void arrive(float j1) {
-    rig.reply(script_.id);
+    rig.reply(script.id);
     rig.tag(rig.latest().open_tags.at(0));
     rig.stream(StatusFrames().at({j1, 0, 90, 0, 90, 0}));
   }
 
   CoreRig rig{*arm::ArmModel::named("tm5-900"), link::LinkSettings{}, command::Planning::Beside};
-  protocol::ScriptRequest script_;
+  protocol::ScriptRequest script;
 };
 
 }  // namespace cobot_command::testing

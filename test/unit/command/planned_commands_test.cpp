@@ -14,7 +14,6 @@ namespace {
 using namespace blocks;
 using namespace command;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 TEST_F(CommandPlannedBeside, isSentWithItsPlan) {
   const GoalId id = rig.submit(toJoints(40));
@@ -49,11 +48,22 @@ TEST_F(CommandPlannedBeside, isNotWhatMovesNothing) {
   EXPECT_TRUE(isSent("ChangeBase"));
 }
 
-TEST_F(CommandPlannedBeside, endsUnsentWhenItIsCancelledStoppedOrLosesItsLink) {
+TEST_F(CommandPlannedBeside, isRefusedWhenItsLinkIsLost) {
+  const GoalId id = rig.submit(toJoints(40));
+  PlanAnswer late = rig.makePlan();
+  rig.close("gone");
+  EXPECT_EQ(endingOf(id), Ending::Rejected);
+  EXPECT_EQ(rig.outcome(id)->error_id, motion_error::kLinkDropped);
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("gone"));
+  rig.discardSent();
+  rig.answerPlan(std::move(late));
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+TEST_F(CommandPlannedBeside, endsUnsentWhenItIsCancelledOrStopped) {
   const std::function<void(CoreRig&, GoalId)> ends[] = {
       [](CoreRig& one, GoalId id) { one.cancel(id); },
       [](CoreRig& one, GoalId) { one.submit(StopGoal{}); },
-      [](CoreRig& one, GoalId) { one.close("gone"); },
       [](CoreRig& one, GoalId) { one.shutDown(); },
   };
   for (const auto& end : ends) {
@@ -75,7 +85,7 @@ TEST_F(CommandPlannedBeside, doesNotHoldAStopBack) {
   rig.submit(toJoints(40));
   const GoalId stop = rig.submit(StopGoal{});
   EXPECT_TRUE(isSent("StopAndClearBuffer"));
-  rig.reply(script_.id);
+  rig.reply(script.id);
   rig.stream(StatusFrames());
   EXPECT_EQ(endingOf(stop), Ending::Done);
 }
@@ -193,13 +203,13 @@ TEST_F(CommandPlannedBeside, blendsFromWhereTheRobotWillBeWhenItIsSent) {
   rig.submit(blended);
   rig.finishPlan();
   ASSERT_TRUE(isSent("PTP"));
-  rig.reply(script_.id);
+  rig.reply(script.id);
   const GoalId behind = rig.submit(toJoints(60));
   PlanAnswer answer = rig.makePlan();
   rig.pass(100ms);
   rig.answerPlan(std::move(answer));
   ASSERT_TRUE(isSent("PTP(\"JPP\",60"));
-  rig.reply(script_.id);
+  rig.reply(script.id);
 
   CoreRig direct(*arm::ArmModel::named("tm5-900"), link::LinkSettings{});
   direct.connect();
@@ -268,7 +278,7 @@ TEST_F(CommandPlannedBeside, stopsTheBlendedMotionInFrontOfItWhenItIsCancelled) 
   rig.submit(blendedTo(40));
   rig.finishPlan();
   ASSERT_TRUE(isSent("PTP"));
-  rig.reply(script_.id);
+  rig.reply(script.id);
   const GoalId second = rig.submit(toJoints(60));
   rig.cancel(second);
   EXPECT_EQ(endingOf(second), Ending::CommandAborted);
