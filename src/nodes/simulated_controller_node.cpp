@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   const ros::NodeHandle self("~");
   if (!end.joined()) return 0;
   auto parameters = ros_adapter::readSimulatorParameters(node, self);
+  if (end.isAskedFor()) return 0;  // whatever was read by then
   if (!parameters) {
     ROS_FATAL_STREAM(parameters.error().message);
     return 2;

@@ -23,7 +23,7 @@ def first(topic, kind):
 def published(topic, kind, seconds=2.0):
     """How many messages a second the node publishes: roscpp numbers them all, whether somebody gets them or not."""
     began, before = rospy.Time.now(), first(topic, kind).header.seq
-    rospy.sleep(seconds)
+    rospy.sleep(seconds)  # the window that is counted in
     return (first(topic, kind).header.seq - before) / (rospy.Time.now() - began).to_sec()
 
 

@@ -8,7 +8,6 @@
 #include "cobot_command/common/deadline.h"
 
 namespace cobot_command::command {
-
 namespace {
 
 std::string cancelledInFront(blocks::Block block) {

@@ -70,8 +70,7 @@ void GoalPlans::foresee(Instant now) {
 /// Refused as it comes, like a goal that is wrong by itself: it takes none with it.
 void GoalPlans::takeForesight(blocks::GoalId id, const PlannedCommand* planned) {
   Waiting* const waiting = queue_.find(id);
-  if (waiting == nullptr) return;
-  if (planned == nullptr) return;
+  if (waiting == nullptr || planned == nullptr) return;
   if (!planned->plan) {
     queue_.refuse(id, toRejection(blockOf(waiting->goal), {planned->plan.error()}));
   } else if (*planned->plan) {

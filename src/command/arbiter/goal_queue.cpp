@@ -33,6 +33,10 @@ Waiting GoalQueue::take() {
   return first;
 }
 
+std::optional<Waiting> GoalQueue::takeFirstIf(bool (*is_meant)(const Waiting&)) {
+  return !empty() && is_meant(front()) ? std::make_optional(take()) : std::nullopt;
+}
+
 bool GoalQueue::drop(blocks::GoalId id, const std::string& why) {
   const auto found = at(id);
   if (found == waiting_.end()) return false;
@@ -65,8 +69,7 @@ void GoalQueue::dropAll(const std::string& why, blocks::GoalId newest) {
 }
 
 int GoalQueue::dropBehindTurn(const std::string& why, blocks::GoalId newest) {
-  std::optional<Waiting> turn;
-  if (!empty() && front().turn == Waiting::Turn::PlansCommand) turn = take();
+  auto turn = takeFirstIf([](const Waiting& first) { return first.turn == Waiting::Turn::PlansCommand; });
   const std::size_t others = size();
   dropAll(why, newest);
   if (turn) waiting_.push_front(*std::move(turn));
@@ -75,8 +78,7 @@ int GoalQueue::dropBehindTurn(const std::string& why, blocks::GoalId newest) {
 
 /// A take-over is in front of all others, as it has dropped what waited.
 void GoalQueue::dropUnstopped(const std::string& why) {
-  std::optional<Waiting> take_over;
-  if (!empty() && front().takes_over) take_over = take();
+  const auto take_over = takeFirstIf([](const Waiting& first) { return first.takes_over; });
   dropAll(why);
   if (!take_over) return;
   const blocks::Block block = blocks::blockOf(take_over->goal);

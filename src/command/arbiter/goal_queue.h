@@ -93,6 +93,7 @@ class GoalQueue {
 
  private:
   [[nodiscard]] std::deque<Waiting>::iterator at(blocks::GoalId id);
+  [[nodiscard]] std::optional<Waiting> takeFirstIf(bool (*is_meant)(const Waiting&));
   void end(const std::deque<Waiting>::iterator& waiting, blocks::Outcome outcome);
 
   OutputBoard& board_;

@@ -278,11 +278,14 @@ void Turns::stopBetweenCommands(const std::string& why, Instant now) {
 void Turns::stopEnded(const StopRun::Result& result, Instant now) {
   if (!stopping_ || stopping_->stop != result.number || !run_ || run_->outcome()) return;
   const auto next = run_->next();
-  run_->commandEnded(
-      next ? next->key : 0,
-      result.failed() ? toOutcome(next ? next->block : run_->block(), blocks::Ending::Aborted, result.failure)
-                      : blocks::commandAborted(fmt::format("{}; {}", stopping_->why, result.words())),
-      now);
+  const auto key = next ? next->key : 0;
+  const blocks::Block block = next ? next->block : run_->block();
+  if (result.failed()) {
+    run_->commandEnded(key, toOutcome(block, blocks::Ending::Aborted, result.failure), now);
+  } else {
+    const std::string words = fmt::format("{}; {}", stopping_->why, result.words());
+    run_->commandEnded(key, blocks::commandAborted(words), now);
+  }
 }
 
 void Turns::abandon(const std::string& why, Instant now) {

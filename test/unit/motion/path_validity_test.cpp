@@ -165,6 +165,17 @@ void expectTrue(const arm::ArmModel& arm, const Request& request, const Refusal&
   }
 }
 
+/// The reason of a refusal, nothing when it is followed.
+std::optional<Reason> expectFollowedOrRefusedForAReason(const arm::ArmModel& arm, const Request& request) {
+  const auto result = plan(arm, request.start, request.command, request.setting);
+  if (result) {
+    expectFollowed(arm, request, **result);
+    return std::nullopt;
+  }
+  expectTrue(arm, request, result.error());
+  return result.error().reason;
+}
+
 TEST(RandomPaths, areFollowedToTheLetterOrRefusedForATrueReason) {
   std::map<Reason, int> refusals;
   int followed = 0;
@@ -174,17 +185,12 @@ TEST(RandomPaths, areFollowedToTheLetterOrRefusedForATrueReason) {
     for (int i = 0; i < 250; ++i) {
       SCOPED_TRACE(std::string(name) + " request " + std::to_string(i));
       const Request request = random.request(arm);
-      const auto result = plan(arm, request.start, request.command, request.setting);
-      if (result) {
-        ++followed;
-        expectFollowed(arm, request, **result);
+      if (const auto reason = expectFollowedOrRefusedForAReason(arm, request)) {
+        ++refusals[*reason];
       } else {
-        ++refusals[result.error().reason];
-        expectTrue(arm, request, result.error());
+        ++followed;
       }
-      if (HasFatalFailure()) {
-        return;
-      }
+      if (HasFatalFailure()) return;
     }
   }
   EXPECT_GT(followed, 100);
@@ -210,16 +216,8 @@ TEST(RandomPaths, thatAreSlowAreAlsoFollowedOrRefusedForATrueReason) {
     Line slow{random.pose(0.01, 0.05) * tcpAt(arm, request.start, request.setting),
               TcpSpeed{random.uniform(0.002, 0.05)}, milliseconds(50)};
     request.command = slow;
-    const auto result = plan(arm, request.start, request.command, request.setting);
-    if (result) {
-      ++followed;
-      expectFollowed(arm, request, **result);
-    } else {
-      expectTrue(arm, request, result.error());
-    }
-    if (HasFatalFailure()) {
-      return;
-    }
+    if (!expectFollowedOrRefusedForAReason(arm, request)) ++followed;
+    if (HasFatalFailure()) return;
   }
   EXPECT_GT(followed, 30);
 }
@@ -243,16 +241,8 @@ TEST(RandomPaths, startingNextToASingularityAreAlsoFollowedOrRefusedForATrueReas
       circle.via = shift * circle.via;
       circle.end = shift * circle.end;
     }
-    const auto result = plan(arm, request.start, request.command, request.setting);
-    if (result) {
-      ++followed;
-      expectFollowed(arm, request, **result);
-    } else {
-      expectTrue(arm, request, result.error());
-    }
-    if (HasFatalFailure()) {
-      return;
-    }
+    if (!expectFollowedOrRefusedForAReason(arm, request)) ++followed;
+    if (HasFatalFailure()) return;
   }
   EXPECT_GT(followed, 0);
 }
