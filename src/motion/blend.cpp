@@ -36,7 +36,9 @@ class BlendedTrajectory final : public Trajectory {
       : before_(std::move(before)), next_(std::move(next)), overlap_(overlap) {}
 
   [[nodiscard]] Duration duration() const override { return next_->duration(); }
-  [[nodiscard]] Duration rampTime() const override { return next_->rampTime(); }
+  [[nodiscard]] Duration timeUp() const override { return next_->timeUp(); }
+  [[nodiscard]] Duration timeDown() const override { return next_->timeDown(); }
+  [[nodiscard]] double progress(Duration time) const override { return next_->progress(time); }
   [[nodiscard]] JointState at(Duration time) const override {
     return sumOf(*before_, *next_, overlap_, time);
   }
@@ -47,6 +49,31 @@ class BlendedTrajectory final : public Trajectory {
   Duration overlap_;
 };
 
+Duration partOf(Duration most, const BlendShare& share) {
+  const double part = std::clamp(share.value, 0.0, 1.0) * static_cast<double>(most.count());
+  return Duration(static_cast<Duration::rep>(part));
+}
+
+/// The longest time up to `most` that is `good`, where all shorter ones are, too.
+template <class Good>
+Duration longest(Duration most, const Good& good) {
+  Duration within{};
+  Duration beyond = most + Duration(1);
+  while (beyond - within > Duration(1)) {
+    const Duration middle = within + (beyond - within) / 2;
+    (good(middle) ? within : beyond) = middle;
+  }
+  return within;
+}
+
+Duration longestWithin(const Corner& corner, const BlendWay& way, Duration most) {
+  constexpr double kRounding = 1e-12;
+  return longest(most, [&](Duration overlap) {
+    return corner.before.progress(corner.before.duration() - overlap) >= 1.0 - way.before - kRounding &&
+           corner.next.progress(overlap) <= way.next + kRounding;
+  });
+}
+
 class CornerCheck {
  public:
   CornerCheck(const arm::ArmModel& arm, const Corner& corner, double radius)
@@ -54,13 +81,7 @@ class CornerCheck {
 
   /// The longest overlap up to `most` over which both motions are within the radius.
   [[nodiscard]] Duration longestWithinRadius(Duration most) const {
-    Duration within{};
-    Duration beyond = most + Duration(1);
-    while (beyond - within > Duration(1)) {
-      const Duration middle = within + (beyond - within) / 2;
-      (areWithinRadius(middle) ? within : beyond) = middle;
-    }
-    return within;
+    return longest(most, [&](Duration overlap) { return areWithinRadius(overlap); });
   }
 
   /// Whether the arm can follow the sum, at samples at most kSamplePeriod apart.
@@ -109,25 +130,26 @@ class CornerCheck {
 
 }  // namespace
 
-Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend, Duration left) {
-  const Duration most = std::min({corner.before.rampTime(), corner.next.rampTime(),
+Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend,
+                   const OverlapLimits& limits) {
+  const Duration most = std::min({corner.before.timeDown(), corner.next.timeUp(),
                                   corner.before.duration() / 2, corner.next.duration() / 2});
-  const auto* share = std::get_if<BlendShare>(&blend);
-  const double radius = share ? std::numeric_limits<double>::infinity() : std::get<BlendRadius>(blend).metres;
-  const CornerCheck check(arm, corner, radius);
+  const auto* radius = std::get_if<BlendRadius>(&blend);
+  const CornerCheck check(arm, corner, radius ? radius->metres : std::numeric_limits<double>::infinity());
+  const auto asked = [&] {
+    if (const auto* share = std::get_if<BlendShare>(&blend)) return partOf(most, *share);
+    if (const auto* way = std::get_if<BlendWay>(&blend)) return longestWithin(corner, *way, most);
+    return radius->metres > 0.0 ? check.longestWithinRadius(most) : Duration{};
+  };
+  const auto onGrid = [&](Duration time) { return time - time % limits.step; };
+  const Duration shortest = std::max(kShortest, limits.least);
 
-  Duration overlap{};
-  if (share) {
-    const double part = std::clamp(share->value, 0.0, 1.0) * static_cast<double>(most.count());
-    overlap = Duration(static_cast<Duration::rep>(part));
-  } else if (radius > 0.0) {
-    overlap = check.longestWithinRadius(most);
-  }
-  overlap = std::min(overlap, left);
+  Duration overlap = onGrid(std::max(std::min(asked(), limits.most), Duration::zero()));
+  if (overlap < limits.least) return Duration::zero();
   while (overlap > Duration::zero() && !check.canBeMade(overlap)) {
-    overlap = overlap < kShortest ? Duration::zero() : overlap / 2;
+    overlap = overlap / 2 < shortest ? Duration::zero() : onGrid(overlap / 2);
   }
-  return std::max(overlap, Duration::zero());
+  return overlap;
 }
 
 TrajectoryPtr blended(const TrajectoryPtr& before, const TrajectoryPtr& next, Duration overlap) {
@@ -142,7 +164,7 @@ Passage passInto(const arm::ArmModel& arm, const TrajectoryPtr& before, const Tr
   if (const auto* share = std::get_if<BlendShare>(&blend)) {
     if (auto passage = passOn(arm, *before, *next, *share, left)) return std::move(*passage);
   }
-  const Duration overlap = overlapAt(arm, {*before, *next, tcp}, blend, left);
+  const Duration overlap = overlapAt(arm, {*before, *next, tcp}, blend, {left});
   return {overlap, blended(before, next, overlap), next};
 }
 

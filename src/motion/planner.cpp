@@ -6,6 +6,7 @@
 #include "kinds/pline_motion.h"
 #include "kinds/ptp_motion.h"
 #include "kinds/pvt_motion.h"
+#include "kinds/ramped_motion.h"
 #include "kinds/relative_motion.h"
 #include "paths/input_check.h"
 
@@ -30,6 +31,9 @@ struct Planner {
   auto operator()(const MovePLine& move) const {
     return planPLine(arm, start, absolute(move, arm, start, setting), setting);
   }
+  auto operator()(const JointMove& move) const { return planJointMove(arm, start, move, setting); }
+  auto operator()(const StraightMove& move) const { return planStraightMove(arm, start, move, setting); }
+  auto operator()(const ArcMove& move) const { return planArcMove(arm, start, move, setting); }
   auto operator()(const Pvt& pvt) const { return planPvt(arm, start, pvt, setting); }
 };
 

@@ -9,6 +9,7 @@
 #include "paths/input_check.h"
 #include "paths/path_check.h"
 #include "paths/path_trajectory.h"
+#include "profiles/trapezoid.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
@@ -74,7 +75,9 @@ class TcpVelocityPlan {
     path->append(times_.ramp, from_, velocity_);
     path->append(steady, velocity_);
     path->append(times_.ramp, velocity_, PathRate::Zero());
-    return follow(arm_, now_.position, {path, Trapezoid::steady(path->duration()), "way", nullptr}, setting_);
+    return follow(arm_, now_.position,
+                  {path, std::make_shared<const Trapezoid>(Trapezoid::steady(path->duration())), "way", {}},
+                  setting_);
   }
 
   const arm::ArmModel& arm_;

@@ -46,7 +46,7 @@ WINGS = {
     "motion/curves": {"command.h", "refusal.h"},
     "motion/kinds": {"blend.h", "command.h", "curves", "paths", "planner.h", "profiles", "velocity.h"},
     "motion/paths": {"command.h", "curves", "planner.h", "profiles", "refusal.h"},
-    "motion/profiles": {"trajectory.h"},
+    "motion/profiles": {"command.h", "trajectory.h"},
     "tm_script/execution": {"checker.h", "environment.h", "functions.h", "interpreter.h", "script.h", "values", "variables.h"},
     "tm_script/grammar": {"open_end.h", "parser.h", "script.h", "values"},
     "tm_script/library": {"functions.h", "values"},

@@ -23,7 +23,13 @@ struct BlendShare {
 struct BlendRadius {
   double metres = 0.0;
 };
-using Blend = std::variant<BlendShare, BlendRadius>;
+/// What is left out at most: of the way of the one motion its last part, of that of the other its first, each
+/// as a share (0..1).
+struct BlendWay {
+  double before = 0.0;
+  double next = 1.0;
+};
+using Blend = std::variant<BlendShare, BlendRadius, BlendWay>;
 
 /// Two motions, each planned from rest to rest, the next one from the end of the one before it.
 struct Corner {
@@ -32,12 +38,19 @@ struct Corner {
   arm::Pose tcp = arm::Pose::Identity();  ///< in the flange [m]
 };
 
+/// Of how an overlap may be.
+struct OverlapLimits {
+  Duration most = Duration::max();  ///< such as the time to the end when the next motion becomes known
+  Duration step = Duration(1);      ///< it is a whole number of these
+  Duration least{};                 ///< a shorter one is a stop
+};
+
 /// How long before the end of the first motion the next one can start. Never longer than the ramps of both
-/// and than half of each, so that three in a row do not overlap; than the blend asks for; nor than `left`,
-/// the time to the end when the next motion becomes known. Shorter, down to zero, where a joint would
-/// otherwise leave its limits or be faster than rated, or the TCP leave the radius.
+/// and than half of each, so that three in a row do not overlap; than the blend asks for; nor than `limits`
+/// allow. Shorter, down to zero, where a joint would otherwise leave its limits or be faster than rated, or
+/// the TCP leave the radius.
 [[nodiscard]] Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend,
-                                 Duration left = Duration::max());
+                                 const OverlapLimits& limits = {});
 
 /// The next motion as the arm makes it: over its first `overlap` the end of the one before it fades out.
 /// `next` itself where `overlap` is zero.

@@ -115,7 +115,52 @@ struct Pvt {
   std::variant<std::vector<PvtJointPoint>, std::vector<PvtPosePoint>> points;
 };
 
-using Command = std::variant<Ptp, Line, Circle, MovePtp, MoveLine, PLine, MovePLine, Pvt>;
+/// The law by which the speed grows on a ramp whose acceleration varies all the time; see doc/motion.md.
+enum class SpeedLaw { SCurve, Poly5, ModSine, SineSquared };
+
+/// What share (0..1) of the time of each ramp the acceleration varies, by the law; 0: it jumps, a trapezoid.
+struct RampShape {
+  SpeedLaw law = SpeedLaw::SCurve;
+  double up = 0.0;
+  double down = 0.0;
+};
+
+/// Highest speed, acceleration and deceleration of one thing that moves; all above 0.
+struct Rates {
+  double speed = 0.0;         ///< [1/s] of its unit, rad or m
+  double acceleration = 0.0;  ///< [1/s^2]
+  double deceleration = 0.0;  ///< [1/s^2]
+};
+
+/// A move in joint space as a Ptp, with rates and ramps of its own.
+struct JointMove {
+  arm::JointVector target;
+  Rates rates;  ///< of the joint with the longest way [rad]; all others in step with it
+  RampShape ramps;
+};
+
+/// Of a TCP on its path: of the way [m] and of its turn [rad], of which the slower one rules.
+struct PathRates {
+  Rates way;
+  Rates turn;
+  RampShape ramps;
+};
+
+/// A straight line as a Line, with rates and ramps of its own.
+struct StraightMove {
+  arm::Pose target;  ///< TCP in the active base
+  PathRates rates;
+};
+
+/// An arc as a Circle without an angle, with rates and ramps of its own.
+struct ArcMove {
+  arm::Pose via;
+  arm::Pose target;  ///< TCP in the active base
+  PathRates rates;
+};
+
+using Command = std::variant<Ptp, Line, Circle, MovePtp, MoveLine, PLine, MovePLine, Pvt, JointMove,
+                             StraightMove, ArcMove>;
 
 /// What the controller knows when it plans a motion.
 struct Setting {

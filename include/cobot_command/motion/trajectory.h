@@ -3,6 +3,7 @@
 // Immutable; safe to share between threads.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "cobot_command/arm/types.h"
@@ -27,8 +28,14 @@ class Trajectory {
   /// whatever order it is asked.
   [[nodiscard]] virtual JointState at(Duration time) const = 0;
 
-  /// How long it slows down before its end; as planned from rest it speeds up as long.
-  [[nodiscard]] virtual Duration rampTime() const = 0;
+  /// How long it speeds up from rest, and slows down before its end.
+  [[nodiscard]] virtual Duration timeUp() const = 0;
+  [[nodiscard]] virtual Duration timeDown() const = 0;
+
+  /// How much of its way is done, 0..1; of its time, where it has no one profile.
+  [[nodiscard]] virtual double progress(Duration time) const {
+    return std::clamp(toSeconds(time) / std::max(toSeconds(duration()), 1e-9), 0.0, 1.0);
+  }
 
   [[nodiscard]] JointState end() const { return at(duration()); }
 };

@@ -26,7 +26,8 @@ class JointVelocityTrajectory final : public Trajectory {
         duration_(fromSeconds(times.ramp + times.steady + times.ramp)) {}
 
   [[nodiscard]] Duration duration() const override { return duration_; }
-  [[nodiscard]] Duration rampTime() const override { return Duration::zero(); }
+  [[nodiscard]] Duration timeUp() const override { return Duration::zero(); }
+  [[nodiscard]] Duration timeDown() const override { return Duration::zero(); }
   [[nodiscard]] JointState at(Duration time) const override {
     const double t = std::clamp(toSeconds(time), 0.0, ramp_ + steady_ + ramp_);
     const double speeding = std::min(t, ramp_);

@@ -7,6 +7,7 @@
 #include "curves/half_turn.h"
 #include "curves/twist_path.h"
 #include "paths/path_trajectory.h"
+#include "profiles/trapezoid.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
@@ -23,7 +24,7 @@ struct Chain {
   PathRate velocity;       ///< of the last line at top speed
   double line_time = 0.0;  ///< of the last line at top speed [s]
   double ramp = 0.0;       ///< [s]
-  PathSpeed speed;
+  AskedSpeed speed;
   Setting setting;
 };
 
@@ -33,7 +34,9 @@ class PLineTrajectory final : public Trajectory {
 
   [[nodiscard]] Duration duration() const override { return made_->duration(); }
   [[nodiscard]] JointState at(Duration time) const override { return made_->at(time); }
-  [[nodiscard]] Duration rampTime() const override { return made_->rampTime(); }
+  [[nodiscard]] Duration timeUp() const override { return made_->timeUp(); }
+  [[nodiscard]] Duration timeDown() const override { return made_->timeDown(); }
+  [[nodiscard]] double progress(Duration time) const override { return made_->progress(time); }
   [[nodiscard]] const Chain& chain() const { return chain_; }
 
  private:
@@ -42,9 +45,10 @@ class PLineTrajectory final : public Trajectory {
 };
 
 Result<TrajectoryPtr, Refusal> make(const arm::ArmModel& arm, const arm::JointVector& start, Chain chain) {
-  auto made =
-      follow(arm, start, {std::make_shared<const TwistPath>(chain.path), chain.profile, "line", &chain.speed},
-             chain.setting);
+  auto made = follow(arm, start,
+                     {std::make_shared<const TwistPath>(chain.path),
+                      std::make_shared<const Trapezoid>(chain.profile), "line", chain.speed},
+                     chain.setting);
   if (!made) return made;
   return TrajectoryPtr(std::make_shared<PLineTrajectory>(std::move(*made), std::move(chain)));
 }
@@ -86,7 +90,13 @@ Result<TrajectoryPtr, Refusal> planPLine(const arm::ArmModel& arm, const arm::Jo
   const double time =
       timeAtTopSpeed(arm, way.head<3>().norm(), way.tail<3>().norm(), line.speed, setting.speed_override);
   const double ramp = toSeconds(line.time_to_top_speed);
-  Chain chain{TwistPath(from), Trapezoid(time, ramp), PathRate::Zero(), time, ramp, line.speed, setting};
+  Chain chain{TwistPath(from),
+              Trapezoid(time, ramp),
+              PathRate::Zero(),
+              time,
+              ramp,
+              askedSpeed(line.speed, way.head<3>().norm(), time * setting.speed_override),
+              setting};
   if (time > 0.0) chain.velocity = way / time;
   chain.path.append(time, chain.velocity);
   auto made = make(arm, start, std::move(chain));

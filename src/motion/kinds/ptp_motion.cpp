@@ -4,8 +4,9 @@
 #include <utility>
 
 #include "curves/half_turn.h"
+#include "kinds/joint_trajectory.h"
 #include "paths/input_check.h"
-#include "profiles/profiled.h"
+#include "profiles/trapezoid.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
@@ -14,18 +15,6 @@
 
 namespace cobot_command::motion {
 namespace {
-
-class JointTrajectory final : public Profiled {
- public:
-  JointTrajectory(const arm::JointVector& start, const arm::JointVector& target, const Trapezoid& profile)
-      : Profiled(start, target, profile) {}
-
- private:
-  [[nodiscard]] JointState during(double time) const override {
-    const arm::JointVector way = target() - start();
-    return {start() + profile().progress(time) * way, profile().rate(time) * way};
-  }
-};
 
 Refusal::Reason reasonFor(arm::IkRefusal::Reason reason) {
   switch (reason) {
@@ -58,17 +47,8 @@ Result<arm::JointVector, Refusal> postureAt(const PoseTarget& target, const arm:
 
 Result<arm::JointVector, Refusal> postureAt(const arm::JointVector& target, const arm::ArmModel& arm,
                                             const arm::JointVector& /*start*/, const Setting& setting) {
-  const int joint = arm.firstJointOutsideLimits(target);
-  if (joint < 0) {
-    return target;
-  }
-  const arm::JointLimit& limit = arm.limits()[static_cast<std::size_t>(joint)];
-  return refuse(Refusal{
-      Refusal::Reason::JointLimit, 1.0, joint,
-      setting.base.inverse() * arm::forwardKinematics(arm, target) * setting.tcp,
-      fmt::format(
-          "the target has J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose a target inside the limits",
-          joint + 1, radToDeg(target[joint]), radToDeg(limit.lower), radToDeg(limit.upper))});
+  if (auto outside = targetOutsideLimits(arm, target, setting)) return refuse(std::move(*outside));
+  return target;
 }
 
 /// The time [s] that the slowest joint needs at its rated speed.
@@ -90,11 +70,11 @@ Result<TrajectoryPtr, Refusal> planPtp(const arm::ArmModel& arm, const arm::Join
     return refuse(std::move(target.error()));
   }
   const double travel = timeAtRatedSpeed(arm, *target - start) / (ptp.speed_ratio * setting.speed_override);
-  const Trapezoid profile(travel, toSeconds(ptp.time_to_top_speed));
-  if (auto too_long = checkDuration(profile.duration())) {
+  auto profile = std::make_shared<const Trapezoid>(travel, toSeconds(ptp.time_to_top_speed));
+  if (auto too_long = checkDuration(profile->duration())) {
     return refuse(std::move(*too_long));
   }
-  return TrajectoryPtr(std::make_shared<JointTrajectory>(start, *target, profile));
+  return TrajectoryPtr(std::make_shared<JointTrajectory>(start, *target, std::move(profile)));
 }
 
 }  // namespace cobot_command::motion

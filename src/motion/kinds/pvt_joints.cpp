@@ -32,7 +32,8 @@ class PvtTrajectory final : public Trajectory {
         duration_(fromSeconds(segments_.back().begin + segments_.back().duration)) {}
 
   [[nodiscard]] Duration duration() const override { return duration_; }
-  [[nodiscard]] Duration rampTime() const override { return Duration::zero(); }
+  [[nodiscard]] Duration timeUp() const override { return Duration::zero(); }
+  [[nodiscard]] Duration timeDown() const override { return Duration::zero(); }
   [[nodiscard]] JointState at(Duration time) const override {
     if (time >= duration_) return {end_, arm::JointVector::Zero()};
     const double seconds = std::max(0.0, toSeconds(time));

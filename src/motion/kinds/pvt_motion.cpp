@@ -9,6 +9,7 @@
 #include "paths/input_check.h"
 #include "paths/path_trajectory.h"
 #include "profiles/cubic.h"
+#include "profiles/trapezoid.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
@@ -122,7 +123,9 @@ Result<TrajectoryPtr, Refusal> planPosePvt(const arm::ArmModel& arm, const arm::
     velocity << setting.base.linear() * point.velocity.linear, setting.base.linear() * point.velocity.angular;
     curve->append(point.duration / setting.speed_override, to, velocity * setting.speed_override);
   }
-  return follow(arm, start, {curve, Trapezoid::steady(curve->duration()), "PVT", nullptr}, setting);
+  return follow(arm, start,
+                {curve, std::make_shared<const Trapezoid>(Trapezoid::steady(curve->duration())), "PVT", {}},
+                setting);
 }
 
 double speedOf(const arm::JointVector& velocity) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/common/units.h"
 
 namespace cobot_command::motion {
@@ -153,6 +154,50 @@ Finding checkCommand(const MovePLine& move) {
                 checkSpeed(move.speed), checkRamp(move.time_to_top_speed)});
 }
 
+Finding checkRates(const Rates& rates, const char* what) {
+  for (const double value : {rates.speed, rates.acceleration, rates.deceleration}) {
+    if (auto found = checkFinite(std::isfinite(value), what)) {
+      return found;
+    }
+    if (value <= 0.0) {
+      return refusal(Reason::BadParameter,
+                     fmt::format("{} is {:.6g}, it must be above 0: give a higher one", what, value));
+    }
+  }
+  return std::nullopt;
+}
+
+Finding checkShape(const RampShape& ramps) {
+  for (const double share : {ramps.up, ramps.down}) {
+    if (!(share >= 0.0 && share <= 1.0)) {
+      return refusal(Reason::BadParameter,
+                     fmt::format("the jerk is {:.6g} %, allowed 0..100 %: choose one in "
+                                 "this range",
+                                 100.0 * share));
+    }
+  }
+  return std::nullopt;
+}
+
+Finding checkPathRates(const PathRates& rates) {
+  return first({checkRates(rates.way, "a speed or an acceleration of the way"),
+                checkRates(rates.turn, "a speed or an acceleration of the turn"), checkShape(rates.ramps)});
+}
+
+Finding checkCommand(const JointMove& move) {
+  return first({checkFinite(move.target.allFinite(), "the joint target"),
+                checkRates(move.rates, "a speed or an acceleration"), checkShape(move.ramps)});
+}
+
+Finding checkCommand(const StraightMove& move) {
+  return first({checkPose(move.target, "the target"), checkPathRates(move.rates)});
+}
+
+Finding checkCommand(const ArcMove& move) {
+  return first({checkPose(move.via, "the arc point"), checkPose(move.target, "the target"),
+                checkPathRates(move.rates)});
+}
+
 Finding checkPoint(const PvtJointPoint& point) {
   return first({checkFinite(point.position.allFinite(), "the position of a point"),
                 checkFinite(point.velocity.allFinite(), "the velocity of a point")});
@@ -197,6 +242,21 @@ Finding checkInput(const arm::JointVector& start, const Command& command, const 
   return first({checkFinite(start.allFinite(), "the start posture"), checkPose(setting.base, "the base"),
                 checkPose(setting.tcp, "the TCP"), checkRatio(setting.speed_override, "the project speed"),
                 std::visit([](const auto& kind) { return checkCommand(kind); }, command)});
+}
+
+Finding targetOutsideLimits(const arm::ArmModel& arm, const arm::JointVector& target,
+                            const Setting& setting) {
+  const int joint = arm.firstJointOutsideLimits(target);
+  if (joint < 0) {
+    return std::nullopt;
+  }
+  const arm::JointLimit& limit = arm.limits()[static_cast<std::size_t>(joint)];
+  return Refusal{
+      Reason::JointLimit, 1.0, joint,
+      setting.base.inverse() * arm::forwardKinematics(arm, target) * setting.tcp,
+      fmt::format(
+          "the target has J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose a target inside the limits",
+          joint + 1, radToDeg(target[joint]), radToDeg(limit.lower), radToDeg(limit.upper))};
 }
 
 Finding checkDuration(double seconds) {

@@ -23,6 +23,11 @@ inline constexpr double kMinPvtDuration = 1e-3;
 [[nodiscard]] std::optional<Refusal> checkInput(const arm::JointVector& start, const Command& command,
                                                 const Setting& setting);
 
+/// Refuses a joint target outside its limits.
+[[nodiscard]] std::optional<Refusal> targetOutsideLimits(const arm::ArmModel& arm,
+                                                         const arm::JointVector& target,
+                                                         const Setting& setting);
+
 /// Refuses a motion that would take longer than kMaxDuration.
 [[nodiscard]] std::optional<Refusal> checkDuration(double seconds);
 

@@ -21,8 +21,8 @@ struct Sample {
   arm::JointVector joints;
 };
 
-bool isSingular(const arm::ArmModel& arm, const arm::JointVector& joints) {
-  const arm::SingularityDistance distance = arm::singularityDistance(arm, joints);
+bool isSingular(const PathPostures& postures, const arm::JointVector& joints) {
+  const arm::SingularityDistance distance = postures.singularityDistance(joints);
   return std::min({distance.shoulder, distance.elbow, distance.wrist}) < kSingular;
 }
 
@@ -39,8 +39,7 @@ class PathCheck {
     return (to.joints - from.joints).cwiseAbs().maxCoeff() > kJump;
   }
   [[nodiscard]] double way(const Sample& from, const Sample& to) const {
-    const TcpCurve& path = timed_.postures.path();
-    return (to.progress - from.progress) * (path.length() + path.turn());
+    return (to.progress - from.progress) * (timed_.postures.length() + timed_.postures.turn());
   }
   [[nodiscard]] double samplePeriod() const;
   [[nodiscard]] Result<Sample, Refusal> sampleAt(double time, const Sample& previous) const;
@@ -56,7 +55,7 @@ std::optional<Refusal> PathCheck::checkPosture(const Sample& sample) const {
   if (const int joint = arm_.firstJointOutsideLimits(sample.joints); joint >= 0) {
     return jointLimitRefusal(timed_, sample.progress, joint, sample.joints[joint]);
   }
-  if (isSingular(arm_, sample.joints)) {
+  if (isSingular(timed_.postures, sample.joints)) {
     return singularRefusal(timed_, sample.progress, sample.joints);
   }
   return std::nullopt;
@@ -74,11 +73,8 @@ void PathCheck::checkSpeed(const Sample& from, const Sample& to) {
     if (!offence_) {
       offence_ = SpeedOffence{to.progress, static_cast<int>(i), needed, 1.0};
     }
-    // A lower top speed slows the cruise in proportion, the ramps (whose acceleration falls with it) with its
-    // square root; whichever is slower at this point counts.
-    const double share = timed_.profile.shareOfTopSpeed(0.5 * (from.time + to.time));
     offence_->usable_share =
-        std::min(offence_->usable_share, std::max(share / excess, 1.0 / (excess * excess)));
+        std::min(offence_->usable_share, timed_.profile.usableShare(0.5 * (from.time + to.time), excess));
   }
 }
 
@@ -115,8 +111,7 @@ Result<Sample, Refusal> PathCheck::advance(const Sample& from, double time) {
 
 /// [s]
 double PathCheck::samplePeriod() const {
-  const TcpCurve& path = timed_.postures.path();
-  const double top_speed = (path.length() + path.turn()) / timed_.profile.travel();
+  const double top_speed = (timed_.postures.length() + timed_.postures.turn()) / timed_.profile.travel();
   return std::clamp(kSampleWay / top_speed, kSamplePeriod, kLongestSamplePeriod);
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "paths/path_postures.h"
-#include "profiles/trapezoid.h"
+#include "profiles/profile.h"
 
 #include "cobot_command/motion/command.h"
 
@@ -32,13 +32,19 @@ inline constexpr double kJumpWay = 1e-7;
 /// Room for the mean speed of a step to differ from the speed at its ends.
 inline constexpr double kSpeedTolerance = 1e-3;
 
+/// A speed as it was asked for: for messages.
+struct AskedSpeed {
+  double value = 0.0;          ///< in its unit
+  const char* unit = nullptr;  ///< "%", "mm/s"; nullptr: the times were asked for
+  const char* otherwise = "";  ///< what to do where no useful one is slow enough
+};
+
 struct TimedPath {
   const PathPostures& postures;
-  const Trapezoid& profile;
-  const char* name;        ///< "line", "circle": for messages
-  const PathSpeed* speed;  ///< as it was asked for: for messages; null: the times were
-  const arm::Pose& base;   ///< the active base in the robot base: for messages
-  double speed_override;   ///< project speed: for messages
+  const Profile& profile;
+  const char* name;  ///< "line", "circle": for messages
+  const AskedSpeed& speed;
+  const arm::Pose& base;  ///< the active base in the robot base: for messages
 };
 
 /// What the check saw on the way.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <Eigen/LU>
+#include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/arm/inverse_kinematics.h"
@@ -24,13 +25,13 @@ arm::JointVector turnedTo(const arm::JointVector& reference, arm::JointVector jo
 
 }  // namespace
 
-PathPostures::PathPostures(const arm::ArmModel& arm, TcpCurvePtr path, const arm::Pose& tcp,
-                           const arm::PoseBits& bits)
-    : arm_(arm), path_(std::move(path)), flange_in_tcp_(tcp.inverse()), bits_(bits) {}
+CurvePostures::CurvePostures(const arm::ArmModel& arm, TcpCurvePtr curve, const arm::Pose& tcp,
+                             const arm::PoseBits& bits)
+    : arm_(arm), curve_(std::move(curve)), flange_in_tcp_(tcp.inverse()), bits_(bits) {}
 
-Result<arm::JointVector, Refusal::Reason> PathPostures::at(double progress,
-                                                           const arm::JointVector& reference) const {
-  const arm::Pose flange = path_->at(progress) * flange_in_tcp_;
+Result<arm::JointVector, Refusal::Reason> CurvePostures::at(double progress,
+                                                            const arm::JointVector& reference) const {
+  const arm::Pose flange = curve_->at(progress) * flange_in_tcp_;
   if (const auto joints = arm::branchWith(arm_, flange, bits_, reference)) {
     return turnedTo(reference, *joints);
   }
@@ -38,13 +39,17 @@ Result<arm::JointVector, Refusal::Reason> PathPostures::at(double progress,
   return refuse(reachable ? Refusal::Reason::PoseBits : Refusal::Reason::Unreachable);
 }
 
-arm::JointVector PathPostures::velocityAt(double progress, double rate,
-                                          const arm::JointVector& joints) const {
-  PathRate twist = rate * path_->rateAt(progress);
-  const arm::Pose tcp = path_->at(progress);
+arm::JointVector CurvePostures::velocityAt(double progress, double rate,
+                                           const arm::JointVector& joints) const {
+  PathRate twist = rate * curve_->rateAt(progress);
+  const arm::Pose tcp = curve_->at(progress);
   const Eigen::Vector3d tcp_to_flange = tcp.linear() * flange_in_tcp_.translation();
   twist.head<3>() += twist.tail<3>().cross(tcp_to_flange);
   return arm::jacobianAt(arm_, joints).partialPivLu().solve(twist);
+}
+
+std::string CurvePostures::kept() const {
+  return fmt::format("the pose bits of the start ({})", arm::toString(bits_));
 }
 
 }  // namespace cobot_command::motion

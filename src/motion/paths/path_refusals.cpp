@@ -20,7 +20,7 @@ Refusal refusalAt(const TimedPath& timed, double progress, Reason reason, int jo
   refusal.reason = reason;
   refusal.at = progress;
   refusal.joint = joint;
-  refusal.point = timed.base.inverse() * timed.postures.path().at(progress);
+  refusal.point = timed.base.inverse() * timed.postures.tcpAt(progress);
   const Eigen::Vector3d place = refusal.point.translation();
   refusal.message =
       fmt::format("at {:.1f} % of the {} (X {:.1f} mm, Y {:.1f} mm, Z {:.1f} mm) {}", 100.0 * progress,
@@ -32,28 +32,17 @@ const arm::JointLimit& limitOf(const TimedPath& timed, int joint) {
   return timed.postures.arm().limits()[static_cast<std::size_t>(joint)];
 }
 
-/// In mm/s. Where the turn takes longer than the way the TCP is slower than asked for, and what counts is how
-/// fast it is.
-double tcpSpeed(const TimedPath& timed, const TcpSpeed& asked) {
-  const double time = timed.profile.travel() * timed.speed_override;
-  return mToMm(std::min(asked.metres_per_second, timed.postures.path().length() / time));
-}
-
 /// The share of the asked speed, in the unit in which it was asked, rounded down so that it does.
-std::string speedAdvice(const TimedPath& timed, double share) {
-  if (timed.speed == nullptr) {
+std::string speedAdvice(const AskedSpeed& asked, double share) {
+  if (asked.unit == nullptr) {
     return fmt::format("{:.2f} times the time would do: give it more time, or choose another path",
                        std::ceil(100.0 / share) / 100.0);
   }
-  const auto* ratio = std::get_if<SpeedRatio>(timed.speed);
-  const double asked = ratio ? 100.0 * ratio->value : tcpSpeed(timed, std::get<TcpSpeed>(*timed.speed));
-  const double usable = std::floor(10.0 * asked * share) / 10.0;
+  const double usable = std::floor(10.0 * asked.value * share) / 10.0;
   if (usable <= 0.0) {
-    return ratio ? "no useful speed is slow enough: choose another path, or PTP"
-                 : "no useful speed in mm/s is slow enough: give it in %, or choose another path, or PTP";
+    return fmt::format("no useful speed in {} is slow enough: {}", asked.unit, asked.otherwise);
   }
-  return fmt::format("at most {:.1f} {} would do: choose a lower speed or another path", usable,
-                     ratio ? "%" : "mm/s");
+  return fmt::format("at most {:.1f} {} would do: choose a lower speed or another path", usable, asked.unit);
 }
 
 }  // namespace
@@ -62,9 +51,10 @@ Refusal reachRefusal(const TimedPath& timed, double progress, Reason reason) {
   if (reason == Reason::PoseBits) {
     return refusalAt(
         timed, progress, reason, -1,
-        fmt::format("the point can be reached, but not with the pose bits of the start ({}), which a {} "
-                    "keeps: choose another start posture, or PTP",
-                    arm::toString(timed.postures.bits()), timed.name));
+        fmt::format(
+            "the point can be reached, but not with {}, which a {} keeps: choose another start posture, "
+            "or PTP",
+            timed.postures.kept(), timed.name));
   }
   return refusalAt(
       timed, progress, reason, -1,
@@ -84,26 +74,28 @@ Refusal jointLimitRefusal(const TimedPath& timed, double progress, int joint, do
 }
 
 Refusal singularRefusal(const TimedPath& timed, double progress, const arm::JointVector& joints) {
-  const arm::SingularityDistance distance = arm::singularityDistance(timed.postures.arm(), joints);
+  const arm::SingularityDistance distance = timed.postures.singularityDistance(joints);
+  int joint = 4;
   std::string which = fmt::format("J5 = {:.2f} deg, wrist straight", radToDeg(joints[4]));
   if (distance.elbow <= distance.wrist) {
+    joint = 2;
     which = fmt::format("J3 = {:.2f} deg, elbow straight", radToDeg(joints[2]));
   }
   if (distance.shoulder <= std::min(distance.elbow, distance.wrist)) {
+    joint = 0;
     which = fmt::format("wrist {:.1f} mm from the shoulder's cylinder", mToMm(distance.shoulder));
   }
-  return refusalAt(
-      timed, progress, Reason::Singular, -1,
-      fmt::format("the arm runs into a singularity ({}), where a {} cannot keep its pose bits: choose a "
-                  "path around it, or PTP",
-                  which, timed.name));
+  return refusalAt(timed, progress, Reason::Singular, joint,
+                   fmt::format("the arm runs into a singularity ({}), where a {} cannot go on: choose a "
+                               "path around it, or PTP",
+                               which, timed.name));
 }
 
 Refusal jointSpeedRefusal(const TimedPath& timed, const SpeedOffence& offence) {
   return refusalAt(timed, offence.progress, Reason::JointSpeed, offence.joint,
                    fmt::format("J{} would need {:.1f} deg/s, rated {:.1f} deg/s; {}", offence.joint + 1,
                                radToDeg(offence.needed), radToDeg(limitOf(timed, offence.joint).max_velocity),
-                               speedAdvice(timed, offence.usable_share)));
+                               speedAdvice(timed.speed, offence.usable_share)));
 }
 
 }  // namespace cobot_command::motion

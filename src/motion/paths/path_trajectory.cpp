@@ -11,15 +11,16 @@
 #include "profiles/profiled.h"
 
 #include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::motion {
 namespace {
 
 class PathTrajectory final : public Profiled {
  public:
-  PathTrajectory(const arm::JointVector& start, PathPostures postures, const Trapezoid& profile,
+  PathTrajectory(const arm::JointVector& start, PathPosturesPtr postures, ProfilePtr profile,
                  FollowedPath followed)
-      : Profiled(start, followed.end, profile),
+      : Profiled(start, followed.end, std::move(profile)),
         postures_(std::move(postures)),
         followed_(std::move(followed)) {}
 
@@ -27,11 +28,11 @@ class PathTrajectory final : public Profiled {
   [[nodiscard]] JointState during(double time) const override {
     const double progress = profile().progress(time);
     const arm::JointVector& near = nearestKept(time);
-    const auto joints = postures_.at(progress, near);
+    const auto joints = postures_->at(progress, near);
     if (!joints) {  // kSingular rules it out; stay finite anyway
       return {near, arm::JointVector::Zero()};
     }
-    return {*joints, postures_.velocityAt(progress, profile().rate(time), *joints)};
+    return {*joints, postures_->velocityAt(progress, profile().rate(time), *joints)};
   }
 
   [[nodiscard]] const arm::JointVector& nearestKept(double time) const {
@@ -39,34 +40,46 @@ class PathTrajectory final : public Profiled {
     return followed_.postures[std::min(index, followed_.postures.size() - 1)];
   }
 
-  PathPostures postures_;
+  PathPosturesPtr postures_;
   FollowedPath followed_;
 };
 
 }  // namespace
 
-Result<TrajectoryPtr, Refusal> follow(const arm::ArmModel& arm, const arm::JointVector& start,
-                                      const TimedCurve& timed, const Setting& setting) {
-  const Trapezoid& profile = timed.profile;
-  if (auto too_long = checkDuration(profile.duration())) {
+Result<TrajectoryPtr, Refusal> follow(const PathPosturesPtr& postures, const arm::JointVector& start,
+                                      const ProfilePtr& profile, const TimedWords& words) {
+  if (auto too_long = checkDuration(profile->duration())) {
     return refuse(std::move(*too_long));
   }
-  PathPostures postures(arm, timed.curve, setting.tcp, arm::poseBitsOf(arm, start));
-  if (profile.duration() == 0.0) {
-    return TrajectoryPtr(std::make_shared<PathTrajectory>(start, std::move(postures), profile,
+  if (profile->duration() == 0.0) {
+    return TrajectoryPtr(std::make_shared<PathTrajectory>(start, postures, profile,
                                                           FollowedPath{{start}, kSamplePeriod, start}));
   }
-  auto followed =
-      checkPath({postures, profile, timed.name, timed.speed, setting.base, setting.speed_override}, start);
+  auto followed = checkPath({*postures, *profile, words.name, words.speed, words.base}, start);
   if (!followed) {
     return refuse(std::move(followed.error()));
   }
-  return TrajectoryPtr(
-      std::make_shared<PathTrajectory>(start, std::move(postures), profile, std::move(*followed)));
+  return TrajectoryPtr(std::make_shared<PathTrajectory>(start, postures, profile, std::move(*followed)));
+}
+
+Result<TrajectoryPtr, Refusal> follow(const arm::ArmModel& arm, const arm::JointVector& start,
+                                      const TimedCurve& timed, const Setting& setting) {
+  auto postures =
+      std::make_shared<const CurvePostures>(arm, timed.curve, setting.tcp, arm::poseBitsOf(arm, start));
+  return follow(std::move(postures), start, timed.profile, {timed.name, timed.speed, setting.base});
 }
 
 arm::Pose tcpInRobotBase(const arm::ArmModel& arm, const arm::JointVector& joints, const Setting& setting) {
   return arm::forwardKinematics(arm, joints) * setting.tcp;
+}
+
+AskedSpeed askedSpeed(const PathSpeed& speed, double length, double time_at_top_speed) {
+  if (const auto* ratio = std::get_if<SpeedRatio>(&speed)) {
+    return {100.0 * ratio->value, "%", "choose another path, or PTP"};
+  }
+  const double asked = std::get<TcpSpeed>(speed).metres_per_second;
+  return {mToMm(std::min(asked, length / time_at_top_speed)), "mm/s",
+          "give it in %, or choose another path, or PTP"};
 }
 
 double timeAtTopSpeed(const arm::ArmModel& arm, double length, double turn, const PathSpeed& speed,

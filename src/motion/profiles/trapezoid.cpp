@@ -44,6 +44,12 @@ double Trapezoid::rate(double time) const {
   return std::min({start_share_ * ramp_ + time, duration_ - time, down_}) / ramp_ / travel_;
 }
 
+double Trapezoid::usableShare(double time, double excess) const {
+  // A lower top speed slows the cruise in proportion, the ramps with its square root; whichever is slower at
+  // this point counts.
+  return std::max(shareOfTopSpeed(time) / excess, 1.0 / (excess * excess));
+}
+
 double Trapezoid::timeBeforeBraking(double progress) const {
   const double way = progress * travel_;
   const double way_up = up_ * (start_share_ + 0.5 * (up_ / ramp_));

@@ -20,7 +20,8 @@ class Steady final : public motion::Trajectory {
   [[nodiscard]] motion::JointState at(Duration time) const override {
     return {arm::JointVector::Constant(toSeconds(time)), arm::JointVector::Ones()};
   }
-  [[nodiscard]] Duration rampTime() const override { return Duration::zero(); }
+  [[nodiscard]] Duration timeUp() const override { return Duration::zero(); }
+  [[nodiscard]] Duration timeDown() const override { return Duration::zero(); }
 
  private:
   Duration duration_;

@@ -46,7 +46,7 @@ class Blending : public ::testing::Test {
     const arm::JointVector corner = made.before->end().position;
     made.next = planned(plan(arm, corner, next(tcpAt(arm, corner, setting)), setting));
     if (!made.next) return made;
-    made.overlap = overlapAt(arm, {*made.before, *made.next, setting.tcp}, how, left);
+    made.overlap = overlapAt(arm, {*made.before, *made.next, setting.tcp}, how, {left});
     made.path = blended(made.before, made.next, made.overlap);
     return made;
   }
@@ -287,7 +287,8 @@ class AnyMotion final : public Trajectory {
   using State = std::function<std::pair<double, double>(double seconds)>;
   explicit AnyMotion(State j1) : j1_(std::move(j1)) {}
   [[nodiscard]] Duration duration() const override { return milliseconds(400); }
-  [[nodiscard]] Duration rampTime() const override { return milliseconds(200); }
+  [[nodiscard]] Duration timeUp() const override { return milliseconds(200); }
+  [[nodiscard]] Duration timeDown() const override { return milliseconds(200); }
   [[nodiscard]] JointState at(Duration time) const override {
     const auto [position, velocity] = j1_(toSeconds(time));
     JointState state{workingPosture(), arm::JointVector::Zero()};

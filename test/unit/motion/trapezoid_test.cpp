@@ -95,7 +95,7 @@ TEST(Trapezoid, brakesAsHardAsItMust) {
 TEST(Trapezoid, steadyHasOneSpeed) {
   const Trapezoid profile = Trapezoid::steady(2.0);
   EXPECT_EQ(profile.duration(), 2.0);
-  EXPECT_EQ(profile.rampTime(), 0.0);
+  EXPECT_EQ(profile.timeDown(), 0.0);
   for (const double time : {0.0, 0.5, 2.0}) {
     EXPECT_DOUBLE_EQ(profile.progress(time), 0.5 * time);
     EXPECT_DOUBLE_EQ(profile.rate(time), 0.5);

@@ -19,7 +19,8 @@ class Even final : public motion::Trajectory {
     const double way = toSeconds(std::clamp(time, Duration::zero(), duration_));
     return {arm::JointVector::Constant(from_ + way), arm::JointVector::Ones()};
   }
-  [[nodiscard]] Duration rampTime() const override { return {}; }
+  [[nodiscard]] Duration timeUp() const override { return {}; }
+  [[nodiscard]] Duration timeDown() const override { return {}; }
 
  private:
   double from_;

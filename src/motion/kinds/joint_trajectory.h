@@ -1,0 +1,22 @@
+// All joints on a straight line in joint space, with one progress.
+#pragma once
+
+#include <utility>
+
+#include "profiles/profiled.h"
+
+namespace cobot_command::motion {
+
+class JointTrajectory final : public Profiled {
+ public:
+  JointTrajectory(const arm::JointVector& start, const arm::JointVector& target, ProfilePtr profile)
+      : Profiled(start, target, std::move(profile)) {}
+
+ private:
+  [[nodiscard]] JointState during(double time) const override {
+    const arm::JointVector way = target() - start();
+    return {start() + profile().progress(time) * way, profile().rate(time) * way};
+  }
+};
+
+}  // namespace cobot_command::motion
