@@ -12,6 +12,7 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/arm/inverse_kinematics.h"
+#include "cobot_command/arm/wrist_inverse.h"
 
 namespace {
 
@@ -109,6 +110,20 @@ void onePostureByItsBits(benchmark::State& state) {
   }
 }
 BENCHMARK(onePostureByItsBits);
+
+void onePostureWithItsWristGiven(benchmark::State& state) {
+  const Samples& s = samples();
+  const WristArm wrist_arm(s.arm, Pose::Identity());
+  std::vector<WristBranch> branches;
+  for (const JointVector& joints : s.joints) branches.push_back(wrist_arm.branchOf(joints));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        wrist_arm.solve(s.joints[i].tail<3>(), s.poses[i].translation(), branches[i], s.joints[i]));
+    i = (i + 1) % kSamples;
+  }
+}
+BENCHMARK(onePostureWithItsWristGiven);
 
 void forwardKinematicsOfAPosture(benchmark::State& state) {
   const Samples& s = samples();
