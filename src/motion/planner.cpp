@@ -8,6 +8,7 @@
 #include "kinds/pvt_motion.h"
 #include "kinds/ramped_motion.h"
 #include "kinds/relative_motion.h"
+#include "kinds/wrist_motion.h"
 #include "paths/input_check.h"
 
 namespace cobot_command::motion {
@@ -33,6 +34,7 @@ struct Planner {
   }
   auto operator()(const JointMove& move) const { return planJointMove(arm, start, move, setting); }
   auto operator()(const StraightMove& move) const { return planStraightMove(arm, start, move, setting); }
+  auto operator()(const WristMove& move) const { return planWristMove(arm, start, move, setting); }
   auto operator()(const ArcMove& move) const { return planArcMove(arm, start, move, setting); }
   auto operator()(const Pvt& pvt) const { return planPvt(arm, start, pvt, setting); }
 };

@@ -159,8 +159,15 @@ struct ArcMove {
   PathRates rates;
 };
 
+/// A straight line of the TCP's place, J4..J6 in step with it: the wrist may pass through J5 = 0, and turn
+/// more than once.
+struct WristMove {
+  arm::JointVector target;
+  PathRates rates;  ///< turn: of that of J4..J6 with the longest way
+};
+
 using Command = std::variant<Ptp, Line, Circle, MovePtp, MoveLine, PLine, MovePLine, Pvt, JointMove,
-                             StraightMove, ArcMove>;
+                             StraightMove, ArcMove, WristMove>;
 
 /// What the controller knows when it plans a motion.
 struct Setting {

@@ -37,6 +37,9 @@ class Trajectory {
     return std::clamp(toSeconds(time) / std::max(toSeconds(duration()), 1e-9), 0.0, 1.0);
   }
 
+  /// Of the TCP that it was planned for [m]; 0 of one that says nothing of a TCP.
+  [[nodiscard]] virtual double tcpWay() const { return 0.0; }
+
   [[nodiscard]] JointState end() const { return at(duration()); }
 };
 

@@ -6,6 +6,7 @@
 
 #include "curves/half_turn.h"
 #include "curves/twist_path.h"
+#include "paths/path_refusals.h"
 #include "paths/path_trajectory.h"
 #include "profiles/trapezoid.h"
 #include <fmt/format.h>
@@ -51,19 +52,6 @@ Result<TrajectoryPtr, Refusal> make(const arm::ArmModel& arm, const arm::JointVe
                      chain.setting);
   if (!made) return made;
   return TrajectoryPtr(std::make_shared<PLineTrajectory>(std::move(*made), std::move(chain)));
-}
-
-/// A line leads to a pose; that the joints are those of the target is to be seen.
-std::optional<Refusal> otherPosture(const arm::JointVector& end, const arm::JointVector& target,
-                                    const arm::Pose& point) {
-  constexpr double kSame = 1e-6;
-  Eigen::Index joint = 0;
-  if ((end - target).cwiseAbs().maxCoeff(&joint) <= kSame) return std::nullopt;
-  return Refusal{
-      Refusal::Reason::PoseBits, 1.0, static_cast<int>(joint), point,
-      fmt::format("the straight line to the target ends with J{} at {:.2f} deg, the target has it at "
-                  "{:.2f} deg: choose a target in the posture of the start, or PTP",
-                  joint + 1, radToDeg(end[joint]), radToDeg(target[joint]))};
 }
 
 arm::Pose poseOf(const PLine& line, const arm::ArmModel& arm, const Setting& setting) {

@@ -193,6 +193,10 @@ Finding checkCommand(const StraightMove& move) {
   return first({checkPose(move.target, "the target"), checkPathRates(move.rates)});
 }
 
+Finding checkCommand(const WristMove& move) {
+  return first({checkFinite(move.target.allFinite(), "the joint target"), checkPathRates(move.rates)});
+}
+
 Finding checkCommand(const ArcMove& move) {
   return first({checkPose(move.via, "the arc point"), checkPose(move.target, "the target"),
                 checkPathRates(move.rates)});

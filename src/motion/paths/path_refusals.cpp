@@ -91,6 +91,18 @@ Refusal singularRefusal(const TimedPath& timed, double progress, const arm::Join
                                which, timed.name));
 }
 
+std::optional<Refusal> otherPosture(const arm::JointVector& end, const arm::JointVector& target,
+                                    const arm::Pose& point) {
+  constexpr double kSame = 1e-6;
+  Eigen::Index joint = 0;
+  if ((end - target).cwiseAbs().maxCoeff(&joint) <= kSame) return std::nullopt;
+  return Refusal{
+      Reason::PoseBits, 1.0, static_cast<int>(joint), point,
+      fmt::format("the straight line to the target ends with J{} at {:.2f} deg, the target has it at "
+                  "{:.2f} deg: choose a target in the posture of the start, or PTP",
+                  joint + 1, radToDeg(end[joint]), radToDeg(target[joint]))};
+}
+
 Refusal jointSpeedRefusal(const TimedPath& timed, const SpeedOffence& offence) {
   return refusalAt(timed, offence.progress, Reason::JointSpeed, offence.joint,
                    fmt::format("J{} would need {:.1f} deg/s, rated {:.1f} deg/s; {}", offence.joint + 1,

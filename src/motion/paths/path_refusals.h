@@ -1,6 +1,8 @@
 // The words of a refused path: where it is, what was found, what is allowed, what to do.
 #pragma once
 
+#include <optional>
+
 #include "paths/path_check.h"
 
 namespace cobot_command::motion {
@@ -19,5 +21,10 @@ struct SpeedOffence {
 [[nodiscard]] Refusal singularRefusal(const TimedPath& timed, double progress,
                                       const arm::JointVector& joints);
 [[nodiscard]] Refusal jointSpeedRefusal(const TimedPath& timed, const SpeedOffence& offence);
+
+/// Where a path to joints ends in others. A path leads to a pose; that the joints are those of the target is
+/// to be seen. `point`: the target, in the active base.
+[[nodiscard]] std::optional<Refusal> otherPosture(const arm::JointVector& end, const arm::JointVector& target,
+                                                  const arm::Pose& point);
 
 }  // namespace cobot_command::motion

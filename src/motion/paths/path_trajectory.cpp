@@ -24,6 +24,8 @@ class PathTrajectory final : public Profiled {
         postures_(std::move(postures)),
         followed_(std::move(followed)) {}
 
+  [[nodiscard]] double tcpWay() const override { return postures_->length(); }
+
  private:
   [[nodiscard]] JointState during(double time) const override {
     const double progress = profile().progress(time);

@@ -121,6 +121,66 @@ TEST_F(RampedMoves, alongAnArcPassTheArcPoint) {
   EXPECT_LT(distance(tcp(motion, motion->duration()), arc.target), 1e-9);
 }
 
+/// J4..J6 in step with the straight way of the flange.
+class WristMoves : public RampedMoves {
+ protected:
+  [[nodiscard]] Result<TrajectoryPtr, Refusal> plan(const arm::JointVector& from,
+                                                    const arm::JointVector& to) const {
+    return motion::plan(arm, from, WristMove{to, {ofWay(100, 400), ofJoints(60, 240), {}}}, setting);
+  }
+  void expectStraight(const TrajectoryPtr& motion) const {
+    const Eigen::Vector3d from = tcp(motion, {}).translation();
+    const Eigen::Vector3d way = tcp(motion, motion->duration()).translation() - from;
+    const arm::JointVector start_joints = motion->at({}).position;
+    const Eigen::Vector3d turn = (motion->end().position - start_joints).tail<3>();
+    for (Duration time{}; time <= motion->duration(); time += milliseconds(7)) {
+      const JointState state = motion->at(time);
+      const Eigen::Vector3d on_line = from + motion->progress(time) * way;
+      ASSERT_LT((tcpAt(arm, state.position, setting).translation() - on_line).norm(), 1e-9);
+      const Eigen::Vector3d wrist = start_joints.tail<3>() + motion->progress(time) * turn;
+      ASSERT_LT((state.position.tail<3>() - wrist).norm(), 1e-12);
+      const Duration step = std::chrono::microseconds(10);
+      if (time <= step || time + step >= motion->duration()) continue;
+      const arm::JointVector slope =
+          (motion->at(time + step).position - motion->at(time - step).position) / (2 * toSeconds(step));
+      ASSERT_LT((slope - state.velocity).cwiseAbs().maxCoeff(), 1e-3) << toSeconds(time);
+    }
+  }
+};
+
+TEST_F(WristMoves, passTheStretchedWristAndChangeItsFlip) {
+  const auto motion =
+      planned(plan(degrees(0, 0, 90, 0, 30, 0), degrees(22.9278, -6.5706, 108.7367, 0, -30, 0)));
+  expectStraight(motion);
+  const arm::JointVector middle = motion->at(motion->duration() / 2).position;
+  EXPECT_LT((middle - degrees(13.2200, -5.1230, 101.2085, 0, 0, 0)).cwiseAbs().maxCoeff(), degToRad(1e-3));
+}
+
+TEST_F(WristMoves, turnMoreThanOnce) {
+  const auto motion = planned(plan(degrees(0, 0, 90, 0, 90, -180), degrees(0, -1.6118, 80.6824, 0, 90, 180)));
+  expectStraight(motion);
+  const arm::JointVector middle = motion->at(motion->duration() / 2).position;
+  EXPECT_LT((middle - degrees(0, -1.1297, 85.6338, 0, 90, 0)).cwiseAbs().maxCoeff(), degToRad(1e-3));
+}
+
+TEST_F(WristMoves, goWithAnyTool) {
+  setting = displacedSetting();
+  expectStraight(planned(plan(workingPosture(), workingPosture() + degrees(8, -5, 10, 40, -90, 70))));
+}
+
+TEST_F(WristMoves, toAnotherBranchAreRefused) {
+  const auto refused = plan(degrees(0, 0, 90, 0, 30, 0), degrees(22.9278, 109.6312, -96.2587, 0, -30, 0));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().reason, Refusal::Reason::PoseBits);
+}
+
+TEST_F(WristMoves, throughTheStretchedElbowAreRefused) {
+  const auto refused = plan(degrees(0, 0, 60, 0, 30, 0), degrees(0, 0, -60, 0, 30, 0));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(toString(refused.error().reason),
+              ::testing::AnyOf(HasSubstr("POSE_BITS"), HasSubstr("SINGULAR")));
+}
+
 TEST_F(RampedMoves, withoutUsableRatesAreRefused) {
   const JointMove good{degrees(10, 0, 90, 0, 90, 0), ofJoints(90, 180), {}};
   JointMove bad = good;
