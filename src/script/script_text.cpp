@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/project_name.h"
 #include "cobot_command/script/script_command.h"
 
 namespace cobot_command::script {
@@ -29,8 +30,7 @@ std::string DataFormat::text() const {
 }
 
 bool isName(std::string_view name) {
-  return !name.empty() && name.size() <= kMaxNameLength && isUtf8(name) &&
-         std::none_of(name.begin(), name.end(), isControl);
+  return isProjectName(name);
 }
 
 bool isScriptLine(std::string_view line) {

@@ -15,6 +15,8 @@
 #include <variant>
 #include <vector>
 
+#include "cobot_command/common/project_name.h"
+
 namespace cobot_command::script {
 
 /// Six numbers: X Y Z [mm] RX RY RZ [deg], or J1..J6 [deg], as the data format says.
@@ -175,11 +177,9 @@ using ScriptCommand =
                  PLine, MovePLine, PvtEnter, PvtPoint, PvtExit, PvtPause, PvtResume, ContinueVJog,
                  ContinueVLine, SetContinueVJog, SetContinueVLine, StopContinueVmode, SuspendContinueVmode>;
 
-/// What can stand as the name of a base or TCP: UTF-8, not empty, without control characters (a line end
-/// would begin another command), at most kMaxNameLength bytes. Quotes are allowed: they are doubled in the
-/// text.
+/// What can stand as the name of a base or TCP, isProjectName().
 [[nodiscard]] bool isName(std::string_view name);
-inline constexpr std::size_t kMaxNameLength = 255;
+inline constexpr std::size_t kMaxNameLength = kLongestProjectName;
 
 /// What can be sent as one line of script: UTF-8 without control characters other than tabs.
 [[nodiscard]] bool isScriptLine(std::string_view line);

@@ -1,0 +1,40 @@
+// Why an entry of the tables is not taken.
+#pragma once
+
+#include <string>
+
+#include "cobot_command/tables/entries.h"
+
+namespace cobot_command::tables {
+
+/// The numbers of SRCI. Frames come before tools there, also where both are in use.
+namespace table_error {
+inline constexpr int kFrameIndex = 0x8D08;
+inline constexpr int kLoadIndex = 0x8D17;
+inline constexpr int kToolIndex = 0x8D35;
+inline constexpr int kReferenceRefers = 0x8C12;  ///< to a frame that refers to another
+inline constexpr int kReferenceInvalid = 0x8C13;
+inline constexpr int kFrameInUse = 0x8C15;
+inline constexpr int kToolInUse = 0x8C16;
+inline constexpr int kLoadInUse = 0x8C17;
+inline constexpr int kMass = 0x8D49;
+// As own_error of the blocks has them: what SRCI has no number for.
+inline constexpr int kNotFinite = 0x200;
+inline constexpr int kCoordinateRange = 0x213;
+inline constexpr int kInertiaRange = 0x21D;
+inline constexpr int kNameInvalid = 0x21F;
+}  // namespace table_error
+
+struct Refusal {
+  int error_id = 0;
+  Kind kind = Kind::Tool;
+  int index = 0;
+  std::string found;
+  std::string allowed;
+  std::string remedy;
+};
+
+/// "tool 16: the number is 16; allowed: 1 to 15. Give the number of ..."
+[[nodiscard]] std::string describe(const Refusal& refusal);
+
+}  // namespace cobot_command::tables
