@@ -3,7 +3,7 @@
 # The rooms that read what a peer sent, and those that decide what becomes of it. Their tests run once with every change,
 # watched, in a build of their own; the build of everything leaves them out then. What is quick (corpora, the package in
 # the hands of another project) runs in both.
-readonly core_tests=(protocol tm_script script link robot blocks command peers simulator)
+readonly core_tests=(protocol tm_script script tables link robot blocks command peers simulator)
 core_tests_pattern=$(IFS='|' && echo "^((${core_tests[*]})[.]|fuzz[.]|package[.]|locale[.](${core_tests[*]})_)")
 readonly core_tests_pattern
 # Both nodes as processes: goals and cancels of four clients at once, connections made and lost, ends and kills.

@@ -15,6 +15,8 @@ namespace {
 
 /// Room for rounding where the TCP is compared to the radius [m].
 constexpr double kRadiusTolerance = 1e-9;
+/// So far a joint may go between two samples of a corner [rad].
+constexpr double kCornerWay = 5e-3;
 /// A shorter overlap is not worth looking for.
 constexpr Duration kShortest = std::chrono::milliseconds(1);
 
@@ -84,9 +86,9 @@ class CornerCheck {
     return longest(most, [&](Duration overlap) { return areWithinRadius(overlap); });
   }
 
-  /// Whether the arm can follow the sum, at samples at most kSamplePeriod apart.
+  /// Whether the arm can follow the sum.
   [[nodiscard]] bool canBeMade(Duration overlap) const {
-    const auto steps = static_cast<Duration::rep>(std::ceil(toSeconds(overlap) / kSamplePeriod));
+    const auto steps = static_cast<Duration::rep>(std::ceil(toSeconds(overlap) / samplePeriod(overlap)));
     for (Duration::rep i = 0; i <= steps; ++i) {
       const JointState state = sumOf(corner_.before, corner_.next, overlap, overlap * i / steps);
       if (arm_.firstJointOutsideLimits(state.position) >= 0 || isTooFast(state.velocity) ||
@@ -98,6 +100,14 @@ class CornerCheck {
   }
 
  private:
+  /// Short enough that no joint goes further than kCornerWay meanwhile [s]; both motions are fastest at the
+  /// ends.
+  [[nodiscard]] double samplePeriod(Duration overlap) const {
+    const Trajectory& before = corner_.before;
+    const double fastest = before.at(before.duration() - overlap).velocity.cwiseAbs().maxCoeff() +
+                           corner_.next.at(overlap).velocity.cwiseAbs().maxCoeff();
+    return std::clamp(kCornerWay / fastest, kSamplePeriod, kLongestSamplePeriod);
+  }
   [[nodiscard]] Eigen::Vector3d tcpAt(const arm::JointVector& joints) const {
     return (arm::forwardKinematics(arm_, joints) * corner_.tcp).translation();
   }

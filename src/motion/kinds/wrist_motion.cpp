@@ -96,8 +96,9 @@ Result<TrajectoryPtr, Refusal> planWristMove(const arm::ArmModel& arm, const arm
                      {"wrist move", askedSpeed(postures->length(), turn, move.rates), setting.base});
   if (!made) return made;
   const arm::Pose there = setting.base.inverse() * tcpInRobotBase(arm, move.target, setting);
-  if (auto other = otherPosture((*made)->end().position, move.target, there))
+  if (auto other = otherPosture((*made)->end().position, move.target, there)) {
     return refuse(std::move(*other));
+  }
   return made;
 }
 

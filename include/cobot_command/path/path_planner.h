@@ -1,0 +1,56 @@
+// From the points of goals to one planned path: the one planner of checks, previews, execution and tests.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cobot_command/path/path_plan.h"
+#include "cobot_command/path/path_point.h"
+#include "cobot_command/path/path_refusal.h"
+#include "cobot_command/path/path_scene.h"
+
+namespace cobot_command::path {
+
+/// What one goal loads: `number_of_moves` of its points from `start_index` on. No other point is looked at.
+struct PathSection {
+  std::vector<PathPoint> points;
+  int start_index = 0;
+  int number_of_moves = 0;
+  int goal = 0;  ///< the number of the goal: of a point without a move_id, and to tell goals apart
+};
+
+/// So many points may an array have.
+inline constexpr std::size_t kMostPoints = 1000;
+/// So many references may the poses of one goal have.
+inline constexpr std::size_t kMostReferences = 3;
+
+/// 1010 to 1032: what is wrong with a section whoever plans it, the first point first.
+[[nodiscard]] std::optional<PathRefusal> checkSection(const PathSection& section,
+                                                      const tables::DataTables& tables);
+
+/// A value: a copy can be tried out and thrown away. Sections that are planned behind each other are one
+/// path: points 0..9 as one section, or as two, give the bit-identical trajectory, but that each section
+/// states its own dynamics.
+class PathPlanner {
+ public:
+  explicit PathPlanner(PathScene scene);
+
+  /// Plans a section behind all before it. Refused: it is not appended.
+  [[nodiscard]] std::optional<PathRefusal> append(const PathSection& section);
+
+  [[nodiscard]] const PathPlan& plan() const { return plan_; }
+  [[nodiscard]] const PathScene& scene() const { return *scene_; }
+  /// What the feedrate, tables and world are from the next section on.
+  void setScene(PathScene scene);
+
+ private:
+  struct Written;
+  class Appending;
+
+  std::shared_ptr<const PathScene> scene_;
+  PathPlan plan_;
+  std::shared_ptr<const Written> written_;  ///< the last pose as it was given: increments add to its numbers
+};
+
+}  // namespace cobot_command::path

@@ -1,0 +1,44 @@
+#include "cobot_command/path/path_plan.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cobot_command::path {
+
+void PathPlan::append(PlannedPoint point, Duration overlap) {
+  if (!points_.empty()) points_.back().overlap = overlap;
+  point.start = duration() - overlap;
+  points_.push_back(std::move(point));
+}
+
+std::size_t PathPlan::begunAt(Duration time) const {
+  const auto behind = std::upper_bound(points_.begin(), points_.end(), time,
+                                       [](Duration at, const PlannedPoint& one) { return at < one.start; });
+  return behind == points_.begin() ? 0 : static_cast<std::size_t>(behind - points_.begin()) - 1;
+}
+
+motion::JointState PathPlan::at(Duration time) const {
+  if (points_.empty()) return {start_, arm::JointVector::Zero()};
+  const std::size_t begun = begunAt(time);
+  const PlannedPoint& point = points_[begun];
+  motion::JointState state = point.motion->at(time - point.start);
+  if (begun == 0 || time >= points_[begun - 1].end()) return state;
+  const motion::Trajectory& before = *points_[begun - 1].motion;
+  const motion::JointState fading = before.at(time - points_[begun - 1].start);
+  state.position += fading.position - before.end().position;
+  state.velocity += fading.velocity;
+  return state;
+}
+
+PathPlan::Place PathPlan::placeAt(Duration time) const {
+  const std::size_t begun = begunAt(time);
+  const auto shareOf = [&](std::size_t point) {
+    return points_[point].motion->progress(time - points_[point].start);
+  };
+  if (begun > 0 && time < points_[begun - 1].end()) {
+    return {begun - 1, shareOf(begun - 1), true, shareOf(begun)};
+  }
+  return {begun, shareOf(begun), false, 0.0};
+}
+
+}  // namespace cobot_command::path

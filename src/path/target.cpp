@@ -1,0 +1,118 @@
+#include "target.h"
+
+#include <fmt/format.h>
+
+#include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::path {
+namespace {
+
+Result<arm::Pose, PathRefusal> known(Result<arm::Pose, tables::Gap> entry, int error_id, int index) {
+  if (entry) return *entry;
+  return refuse(PathRefusal{error_id, index, -1,
+                            entry.error().found + ": write its value into the table, or have it streamed"});
+}
+
+Result<arm::Pose, PathRefusal> movedFrame(const PathPoint& point, int index, const PathScene& scene) {
+  if (is(point.pose_type, MovedFrame::Flange)) return arm::Pose(arm::Pose::Identity());
+  return known(scene.tables.toolInFlange(point.pose_id), path_error::kToolUnknown, index);
+}
+
+Result<arm::Pose, PathRefusal> reference(const PathPoint& point, int index, const PathScene& scene) {
+  if (is(point.ref_frame_type, Reference::User)) {
+    return known(scene.tables.frameInRobotBase(point.ref_frame_id), path_error::kFrameUnknown, index);
+  }
+  if (is(point.ref_frame_type, Reference::Robot)) return arm::Pose(arm::Pose::Identity());
+  if (scene.world) return *scene.world;
+  return refuse(PathRefusal{path_error::kWorldUnknown, index, -1,
+                            "the target is in WORLD, and tf does not tell where the world is from the robot "
+                            "base: publish it, or give the target in ROBOT or USER"});
+}
+
+bool isSameFrames(const PathPoint& a, const PathPoint& b) {
+  return a.pose_type == b.pose_type && a.pose_id == b.pose_id && a.ref_frame_type == b.ref_frame_type &&
+         a.ref_frame_id == b.ref_frame_id;
+}
+
+arm::ControllerPose numbersOf(const Previous& previous, const PathPoint& point, const Target& target,
+                              const PathScene& scene) {
+  if (previous.written && isSameFrames(previous.written->frames, point)) return previous.written->numbers;
+  const arm::Pose flange = arm::forwardKinematics(scene.arm, previous.joints);
+  return arm::toControllerPose(target.reference.inverse() * flange * target.moved_frame);
+}
+
+arm::JointVector jointsOf(const PathPoint& point, const Previous& previous) {
+  arm::JointVector joints;
+  for (Eigen::Index i = 0; i < joints.size(); ++i) {
+    joints[i] = degToRad(point.joints[static_cast<std::size_t>(i)]);
+  }
+  if (is(point.move_type, MoveType::Incremental)) joints += previous.joints;
+  return joints;
+}
+
+void placeAt(Target& target, const arm::ControllerPose& numbers, const PathPoint& point,
+             const Previous& previous) {
+  const arm::Pose pose = target.reference * arm::toPose(numbers);
+  if (is(point.target_type, TargetType::Cartesian)) {
+    target.place = pose;
+    target.written = Previous::Written{point, numbers};
+  } else {
+    target.place = HybridTarget{pose.translation(), jointsOf(point, previous).tail<3>()};
+  }
+}
+
+}  // namespace
+
+Result<Target, PathRefusal> targetOf(const PathPoint& point, int index, const Previous& previous,
+                                     const PathScene& scene) {
+  Target target;
+  const bool has_pose = !is(point.target_type, TargetType::Joint);
+  if (has_pose) {
+    auto from = reference(point, index, scene);
+    if (!from) return refuse(std::move(from.error()));
+    target.reference = *from;
+  }
+  if (has_pose || !is(point.interpolation, Interpolation::Ptp)) {
+    auto moved = movedFrame(point, index, scene);
+    if (!moved) return refuse(std::move(moved.error()));
+    target.moved_frame = *moved;
+  }
+  if (!has_pose) {
+    target.place = jointsOf(point, previous);
+    return target;
+  }
+  arm::ControllerPose numbers = point.pose;
+  if (is(point.move_type, MoveType::Incremental)) {
+    const arm::ControllerPose before = numbersOf(previous, point, target, scene);
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] += before[i];
+  }
+  placeAt(target, numbers, point, previous);
+  return target;
+}
+
+std::optional<arm::PoseBits> askedBits(const PathPoint& point) {
+  const int value = point.robot_configuration;
+  if ((value & 1) == 0) return std::nullopt;
+  const int lefty = (value >> 1) & 1;
+  const int above = (value >> 2) & 1;
+  const int flip = (value >> 3) & 1;
+  return arm::PoseBits::fromNumbers(lefty, 3 - above, 4 + flip);
+}
+
+std::optional<PathRefusal> checkFlip(const PathPoint& point, int index, double j5) {
+  const auto bits = askedBits(point);
+  if (!bits) return std::nullopt;
+  const bool righty = bits->shoulder == arm::Shoulder::Righty;
+  const bool is_noflip = righty ? j5 > 0.0 : j5 < 0.0;
+  const bool asks_noflip = bits->wrist == arm::Wrist::NoFlip;
+  if (is_noflip == asks_noflip) return std::nullopt;
+  return PathRefusal{
+      path_error::kConfiguration, index, -1,
+      fmt::format("robot_configuration {} asks for {}, and J5 = {:.3f} deg says {}: agree both, "
+                  "or clear bit 0",
+                  point.robot_configuration, arm::toString(*bits), radToDeg(j5),
+                  is_noflip ? "NOFLIP" : "FLIP")};
+}
+
+}  // namespace cobot_command::path
