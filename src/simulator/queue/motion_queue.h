@@ -7,7 +7,6 @@
 // Call run() at nextEvent() at the latest.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,8 +79,8 @@ class MotionQueue {
   /// By the project; a safeguard may hold it all the same.
   [[nodiscard]] bool paused() const { return holds_.by(Holder::Project); }
   [[nodiscard]] int motionCount() const { return waiting_.motionCount() + (arm_.isOnPath() ? 1 : 0); }
-  /// All entries that wait, of whatever kind, and the points of PVT.
-  [[nodiscard]] std::size_t size() const { return waiting_.size(); }
+  /// Behind the motion that is under way.
+  [[nodiscard]] const WaitingEntries& waiting() const { return waiting_; }
   [[nodiscard]] const ToolAndBase& toolAndBase() const { return setting_; }
   /// Why the last motion was not made; until the next one is queued.
   [[nodiscard]] const std::optional<RobotError>& error() const { return errors_.error(); }

@@ -40,10 +40,9 @@ class PvtRecorder {
     Open given_up = *std::exchange(open_, std::nullopt);
     return std::move(given_up.between);
   }
-  /// Points, and entries between them.
-  [[nodiscard]] std::size_t size() const {
-    return open_ ? open_->block.points.size() + open_->between.size() : 0;
-  }
+  [[nodiscard]] std::size_t points() const { return open_ ? open_->block.points.size() : 0; }
+  /// Entries between the points.
+  [[nodiscard]] std::size_t size() const { return open_ ? open_->between.size() : 0; }
 
  private:
   struct Open {

@@ -86,8 +86,8 @@ int WaitingEntries::motionCount() const {
   }));
 }
 
-std::size_t WaitingEntries::size() const {
-  std::size_t all = entries_.size() + pvt_.size();
+std::size_t WaitingEntries::pvtPoints() const {
+  std::size_t all = pvt_.points();
   for (const QueueEntry& entry : entries_) all += pointsIn(entry);
   return all;
 }

@@ -43,8 +43,10 @@ class WaitingEntries {
   [[nodiscard]] std::vector<QueuedTag> giveUpPvt();
 
   [[nodiscard]] int motionCount() const;
-  /// Entries of whatever kind, and the points of PVT.
-  [[nodiscard]] std::size_t size() const;
+  /// Entries of whatever kind; a whole PVT is one.
+  [[nodiscard]] std::size_t size() const { return entries_.size() + pvt_.size(); }
+  /// Of all PVT, the open one too.
+  [[nodiscard]] std::size_t pvtPoints() const;
 
  private:
   std::deque<QueueEntry> entries_;

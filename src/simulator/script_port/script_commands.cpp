@@ -200,7 +200,8 @@ tm_script::CallAnswer ScriptCommands::execute(const script::SuspendContinueVmode
 }
 
 tm_script::CallAnswer ScriptCommands::perform(const script::ScriptCommand& command) {
-  if (isQueued(command) && room() == 0) return full();
+  const bool is_point = std::holds_alternative<script::PvtPoint>(command);
+  if (isQueued(command) && (is_point ? room().points : room().entries) == 0) return full();
   return std::visit([this](const auto& what) { return execute(what); }, command);
 }
 

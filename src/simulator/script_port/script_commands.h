@@ -54,10 +54,16 @@ class ScriptCommands {
   [[nodiscard]] tm_script::CallAnswer perform(const script::ScriptCommand& command);
 
   /// The queue of motions is bounded, so that no client can fill the memory. A line that does not fit is a
-  /// faulty line.
+  /// faulty line. Points of PVT count apart: a path has thousands of them.
   static constexpr std::size_t kMostQueued = 1000;
-  [[nodiscard]] std::size_t room() const {
-    return kMostQueued - std::min<std::size_t>(queue_.size(), kMostQueued);
+  static constexpr std::size_t kMostPvtPoints = 20000;
+  struct Room {
+    std::size_t entries = 0;
+    std::size_t points = 0;
+  };
+  [[nodiscard]] Room room() const {
+    return {kMostQueued - std::min<std::size_t>(queue_.waiting().size(), kMostQueued),
+            kMostPvtPoints - std::min<std::size_t>(queue_.waiting().pvtPoints(), kMostPvtPoints)};
   }
 
   /// Of the command that was answered Wait; told once.

@@ -28,17 +28,20 @@ const tm_script::Attribute* attributeIn(const tm_script::Expression& target) {
   return std::get_if<tm_script::Attribute>(element == nullptr ? &target.node : &element->array->node);
 }
 
-/// Is there a call or an output that goes into the queue of motions? Calls within others are seen when they
-/// are made.
-bool goesIntoTheQueue(const tm_script::Statement& statement) {
+/// What a call or an output takes of the room in the queue of motions; nothing: it does not go there. Calls
+/// within others are seen when they are made.
+std::size_t* roomFor(const tm_script::Statement& statement, ScriptCommands::Room& room) {
   const auto* expression = std::get_if<tm_script::Expression>(&statement.content);
-  if (expression == nullptr) return false;
-  const auto* call = std::get_if<tm_script::Call>(&expression->node);
-  if (call != nullptr) return script::isQueued(call->function);
+  if (expression == nullptr) return nullptr;
+  if (const auto* call = std::get_if<tm_script::Call>(&expression->node)) {
+    if (call->function == "PVTPoint") return &room.points;
+    return script::isQueued(call->function) ? &room.entries : nullptr;
+  }
   const auto* assignment = std::get_if<tm_script::Assignment>(&expression->node);
   const auto* attribute = assignment == nullptr ? nullptr : attributeIn(assignment->targets.front());
-  return attribute != nullptr && attribute->object == "IO" &&
-         (attribute->name == "DO" || attribute->name == "AO");
+  const bool is_queued = attribute != nullptr && attribute->object == "IO" &&
+                         (attribute->name == "DO" || attribute->name == "AO");
+  return is_queued ? &room.entries : nullptr;
 }
 
 }  // namespace
@@ -71,13 +74,14 @@ tm_script::Findings ScriptScheduler::findingsOf(const PendingScript& script) {
     for (const int line : script.spoiled) findings.errors.push_back({line, "fault"});
   }
   if (!findings.errors.empty()) return findings;
-  std::size_t room = environment_.commands().room();
+  ScriptCommands::Room room = environment_.commands().room();
   for (const tm_script::Statement& statement : script.script.statements) {
-    if (!goesIntoTheQueue(statement)) continue;
-    if (room == 0) {
+    std::size_t* left = roomFor(statement, room);
+    if (left == nullptr) continue;
+    if (*left == 0) {
       findings.errors.push_back({statement.line, "the queue of motions is full"});
     } else {
-      --room;
+      --*left;
     }
   }
   return findings;

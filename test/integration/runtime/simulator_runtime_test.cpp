@@ -3,6 +3,7 @@
 #include <future>
 #include <limits>
 
+#include "long_pvt.h"
 #include "raw_client.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -112,6 +113,18 @@ TEST(SimulatorRuntime, movesAsFastAsPossibleAndStreamsEveryStateOnTheWay) {
   simulator.runtime.stop();
   ASSERT_TRUE(status.readsTheEnd());
   EXPECT_GT(frames(), static_cast<int>(simulated / 0.015) - 2);
+}
+
+TEST(SimulatorRuntime, takesAPathOfThousandsOfPointsInOneFrameAndListensOn) {
+  const Simulator simulator(anyPorts(kAsFastAsPossible));
+  RawClient client(simulator.ports.script);
+  RawClient other(simulator.ports.script);
+  client.send(encodeFrame("TMSCT", "1," + testing::LongPvt(6000).script()));
+  other.send(kListenQuery);
+  EXPECT_TRUE(other.reads(kListenAnswer));
+  ASSERT_TRUE(client.reads(encodeFrame("TMSCT", "1,OK"))) << client.received();
+  ASSERT_TRUE(client.reads(encodeFrame("TMSTA", "01,02,true")));
+  EXPECT_NE(client.received().find(encodeFrame("TMSTA", "01,01,true")), std::string::npos);
 }
 
 TEST(SimulatorRuntime, refusesClientsWhileNoProjectRunsAndServesThemAgainOnTheSamePort) {

@@ -66,7 +66,7 @@ TEST(WaitingEntries, seeNoMotionBehindWhatStopsTheArm) {
   }
 }
 
-TEST(WaitingEntries, countMotionsAndAllEntriesWithThePointsOfPvt) {
+TEST(WaitingEntries, countMotionsEntriesAndThePointsOfPvt) {
   WaitingEntries waiting;
   waiting.push(someMotion());
   waiting.push(QueuedTag{});
@@ -76,10 +76,12 @@ TEST(WaitingEntries, countMotionsAndAllEntriesWithThePointsOfPvt) {
   waiting.pvt().add(pointOf(1));
   waiting.pvt().add(pointOf(1));
   EXPECT_EQ(waiting.motionCount(), 1);
-  EXPECT_EQ(waiting.size(), 4U);
+  EXPECT_EQ(waiting.size(), 2U);
+  EXPECT_EQ(waiting.pvtPoints(), 2U);
   for (const QueueEntry& entry : waiting.pvt().close()) waiting.push(entry);
   EXPECT_EQ(waiting.motionCount(), 2);
-  EXPECT_EQ(waiting.size(), 5U);
+  EXPECT_EQ(waiting.size(), 3U);
+  EXPECT_EQ(waiting.pvtPoints(), 2U);
 }
 
 TEST(WaitingEntries, giveUpAllAndLeaveTheTags) {
@@ -148,9 +150,9 @@ TEST(PvtRecorder, beginsAnewWithEachOpening) {
   EXPECT_TRUE(pvt.giveUp().empty());
   pvt.open(true);
   pvt.add(pointOf(2));
-  EXPECT_EQ(pvt.size(), 1U);
+  EXPECT_EQ(pvt.points(), 1U);
   pvt.open(false);
-  EXPECT_EQ(pvt.size(), 0U);
+  EXPECT_EQ(pvt.points(), 0U);
 }
 
 // --- Velocities --------------------------------------------------------------------------------------------

@@ -41,20 +41,31 @@ TEST_F(Commands, queueWhatTheyQueueAndDoTheRestAtOnce) {
   write.index = 3;
   write.on = true;
   EXPECT_EQ(failureOf(write), "");
-  EXPECT_EQ(queue.size(), 1U);
+  EXPECT_EQ(queue.waiting().size(), 1U);
   EXPECT_FALSE(io.outputs().at(write.module, 3));
   write.instant = true;
   EXPECT_EQ(failureOf(write), "");
-  EXPECT_EQ(queue.size(), 1U);
+  EXPECT_EQ(queue.waiting().size(), 1U);
   EXPECT_TRUE(io.outputs().at(write.module, 3));
 }
 
 TEST_F(Commands, haveNoRoomInAFullQueueButForWhatIsNotQueued) {
-  while (commands.room() > 0) queue.push(LoadChange{});
-  EXPECT_EQ(queue.size(), ScriptCommands::kMostQueued);
+  while (commands.room().entries > 0) queue.push(LoadChange{});
+  EXPECT_EQ(queue.waiting().size(), ScriptCommands::kMostQueued);
   EXPECT_EQ(failureOf(script::QueueTag{1, false}), "the queue of motions is full");
   EXPECT_EQ(failureOf(script::Pause{}), "");
   EXPECT_TRUE(queue.paused());
+}
+
+TEST_F(Commands, haveRoomForThePointsOfPvtApartFromAllElse) {
+  EXPECT_EQ(failureOf(script::PvtEnter{}), "");
+  while (commands.room().points > 0) ASSERT_EQ(failureOf(script::PvtPoint{}), "");
+  EXPECT_EQ(queue.waiting().pvtPoints(), ScriptCommands::kMostPvtPoints);
+  EXPECT_EQ(failureOf(script::PvtPoint{}), "the queue of motions is full");
+  EXPECT_EQ(failureOf(script::QueueTag{1, false}), "");
+  EXPECT_EQ(failureOf(script::PvtExit{}), "");
+  EXPECT_EQ(failureOf(script::PvtEnter{}), "");
+  EXPECT_EQ(failureOf(script::PvtPoint{}), "the queue of motions is full") << "those that wait count, too";
 }
 
 TEST_F(Commands, waitForTheTagThatTheyQueue) {
