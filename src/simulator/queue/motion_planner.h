@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "queue/moving_arm.h"
+#include "drive/moving_arm.h"
 #include "queue/queue_entry.h"
 #include "queue/tool_and_base.h"
 

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "drive/moving_arm.h"
+#include "drive/robot_error.h"
 #include "queue/holds.h"
 #include "queue/motion_planner.h"
-#include "queue/moving_arm.h"
 #include "queue/queue_entry.h"
 #include "queue/queue_reports.h"
-#include "queue/robot_error.h"
 #include "queue/tool_and_base.h"
 #include "queue/velocities.h"
 #include "queue/waiting_entries.h"

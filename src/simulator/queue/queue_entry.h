@@ -5,8 +5,8 @@
 #include <string>
 #include <variant>
 
+#include "drive/robot_error.h"
 #include "queue/queued_tag.h"
-#include "queue/robot_error.h"
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/motion/command.h"

@@ -1,7 +1,7 @@
 // The parts of the queue by themselves: tool and base, holds, the error, what is told.
+#include "drive/robot_error.h"
 #include "queue/holds.h"
 #include "queue/queue_reports.h"
-#include "queue/robot_error.h"
 #include "queue/tool_and_base.h"
 #include "table_checks.h"
 #include <gtest/gtest.h>

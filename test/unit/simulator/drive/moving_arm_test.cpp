@@ -1,5 +1,5 @@
 // One motion on the arm by itself: held, let go, stopped, blended.
-#include "queue/moving_arm.h"
+#include "drive/moving_arm.h"
 
 #include "table_checks.h"
 #include <gtest/gtest.h>

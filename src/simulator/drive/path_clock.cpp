@@ -1,4 +1,4 @@
-#include "queue/path_clock.h"
+#include "drive/path_clock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "queue/robot_error.h"
+#include "drive/robot_error.h"
 
 #include <fmt/format.h>
 

@@ -5,9 +5,9 @@
 
 #include <optional>
 
-#include "queue/arm_states.h"
-#include "queue/path_clock.h"
-#include "queue/robot_error.h"
+#include "drive/arm_states.h"
+#include "drive/path_clock.h"
+#include "drive/robot_error.h"
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"

@@ -1,4 +1,4 @@
-#include "queue/moving_arm.h"
+#include "drive/moving_arm.h"
 
 #include <algorithm>
 #include <utility>
