@@ -107,6 +107,8 @@ constexpr Row kRows[] = {
      "a new connection to the script port gets this line, and no answer ever"},
     {"hide_items", &FaultSwitches::hide_items, checkItems, "names of items with blanks between",
      "the status port does not have these items"},
+    {"pvt_linear", &FaultSwitches::pvt_linear, checkUncounted, "",
+     "the arm goes straight and evenly between the points of a PVT that begins, not on cubics"},
 };
 
 struct MessageRow {

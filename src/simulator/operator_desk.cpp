@@ -125,7 +125,7 @@ OperatorReply OperatorDesk::act(const SetProjectSpeed& action) {
     return notDone(fmt::format("project speed {} %: allowed are 5 to 100 in steps of 5", action.percent));
   }
   parts_.settings.project_speed_percent = action.percent;
-  parts_.queue.setSpeedOverride(action.percent / 100.0);
+  parts_.queue.setSpeedOverride(action.percent / 100.0, now_);
   return done(fmt::format("the project speed is {} %", action.percent));
 }
 

@@ -23,6 +23,7 @@ using Found = std::optional<std::string>;
 
 constexpr double kLongestWait = 86400;     // [s]
 constexpr double kLongestStopTime = 60;    // [s]
+constexpr double kLongestLag = 10;         // [s]
 constexpr std::size_t kLongestName = 128;  // as for the item Project_Name
 
 SettingKind projectSpeed(int& percent) {
@@ -150,6 +151,8 @@ SettingTable projectTable(Settings& s) {
       {"project_running", flag(s.project_running), "the project runs at the start"},
       {"project_name", text(s.project_name, name(kLongestName)), "an item of the status port"},
       {"project_speed", projectSpeed(s.project_speed_percent), "slows every motion"},
+      {"project_speed_live", flag(s.project_speed_live),
+       "a change of the project speed counts for the motion that is under way, too"},
       {"start_posture_deg", posture(s.start_posture), "posture at the start, within the limits of the model"},
       {"listen_node", text(s.listen_node_message, name(kLongestName)), "entry message of the Listen node"},
       {"connection_timeout", seconds(s.connection_timeout, 0, kLongestWait),
@@ -176,6 +179,8 @@ SettingTable controllerTable(Settings& s) {
   return {
       {"stop_time", seconds(s.stop_time, 0, kLongestStopTime),
        "from full motion to rest, on the path, by a pause or a stop, and back"},
+      {"pvt_lag", seconds(s.pvt_lag, 0, kLongestLag),
+       "by which the arm follows a PVT late; it comes to the same end, with its tags"},
       {"safeguard_resets_itself", flag(s.safeguard_resets_itself),
        "the arm goes on when the safeguard is closed; else the project is paused then"},
       {"on_motion_error", choice(s.on_motion_error, policies),

@@ -8,14 +8,26 @@
 
 namespace cobot_command::simulator {
 
+namespace {
+
+MotionQueue::Options queueOptions(const Settings& settings) {
+  MotionQueue::Options options;
+  options.stop_time = std::max(settings.stop_time, Duration::zero());
+  options.checks_payload = settings.checks_payload;
+  options.live_speed = settings.project_speed_live;
+  options.pvt_lag = std::max(settings.pvt_lag, Duration::zero());
+  return options;
+}
+
+}  // namespace
+
 SimulatedController::Impl::Impl(const arm::ArmModel& arm, Settings settings, Instant now)
     : arm_(arm.turning(settings.turn_speed)),
       settings_(std::move(settings)),
       now_(now),
       faults_(settings_.faults),
       outgoing_(faults_, outbox_),
-      queue_(arm_, settings_.start_posture,
-             {std::max(settings_.stop_time, Duration::zero()), settings_.checks_payload}, faults_.stale_tag),
+      queue_(arm_, settings_.start_posture, queueOptions(settings_), faults_),
       io_(outbox_),
       project_(settings_, arm_),
       node_(settings_, {arm_, queue_, io_, project_, [this] { return measured(); }}, faults_, outgoing_,
@@ -24,7 +36,7 @@ SimulatedController::Impl::Impl(const arm::ArmModel& arm, Settings settings, Ins
       operator_({settings_, faults_, outbox_, queue_, io_, project_, node_, status_}, [this] { settle(); }),
       started_(now) {
   settings_.project_speed_percent = std::clamp(settings_.project_speed_percent, 1, 100);
-  queue_.setSpeedOverride(settings_.project_speed_percent / 100.0);
+  queue_.setSpeedOverride(settings_.project_speed_percent / 100.0, now);
   outbox_.setTime(now);
   outbox_.openPort(Port::Status);
   if (settings_.project_running) operator_.operate(RunProject{}, now_);

@@ -43,6 +43,7 @@ struct FaultSwitches {
   FaultSwitch false_tag, early_tag, stale_tag, query_none, query_false;
   FaultSwitch silence, close_on_connect, refuse_connections, impostor;
   FaultSwitch hide_items;
+  FaultSwitch pvt_linear;
   std::array<MessageFaults, kMessageKinds> messages;
 
   [[nodiscard]] MessageFaults& of(MessageKind kind) { return messages.at(static_cast<std::size_t>(kind)); }

@@ -33,7 +33,7 @@ struct SetSafeguard {
 struct SetOperatingMode {
   OperatingMode mode = OperatingMode::Automatic;
 };
-/// 5..100 in steps of 5; counts for the motions that start from then on.
+/// 5..100 in steps of 5; counts for the motions that start from then on, see Settings::project_speed_live.
 struct SetProjectSpeed {
   int percent = 100;
 };

@@ -42,12 +42,15 @@ struct Settings {
   /// Addresses of clients that may write items, as "192.168.1.7"; absent: all may.
   std::optional<std::set<std::string, std::less<>>> write_clients;
   int project_speed_percent = 100;   ///< 5..100, multiples of 5
+  bool project_speed_live = false;   ///< a change of it counts for the motion that is under way, too
   bool accept_empty_length = false;  ///< see FrameDecoder::Options
   /// On at the start. (Said in full: GCC 12 crashes on the short form when Settings{} stands in a template.)
   FaultSwitches faults = FaultSwitches();
   MotionErrorPolicy on_motion_error = MotionErrorPolicy::ReportFalse;
   /// From full motion to standstill, on the path, by Pause and StopAndClearBuffer; and back by Resume.
   Duration stop_time = std::chrono::milliseconds(200);
+  /// By which the arm follows a PVT late. It comes to the same places and the same end, with its tags.
+  Duration pvt_lag{};
   /// The arm goes on when the safeguard is closed again; else the project is paused then, and needs Resume().
   bool safeguard_resets_itself = true;
   /// From leaving the Listen node (ScriptExit) until the project's loop enters it again; absent: never.

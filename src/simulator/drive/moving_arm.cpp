@@ -25,6 +25,13 @@ void MovingArm::halt(Instant now) {
   on(ArmEvent::Halt, now);
 }
 
+void MovingArm::setSpeedOverride(double override, Instant now) {
+  if (!isOnPath()) return;
+  clock_.setPace(now, override / active_->motion.speed_override);
+  if (state_ == ArmState::Braking) return scheduleStop(now);
+  schedule(now);
+}
+
 MovingArm::Ended MovingArm::end() {
   Ended ended{state_ == ArmState::Braking, std::move(active_->motion.obstacle)};
   on(ArmEvent::End, *end_at_);
@@ -91,7 +98,8 @@ motion::JointState MovingArm::onPath(Instant now) const {
 }
 
 std::optional<Instant> MovingArm::passes(double time) const {
-  const Duration place = active_->start + fromSeconds(time / active_->motion.speed_override);
+  const ArmMotion& motion = active_->motion;
+  const Duration place = active_->start + motion.lag + fromSeconds(time / motion.speed_override);
   return clock_.reaches(std::min(place, pathEnd()));
 }
 

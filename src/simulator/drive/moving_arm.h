@@ -22,7 +22,8 @@ struct ArmMotion {
   std::optional<motion::Blend> blend;  ///< into the motion behind it
   double speed_override = 1.0;         ///< as planned
   bool is_pvt = false;
-  std::optional<RobotError> obstacle;  ///< why a velocity ends there
+  Duration lag{};                        ///< so much behind the plan it comes to its places
+  std::optional<RobotError> obstacle{};  ///< why a velocity ends there
 };
 
 class MovingArm {
@@ -37,6 +38,9 @@ class MovingArm {
   /// Slows down on the path and gives up the rest.
   void brake(Instant now);
   void halt(Instant now);
+  /// From now on as if what is under way had been planned with this project speed, (0, 1]; only its times
+  /// change.
+  void setSpeedOverride(double override, Instant now);
 
   [[nodiscard]] ArmState state() const { return state_; }
   [[nodiscard]] bool isOnPath() const { return state_ != ArmState::Standing; }

@@ -1,6 +1,9 @@
 #include "queue/motion_planner.h"
 
 #include <utility>
+#include <vector>
+
+#include "drive/pvt_following.h"
 
 #include "cobot_command/common/overloaded.h"
 #include "cobot_command/motion/planner.h"
@@ -34,6 +37,10 @@ std::optional<motion::Command> toTheSameEnd(const motion::Command& command) {
       command);
 }
 
+motion::Setting motionSetting(const ToolAndBase& setting, double speed_override) {
+  return {setting.base, setting.tcp, speed_override};
+}
+
 bool isUnreachable(const Result<motion::TrajectoryPtr, motion::Refusal>& planned) {
   return !planned && planned.error().reason == motion::Refusal::Reason::Unreachable;
 }
@@ -41,15 +48,16 @@ bool isUnreachable(const Result<motion::TrajectoryPtr, motion::Refusal>& planned
 }  // namespace
 
 Result<ArmMotion, RobotError> MotionPlanner::plan(const arm::JointVector& start, const MotionRequest& request,
-                                                  const ToolAndBase& setting) const {
+                                                  const ToolAndBase& setting, double speed_override) const {
   if (auto too_heavy = overloadBy(setting)) return refuse(std::move(*too_heavy));
   const auto command = planning::toMotion(request);
   if (!command) return refuse(robotErrorFor(command.error(), false));
-  const motion::Setting with = motionSetting(setting);
+  const motion::Setting with = motionSetting(setting, speed_override);
   const auto planned = motion::plan(arm_, start, *command, with);
   if (planned) {
-    const bool is_pvt = std::holds_alternative<planning::PvtBlock>(request);
-    return ArmMotion{*planned, *planned, planning::blendOf(request), options_.speed_override, is_pvt, {}};
+    ArmMotion motion{*planned, *planned, planning::blendOf(request), speed_override};
+    const auto* pvt = std::get_if<planning::PvtBlock>(&request);
+    return pvt == nullptr ? motion : followed(std::move(motion), *pvt);
   }
   const auto other = isUnreachable(planned) ? toTheSameEnd(*command) : std::nullopt;
   const bool reaches_end = other && !isUnreachable(motion::plan(arm_, start, *other, with));
@@ -61,10 +69,10 @@ Result<ArmMotion, RobotError> MotionPlanner::planVelocity(const motion::JointSta
                                                           std::optional<Duration> lasting,
                                                           const ToolAndBase& setting) const {
   if (auto too_heavy = overloadBy(setting)) return refuse(std::move(*too_heavy));
-  auto planned =
-      motion::planVelocity(arm_, now, {velocity, options_.stop_time, lasting}, motionSetting(setting));
+  auto planned = motion::planVelocity(arm_, now, {velocity, options_.stop_time, lasting},
+                                      motionSetting(setting, options_.speed_override));
   if (!planned) return refuse(robotErrorFor(planned.error(), false));
-  ArmMotion motion{planned->trajectory, planned->trajectory, {}, options_.speed_override, false, {}};
+  ArmMotion motion{planned->trajectory, planned->trajectory, {}, options_.speed_override};
   if (planned->ends_at) motion.obstacle = robotErrorFor(*planned->ends_at, false);
   return motion;
 }
@@ -72,7 +80,9 @@ Result<ArmMotion, RobotError> MotionPlanner::planVelocity(const motion::JointSta
 std::optional<MotionPlanner::Blended> MotionPlanner::planBehind(const ArmMotion& before, Duration left,
                                                                 const MotionRequest& request,
                                                                 const ToolAndBase& setting) const {
-  auto next = plan(before.planned->end().position, request, setting);
+  // What counts live counts for both: what blends is made as one motion, at one pace.
+  const double speed_override = options_.live_speed ? before.speed_override : options_.speed_override;
+  auto next = plan(before.planned->end().position, request, setting, speed_override);
   if (!next) return std::nullopt;
   motion::Passage passage =
       motion::passInto(arm_, before.planned, next->planned, setting.tcp, *before.blend, left);
@@ -80,6 +90,22 @@ std::optional<MotionPlanner::Blended> MotionPlanner::planBehind(const ArmMotion&
   next->path = std::move(passage.path);
   next->planned = std::move(passage.planned);
   return Blended{std::move(*next), passage.overlap};
+}
+
+ArmMotion MotionPlanner::followed(ArmMotion motion, const planning::PvtBlock& pvt) const {
+  motion.is_pvt = true;
+  motion.lag = options_.pvt_lag;
+  if (pvt_linear_.on) {
+    std::vector<Duration> times;
+    double time = 0.0;
+    for (const script::PvtPoint& point : pvt.points) {
+      time += point.duration / motion.speed_override;
+      times.push_back(fromSeconds(time));
+    }
+    motion.planned = straightBetween(motion.planned, times);
+  }
+  motion.planned = motion.path = behind(motion.planned, motion.lag);
+  return motion;
 }
 
 std::optional<RobotError> MotionPlanner::overloadBy(const ToolAndBase& setting) const {

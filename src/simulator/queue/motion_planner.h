@@ -10,6 +10,7 @@
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/motion/trajectory.h"
+#include "cobot_command/simulator/fault_switches.h"
 
 namespace cobot_command::simulator {
 
@@ -19,9 +20,15 @@ class MotionPlanner {
     Duration stop_time{};         ///< from one velocity to another
     bool checks_payload = true;   ///< no motion with more than the model carries
     double speed_override = 1.0;  ///< project speed, (0, 1]
+    bool live_speed = false;      ///< it counts for what is under way, too
+    Duration pvt_lag{};           ///< by which the arm follows a PVT late
   };
 
-  MotionPlanner(const arm::ArmModel& arm, Options options) : arm_(arm), options_(options) {}
+  /// `pvt_linear`: does the arm go straight between the points of a PVT?
+  MotionPlanner(const arm::ArmModel& arm, Options options, const FaultSwitch& pvt_linear)
+      : arm_(arm), options_(options), pvt_linear_(pvt_linear) {}
+
+  [[nodiscard]] bool liveSpeed() const { return options_.live_speed; }
 
   /// For what is planned from then on, (0, 1].
   void setSpeedOverride(double override) { options_.speed_override = override; }
@@ -29,7 +36,9 @@ class MotionPlanner {
   /// From rest to rest.
   [[nodiscard]] Result<ArmMotion, RobotError> plan(const arm::JointVector& start,
                                                    const MotionRequest& request,
-                                                   const ToolAndBase& setting) const;
+                                                   const ToolAndBase& setting) const {
+    return plan(start, request, setting, options_.speed_override);
+  }
   /// From the state that the arm has; `lasting`: so long, if it is not renewed.
   [[nodiscard]] Result<ArmMotion, RobotError> planVelocity(const motion::JointState& now,
                                                            const Velocity& velocity,
@@ -47,13 +56,16 @@ class MotionPlanner {
                                                   const ToolAndBase& setting) const;
 
  private:
+  [[nodiscard]] Result<ArmMotion, RobotError> plan(const arm::JointVector& start,
+                                                   const MotionRequest& request, const ToolAndBase& setting,
+                                                   double speed_override) const;
   [[nodiscard]] std::optional<RobotError> overloadBy(const ToolAndBase& setting) const;
-  [[nodiscard]] motion::Setting motionSetting(const ToolAndBase& setting) const {
-    return {setting.base, setting.tcp, options_.speed_override};
-  }
+  /// As the arm makes it.
+  [[nodiscard]] ArmMotion followed(ArmMotion motion, const planning::PvtBlock& pvt) const;
 
   const arm::ArmModel& arm_;
   Options options_;
+  const FaultSwitch& pvt_linear_;
 };
 
 }  // namespace cobot_command::simulator

@@ -24,8 +24,10 @@ bool isRest(const Velocity& velocity) {
 }  // namespace
 
 MotionQueue::MotionQueue(const arm::ArmModel& arm, const arm::JointVector& posture, Options options,
-                         FaultSwitch& stale_tag)
-    : planner_(arm, options), arm_(posture, options.stop_time), reports_(stale_tag) {}
+                         FaultSwitches& faults)
+    : planner_(arm, options, faults.pvt_linear),
+      arm_(posture, options.stop_time),
+      reports_(faults.stale_tag) {}
 
 void MotionQueue::resetSetting(Instant now) {
   setting_ = ToolAndBase{};
@@ -35,9 +37,10 @@ void MotionQueue::resetSetting(Instant now) {
   reports_.forgetKept();
 }
 
-void MotionQueue::setSpeedOverride(double override) {
+void MotionQueue::setSpeedOverride(double override, Instant now) {
   planner_.setSpeedOverride(override);
-  arm_.seekAnew();
+  if (!planner_.liveSpeed()) return arm_.seekAnew();
+  if (!velocities_.on()) arm_.setSpeedOverride(override, now);
 }
 
 void MotionQueue::push(QueueEntry entry) {

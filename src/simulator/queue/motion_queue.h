@@ -30,9 +30,9 @@ class MotionQueue {
  public:
   using Options = MotionPlanner::Options;
 
-  /// `stale_tag`: does a stop report the tags that it drops with the next motion?
+  /// Of `faults`, which outlives it, those of its motions and of the tags that a stop drops.
   MotionQueue(const arm::ArmModel& arm, const arm::JointVector& posture, Options options,
-              FaultSwitch& stale_tag);
+              FaultSwitches& faults);
 
   /// Takes an entry; it acts at the next run(). A motion clears the error of the one before.
   void push(QueueEntry entry);
@@ -60,8 +60,9 @@ class MotionQueue {
   /// Ends what a script has begun and nobody can end any more: an open PVT, velocities.
   void leaveModes(Instant now);
 
-  /// For the motions that start from now on, (0, 1].
-  void setSpeedOverride(double override);
+  /// For the motions that start from now on, (0, 1]; with Options::live_speed also for the one under way, if
+  /// it is no velocity.
+  void setSpeedOverride(double override, Instant now);
   /// Stops on the path; what is queued, and what will be until clearError(), fails with this error.
   void raise(RobotError error, Instant now);
   void clearError() { errors_.clear(); }

@@ -36,6 +36,7 @@ GivenValues others() {
   return {{"project_running", {false}},
           {"project_name", {"Cell 7"}},
           {"project_speed", {55}},
+          {"project_speed_live", {true}},
           {"start_posture_deg", {GivenList{{10}, {0.5}, {90}, {0}, {90}, {0}}}},
           {"listen_node", {"Listen, left"}},
           {"connection_timeout", {3}},
@@ -47,6 +48,7 @@ GivenValues others() {
           {"points", {texts({"P1=0,0,90,0,90,0"})}},
           {"variables", {texts({"int g_count = 1", "string name = \"x\""})}},
           {"stop_time", {0.5}},
+          {"pvt_lag", {0.05}},
           {"safeguard_resets_itself", {false}},
           {"on_motion_error", {"stop_project"}},
           {"checks_payload", {false}},
@@ -74,10 +76,10 @@ TEST(SettingsOfTheSimulator, canAllBeSet) {
   const auto fault = take(table, given);
   ASSERT_FALSE(fault) << fault->setting << ' ' << describe(*fault);
   // Whoever adds a member has to count it here, and so finds the table.
-  const auto& [listen_node, running, posture, period, format, items, clients, speed, empty_length, faults,
-               on_error, stop_time, resets, reentry, connection, data, payload, turn_speed, joint_noise,
-               speed_noise, torque_noise, force_noise, seed, licence, name, version, bases, tcps, points,
-               variables] = settings;
+  const auto& [listen_node, running, posture, period, format, items, clients, speed, speed_live, empty_length,
+               faults, on_error, stop_time, pvt_lag, resets, reentry, connection, data, payload, turn_speed,
+               joint_noise, speed_noise, torque_noise, force_noise, seed, licence, name, version, bases, tcps,
+               points, variables] = settings;
   EXPECT_EQ(listen_node, "Listen, left");
   EXPECT_FALSE(running);
   EXPECT_TRUE(posture.isApprox(arm::toJointVector({10, 0.5, 90, 0, 90, 0})));
@@ -86,12 +88,14 @@ TEST(SettingsOfTheSimulator, canAllBeSet) {
   EXPECT_THAT(items, ElementsAre("ESTOP", "g_count"));
   EXPECT_THAT(clients.value(), ElementsAre("10.0.0.7", "::1"));
   EXPECT_EQ(speed, 55);
+  EXPECT_TRUE(speed_live);
   EXPECT_TRUE(empty_length);
   EXPECT_EQ(faults.messages[static_cast<std::size_t>(MessageKind::Tag)].drop.left, 1);
   EXPECT_EQ(faults.messages[static_cast<std::size_t>(MessageKind::Reply)].delay.seconds, 0.5);
   EXPECT_TRUE(faults.stale_tag.on);
   EXPECT_EQ(on_error, MotionErrorPolicy::StopProject);
   EXPECT_EQ(stop_time, 500ms);
+  EXPECT_EQ(pvt_lag, 50ms);
   EXPECT_FALSE(resets);
   EXPECT_EQ(reentry, std::nullopt);
   EXPECT_EQ(connection, 3s);

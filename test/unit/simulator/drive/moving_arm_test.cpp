@@ -29,7 +29,7 @@ class Even final : public motion::Trajectory {
 
 ArmMotion even(double from, Duration duration, std::optional<motion::Blend> blend = {}) {
   const auto path = std::make_shared<Even>(from, duration);
-  return {path, path, blend, 1.0, false, {}};
+  return {path, path, blend};
 }
 
 Instant at(Duration since_start) {
@@ -148,6 +148,41 @@ TEST_F(ArmThatMoves, passesPlacesAtTheSpeedOfTheProject) {
   arm.begin(std::move(motion), at(0s));
   EXPECT_EQ(arm.passes(0.5), at(1s));
   EXPECT_EQ(arm.passes(99), at(2s)) << "at its end, the latest";
+}
+
+TEST_F(ArmThatMoves, passesPlacesLaterWhenItLags) {
+  ArmMotion motion = even(0, 2s);
+  motion.lag = 50ms;
+  arm.begin(std::move(motion), at(0s));
+  EXPECT_EQ(arm.passes(0.5), at(550ms));
+}
+
+TEST_F(ArmThatMoves, runsAtTheProjectSpeedThatItGetsOnItsWay) {
+  ArmMotion motion = even(0, 2s);
+  motion.speed_override = 0.5;
+  arm.begin(std::move(motion), at(0s));
+  arm.setSpeedOverride(0.25, at(1s));
+  EXPECT_EQ(arm.endsAt(), at(3s));
+  EXPECT_DOUBLE_EQ(angle(1s), 1.0);
+  EXPECT_DOUBLE_EQ(speed(1s), 0.5);
+  EXPECT_DOUBLE_EQ(angle(2s), 1.5);
+  arm.setSpeedOverride(1.0, at(2s));
+  EXPECT_EQ(arm.endsAt(), at(2250ms));
+}
+
+TEST_F(ArmThatMoves, takesOverInTimeAtAnotherProjectSpeed) {
+  arm.begin(even(0, 2s, motion::BlendShare{1.0}), at(0s));
+  arm.prepareNext(even(2, 3s), 500ms, at(1s));
+  arm.setSpeedOverride(0.5, at(1s));
+  EXPECT_EQ(arm.takesOverAt(), at(2s));
+  arm.takeOver(at(2s));
+  EXPECT_EQ(arm.endsAt(), at(8s)) << "at the same pace";
+}
+
+TEST_F(ArmThatMoves, takesNoProjectSpeedWhileItStands) {
+  arm.setSpeedOverride(0.5, at(0s));
+  arm.begin(even(0, 2s), at(0s));
+  EXPECT_EQ(arm.endsAt(), at(2s));
 }
 
 TEST_F(ArmThatMoves, blendsIntoThePreparedMotionAndRunsOn) {

@@ -70,6 +70,43 @@ TEST(PathClock, saysWhenAPointIsNeverReached) {
   EXPECT_EQ(clock.reaches(1100ms), at(1200ms));
 }
 
+TEST(PathClock, runsAtAnotherPaceFromNowOnWithoutAJump) {
+  PathClock clock = running();
+  clock.setPace(at(1s), 0.5);
+  EXPECT_EQ(clock.pathTime(at(1s)), 1s);
+  EXPECT_EQ(clock.rate(at(2s)), 0.5);
+  EXPECT_EQ(clock.pathTime(at(3s)), 2s);
+  EXPECT_EQ(clock.reaches(2s), at(3s));
+  clock.setPace(at(3s), 1.25);
+  EXPECT_EQ(clock.pathTime(at(7s)), 7s);
+  EXPECT_EQ(clock.reaches(7s), at(7s));
+  clock.start(at(9s));
+  EXPECT_EQ(clock.rate(at(9s)), 1.0) << "a pace is that of one motion";
+}
+
+TEST(PathClock, takesAsLongToStandstillAtAnyPace) {
+  PathClock clock = running();
+  clock.setPace(at(0s), 0.5);
+  clock.slowDown(at(1s));
+  EXPECT_EQ(clock.settled(), at(1200ms));
+  EXPECT_DOUBLE_EQ(clock.rate(at(1100ms)), 0.25);
+  EXPECT_EQ(clock.pathTime(at(9s)), 550ms);
+  EXPECT_EQ(clock.reaches(550ms), at(1200ms));
+  EXPECT_EQ(clock.reaches(551ms), std::nullopt);
+}
+
+TEST(PathClock, changesItsPaceInTheMiddleOfARamp) {
+  PathClock clock = running();
+  clock.slowDown(at(1s));
+  clock.setPace(at(1100ms), 2.0);
+  EXPECT_EQ(clock.pathTime(at(1100ms)), 1075ms);
+  EXPECT_DOUBLE_EQ(clock.rate(at(1100ms)), 1.0);
+  EXPECT_EQ(clock.settled(), at(1200ms));
+  EXPECT_EQ(clock.pathTime(at(1200ms)), 1125ms);
+  clock.speedUp(at(2s));
+  EXPECT_EQ(clock.rate(at(2200ms)), 2.0);
+}
+
 TEST(PathClock, stepsAtOnceWithoutARamp) {
   PathClock clock(0s);
   clock.start(at(0s));

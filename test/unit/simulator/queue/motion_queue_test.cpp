@@ -40,7 +40,7 @@ class MotionQueueTest : public ::testing::Test {
   double firstJointDeg() const { return radToDeg(queue_.arm().at(now_).position[0]); }
 
   FaultSwitches faults_;
-  MotionQueue queue_{model(), arm::toJointVector({0, 0, 90, 0, 90, 0}), {200ms, true}, faults_.stale_tag};
+  MotionQueue queue_{model(), arm::toJointVector({0, 0, 90, 0, 90, 0}), {200ms, true}, faults_};
   Instant now_{};
 };
 

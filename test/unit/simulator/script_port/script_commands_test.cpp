@@ -18,7 +18,7 @@ struct Commands : ::testing::Test {
   FaultSwitches faults;
   Outbox outbox;
   Outgoing outgoing{faults, outbox};
-  MotionQueue queue{model, settings.start_posture, {}, faults.stale_tag};
+  MotionQueue queue{model, settings.start_posture, {}, faults};
   IoBoard io{outbox};
   ProjectData project{settings, model};
   TagTable tags;

@@ -1,0 +1,213 @@
+#include "cobot_command/path/path_script.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "target.h"
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::path {
+namespace {
+
+/// The times to top speed that a script may ask for [ms] (thesis table 5.3.2.3).
+constexpr int kShortestRamp = 150;
+constexpr int kLongestRamp = 9999;
+constexpr double kWholeNumber = 1e-9;
+
+const char* nameOf(int profile_type) {
+  constexpr std::array<const char*, 4> kNames{"S_CURVE", "POLY5", "MOD_SINE", "SINE2"};
+  return kNames.at(static_cast<std::size_t>(profile_type));
+}
+
+/// One point, by what it says and what was planned of it.
+class PointWriter {
+ public:
+  PointWriter(const PlannedPoint& point, const PlannedPoint* next, const PathScene& scene)
+      : point_(point), next_(next), scene_(scene) {}
+
+  [[nodiscard]] PointScript write() {
+    tellShape();
+    if (is(point_.point.interpolation, Interpolation::Ptp)) {
+      script_.lines.push_back(ptp());
+    } else if (is(point_.point.interpolation, Interpolation::Circular)) {
+      script_.lines.push_back(circle());
+    } else {
+      script_.lines.push_back(line());
+    }
+    return std::move(script_);
+  }
+
+ private:
+  void tell(const std::string& what) {
+    script_.approximations.push_back(fmt::format("point {}: {}", point_.index, what));
+  }
+
+  [[nodiscard]] const Dynamics& dynamics() const { return point_.dynamics; }
+  [[nodiscard]] double speed() const { return dynamics().speed * scene_.feedrate; }
+
+  /// What no motion of a script can say.
+  void tellShape() {
+    const double jerk = std::max(dynamics().acceleration_jerk, dynamics().deceleration_jerk);
+    if (jerk > 0)
+      tell(fmt::format("profile {} with a jerk of {} %", nameOf(point_.point.profile_type), jerk));
+    if (dynamics().acceleration != dynamics().deceleration) {
+      tell(fmt::format("deceleration {} beside acceleration {}", dynamics().deceleration,
+                       dynamics().acceleration));
+    }
+  }
+
+  /// [ms]
+  [[nodiscard]] int ramp() {
+    const double slower = std::min(dynamics().acceleration, dynamics().deceleration) * scene_.feedrate;
+    const double exact = 1e3 * dynamics().speed / slower;
+    const int whole = static_cast<int>(std::min(std::ceil(exact - kWholeNumber), kLongestRamp + 1.0));
+    if (whole < kShortestRamp || whole > kLongestRamp) {
+      tell(fmt::format("{:.3f} ms to top speed, {} to {} can be said", exact, kShortestRamp, kLongestRamp));
+    } else if (std::abs(exact - whole) > kWholeNumber * exact) {
+      tell(fmt::format("{:.3f} ms to top speed, whole ones can be said", exact));
+    }
+    return std::clamp(whole, kShortestRamp, kLongestRamp);
+  }
+
+  [[nodiscard]] int whole(double exact, const char* unit) {
+    const int below = std::max(1, static_cast<int>(std::floor(exact + kWholeNumber)));
+    if (std::abs(exact - below) > kWholeNumber * std::max(1.0, exact)) {
+      tell(fmt::format("{:.3f} {}, whole ones can be said", exact, unit));
+    }
+    return below;
+  }
+
+  [[nodiscard]] script::MotionOptions options(int speed, int blending) {
+    return {speed, ramp(), blending, false};
+  }
+
+  /// The share of the ramps for which the plan lets both motions overlap [%].
+  [[nodiscard]] int blendShare() {
+    if (point_.overlap == Duration::zero() || next_ == nullptr) return 0;
+    const Duration most = std::min({point_.motion->timeDown(), next_->motion->timeUp(),
+                                    point_.motion->duration() / 2, next_->motion->duration() / 2});
+    const double share = 100.0 * toSeconds(point_.overlap) / toSeconds(most);
+    tell(fmt::format("a tolerance of {} {}, sent as {:.0f} % of the ramps", point_.point.command_tolerance,
+                     is(point_.point.interpolation, Interpolation::Ptp) ? "% of the way" : "mm", share));
+    return std::clamp(static_cast<int>(std::floor(share)), 1, 100);
+  }
+
+  [[nodiscard]] script::ScriptCommand ptp() {
+    const arm::JointVector from = point_.motion->at(Duration::zero()).position;
+    const arm::JointVector way = point_.motion->end().position - from;
+    double share = 0.0;
+    for (std::size_t i = 0; i < arm::kJointCount; ++i) {
+      const double joint = std::abs(way[static_cast<Eigen::Index>(i)]);
+      share = std::max(share, joint / scene_.arm.limits()[i].max_velocity);
+    }
+    const double longest = way.cwiseAbs().maxCoeff();
+    const double percent = longest > 0.0 ? 100.0 * degToRad(speed()) * share / longest : 1.0;
+    script::Ptp ptp;
+    ptp.options = options(whole(percent, "% of the rated speed"), blendShare());
+    ptp.format.target = script::DataFormat::Target::Joint;
+    if (is(point_.point.target_type, TargetType::Cartesian)) {
+      ptp.format.target = script::DataFormat::Target::Cartesian;
+      ptp.target = endPose();
+      ptp.pose_bits = arm::poseBitsOf(scene_.arm, point_.motion->end().position).numbers();
+    } else {
+      ptp.target = arm::toControllerJoints(point_.motion->end().position);
+    }
+    return ptp;
+  }
+
+  [[nodiscard]] script::ScriptCommand line() {
+    script::Line line;
+    line.format.speed = script::DataFormat::Speed::Absolute;
+    line.format.blending = script::DataFormat::Blending::Radius;
+    line.target = endPose();
+    tellTurn();
+    const int radius =
+        point_.overlap > Duration::zero() ? whole(point_.point.command_tolerance, "mm of tolerance") : 0;
+    line.options = options(whole(speed(), "mm/s"), radius);
+    if (radius == 0) line.format.blending = script::DataFormat::Blending::Percent;
+    return line;
+  }
+
+  [[nodiscard]] script::ScriptCommand circle() {
+    const auto& arc = std::get<motion::ArcMove>(point_.command);
+    script::Circle circle;
+    circle.format.speed = script::DataFormat::Speed::Absolute;
+    circle.via = arm::toControllerPose(arc.via);
+    circle.end = endPose();
+    tellTurn();
+    circle.options = options(whole(speed(), "mm/s"), blendShare());
+    return circle;
+  }
+
+  void tellTurn() {
+    const arm::Pose from = poseAt(Duration::zero());
+    const arm::Pose to = poseAt(point_.motion->duration());
+    constexpr double kNoTurn = 1e-6;
+    if (Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle() > kNoTurn) {
+      tell("speed and acceleration of the turn");
+    }
+  }
+
+  [[nodiscard]] arm::Pose poseAt(Duration time) const {
+    return arm::forwardKinematics(scene_.arm, point_.motion->at(time).position) * point_.moved_frame;
+  }
+  [[nodiscard]] script::SixNumbers endPose() const {
+    return arm::toControllerPose(poseAt(point_.motion->duration()));
+  }
+
+  const PlannedPoint& point_;
+  const PlannedPoint* next_;
+  const PathScene& scene_;
+  PointScript script_;
+};
+
+bool sendsPose(const PlannedPoint& point) {
+  return is(point.point.target_type, TargetType::Cartesian) ||
+         !is(point.point.interpolation, Interpolation::Ptp);
+}
+
+/// What has to be set in front of a pose; `active` is what is set then.
+std::vector<script::ScriptCommand> framesFor(const PlannedPoint& point, ScriptFrames& active) {
+  std::vector<script::ScriptCommand> lines;
+  if (!sendsPose(point)) return lines;
+  if (!active.base || !arm::isSamePose(*active.base, arm::Pose::Identity())) {
+    lines.emplace_back(script::ChangeBase{script::kRobotBase});
+    active.base = arm::Pose::Identity();
+  }
+  if (!active.tcp || !arm::isSamePose(*active.tcp, point.moved_frame)) {
+    lines.emplace_back(script::ChangeTcp{arm::toControllerPose(point.moved_frame), {}, {}});
+    active.tcp = point.moved_frame;
+  }
+  return lines;
+}
+
+}  // namespace
+
+Result<std::vector<PointScript>, PathRefusal> scriptOf(const PathPlan& plan, std::size_t first,
+                                                       const PathScene& scene, const ScriptFrames& active) {
+  ScriptFrames frames = active;
+  std::vector<PointScript> scripts;
+  for (std::size_t i = first; i < plan.points().size(); ++i) {
+    const PlannedPoint& point = plan.points()[i];
+    if (is(point.point.interpolation, Interpolation::Wrist)) {
+      return refuse(
+          PathRefusal{path_error::kNotInAScript, point.index, -1,
+                      "CP_WRIST: no motion of a script goes straight with the wrist by itself; let it "
+                      "be sent as PVT"});
+    }
+    const PlannedPoint* next = i + 1 < plan.points().size() ? &plan.points()[i + 1] : nullptr;
+    PointScript script = PointWriter(point, next, scene).write();
+    const auto changes = framesFor(point, frames);
+    script.lines.insert(script.lines.begin(), changes.begin(), changes.end());
+    scripts.push_back(std::move(script));
+  }
+  return scripts;
+}
+
+}  // namespace cobot_command::path
