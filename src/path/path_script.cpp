@@ -54,8 +54,9 @@ class PointWriter {
   /// What no motion of a script can say.
   void tellShape() {
     const double jerk = std::max(dynamics().acceleration_jerk, dynamics().deceleration_jerk);
-    if (jerk > 0)
+    if (jerk > 0) {
       tell(fmt::format("profile {} with a jerk of {} %", nameOf(point_.point.profile_type), jerk));
+    }
     if (dynamics().acceleration != dynamics().deceleration) {
       tell(fmt::format("deceleration {} beside acceleration {}", dynamics().deceleration,
                        dynamics().acceleration));

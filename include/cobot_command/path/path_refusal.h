@@ -50,6 +50,7 @@ inline constexpr int kJointSpeed = 0x204;
 inline constexpr int kNotPlannable = 0x206;
 inline constexpr int kStartUnknown = 0x208;
 inline constexpr int kNoModel = 0x209;
+inline constexpr int kNotInAScript = 0x271;
 inline constexpr int kBlockTooLong = 0x277;
 }  // namespace path_error
 

@@ -1,4 +1,4 @@
-// A planned path, sent as PVTs: the simulated arm makes it as it was planned.
+// A planned path, sent as PVTs or as a script: what the simulated arm makes of it, against its plan.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,9 @@
 
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/path/deviation_watch.h"
 #include "cobot_command/path/path_planner.h"
+#include "cobot_command/path/path_script.h"
 #include "cobot_command/path/pvt_block.h"
 
 namespace cobot_command::simulator::test {
@@ -61,6 +63,22 @@ class PathRun : public ::testing::Test {
     }
   }
 
+  /// Sends the whole, and looks at the arm as often as a status stream does. `late`: how much longer it
+  /// takes.
+  [[nodiscard]] path::Deviation deviationOf(const path::PathPlan& plan, Duration late) {
+    const std::size_t last = plan.points().size() - 1;
+    robot.script(client, "1",
+                 script::toText(path::scriptOf(path::sampleBlock(plan, 0, last, scene.segment), {})));
+    EXPECT_EQ(robot.heard(client), ok("1"));
+    path::DeviationWatch watch(scene.arm, plan);
+    const Instant began = robot.now();
+    for (Duration time{}; time <= plan.duration() + late; time += 15ms) {
+      robot.waitUntil(began + time);
+      watch.add(time, robot.state().joints);
+    }
+    return watch.deviation();
+  }
+
   SimulatedRobot robot;
   ClientId client = robot.connect();
   path::PathScene scene{*arm::ArmModel::named("tm5-700"), robot.state().joints};
@@ -100,6 +118,55 @@ TEST_F(PathRun, tellsItsPointsByTheirTags) {
     robot.waitUntil(began + plan.points()[point].end() + 30ms);
     EXPECT_EQ(robot.heard(client), tag("0" + std::to_string(number) + ",true")) << point;
   }
+}
+
+TEST_F(PathRun, hasNoDeviationWhereTheArmMakesCubics) {
+  const path::Deviation found = deviationOf(planned(meander(2, 8, 10)), {});
+  EXPECT_LT(mToMm(found.path), 0.01);
+  EXPECT_LT(radToDeg(found.joint), 0.001);
+  EXPECT_LT(found.lag, 0.001);
+}
+
+TEST_F(PathRun, isTooFarOffWhereTheArmGoesStraightBetweenThePoints) {
+  ASSERT_TRUE(robot.operate(SetFault{"pvt_linear", true, 0, 0, ""}).done);
+  const path::Deviation found = deviationOf(planned(meander(2, 8, 10)), {});
+  EXPECT_GT(radToDeg(found.joint), 0.001);
+  EXPECT_GT(mToMm(found.path), 1e-4);
+}
+
+class PathRunOfALateArm : public PathRun {
+ protected:
+  PathRunOfALateArm() {
+    Settings settings;
+    settings.pvt_lag = 50ms;
+    robot = SimulatedRobot(settings);
+    client = robot.connect();
+  }
+};
+
+TEST_F(PathRunOfALateArm, isLateAndOnThePath) {
+  const path::Deviation found = deviationOf(planned(meander(2, 8, 10)), 100ms);
+  EXPECT_NEAR(found.lag, 0.05, 0.016);
+  EXPECT_LT(mToMm(found.path), 0.05);
+}
+
+TEST_F(PathRun, asAScriptEndsInTheSamePlaceInAboutTheSameTime) {
+  path::PathSection section = meander(3, 4, 30);
+  for (PathPoint& point : section.points) point.acceleration_jerk = point.deceleration_jerk = 0;
+  const path::PathPlan plan = planned(section);
+  const auto scripts = path::scriptOf(plan, 0, scene, {arm::Pose::Identity(), arm::Pose::Identity()});
+  ASSERT_TRUE(scripts);
+  std::vector<script::ScriptCommand> lines;
+  for (const path::PointScript& point : *scripts) {
+    EXPECT_TRUE(point.approximations.empty()) << point.approximations.front();
+    lines.insert(lines.end(), point.lines.begin(), point.lines.end());
+  }
+  robot.script(client, "1", script::toText(lines));
+  ASSERT_EQ(robot.heard(client), ok("1"));
+  const Instant began = robot.now();
+  robot.waitUntilIdle();
+  EXPECT_NEAR(toSeconds(robot.now() - began), toSeconds(plan.duration()), 0.05 * toSeconds(plan.duration()));
+  EXPECT_LT((robot.state().joints - plan.at(plan.duration()).position).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 }  // namespace
