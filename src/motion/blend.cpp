@@ -151,13 +151,13 @@ Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& 
     if (const auto* way = std::get_if<BlendWay>(&blend)) return longestWithin(corner, *way, most);
     return radius->metres > 0.0 ? check.longestWithinRadius(most) : Duration{};
   };
-  const auto onGrid = [&](Duration time) { return time - time % limits.step; };
+  const auto on_grid = [&](Duration time) { return time - time % limits.step; };
   const Duration shortest = std::max(kShortest, limits.least);
 
-  Duration overlap = onGrid(std::max(std::min(asked(), limits.most), Duration::zero()));
+  Duration overlap = on_grid(std::max(std::min(asked(), limits.most), Duration::zero()));
   if (overlap < limits.least) return Duration::zero();
   while (overlap > Duration::zero() && !check.canBeMade(overlap)) {
-    overlap = overlap / 2 < shortest ? Duration::zero() : onGrid(overlap / 2);
+    overlap = overlap / 2 < shortest ? Duration::zero() : on_grid(overlap / 2);
   }
   return overlap;
 }

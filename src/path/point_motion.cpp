@@ -2,11 +2,11 @@
 
 #include <utility>
 
+#include "target_joints.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
-#include "cobot_command/arm/inverse_kinematics.h"
-#include "cobot_command/arm/wrist_inverse.h"
+#include "cobot_command/arm/pose_bits.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/motion/planner.h"
 
@@ -49,7 +49,7 @@ class PointPlanner {
 
   template <class MakeCommand>
   [[nodiscard]] Made withJoints(const MakeCommand& command) const {
-    const auto joints = targetJoints();
+    const auto joints = jointsOf(point_, index_, target_, start_, scene_);
     if (!joints) return refuse(joints.error());
     return made(command(*joints));
   }
@@ -62,7 +62,7 @@ class PointPlanner {
     if (is_pose) {
       to = std::get<arm::Pose>(target_.place);
     } else {
-      const auto joints = targetJoints();
+      const auto joints = jointsOf(point_, index_, target_, start_, scene_);
       if (!joints) return refuse(joints.error());
       to = arm::forwardKinematics(scene_.arm, *joints) * target_.moved_frame;
       bits = arm::poseBitsOf(scene_.arm, *joints);
@@ -89,79 +89,6 @@ class PointPlanner {
     return PointMotion{command, *planned};
   }
 
-  // --- The joints of the target.
-
-  [[nodiscard]] Result<arm::JointVector, PathRefusal> targetJoints() const {
-    return std::visit([&](const auto& place) { return jointsAt(place); }, target_.place);
-  }
-  [[nodiscard]] Result<arm::JointVector, PathRefusal> jointsAt(const arm::JointVector& joints) const {
-    const int joint = scene_.arm.firstJointOutsideLimits(joints);
-    if (joint < 0) return joints;
-    const arm::JointLimit& limit = scene_.arm.limits()[static_cast<std::size_t>(joint)];
-    return refuse(
-        refusal(path_error::kJointTarget,
-                fmt::format("the target has J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose a "
-                            "target inside the limits",
-                            joint + 1, radToDeg(joints[joint]), radToDeg(limit.lower), radToDeg(limit.upper)),
-                joint));
-  }
-  [[nodiscard]] Result<arm::JointVector, PathRefusal> jointsAt(const arm::Pose& pose) const {
-    const arm::Pose flange = pose * target_.moved_frame.inverse();
-    auto bits = askedBits(point_);
-    auto joints =
-        arm::postureFor(scene_.arm, flange, bits ? *bits : arm::poseBitsOf(scene_.arm, start_), start_);
-    if (joints) return *joints;
-    return refuse(refusal(idOf(joints.error().reason), joints.error().message, joints.error().joint));
-  }
-  [[nodiscard]] Result<arm::JointVector, PathRefusal> jointsAt(const HybridTarget& target) const {
-    if (auto wrong = checkFlip(point_, index_, target.wrist[1])) return refuse(*std::move(wrong));
-    const arm::WristArm arm(scene_.arm, target_.moved_frame);
-    const auto branch = branchFor(arm, target);
-    if (!branch) return refuse(branch.error());
-    const auto joints = arm.solve(target.wrist, target.origin, *branch, start_);
-    if (!joints) return refuse(noSolution());
-    return withinLimits(*joints);
-  }
-  /// The one that is asked for; else that of the start.
-  [[nodiscard]] Result<arm::WristBranch, PathRefusal> branchFor(const arm::WristArm& arm,
-                                                                const HybridTarget& target) const {
-    const arm::WristSolutions solutions = arm.solutions(target.wrist, target.origin);
-    if (solutions.empty()) {
-      return refuse(
-          refusal(path_error::kReach,
-                  "no posture with these J4 to J6 brings the moved frame there: choose another place, "
-                  "or another wrist"));
-    }
-    const auto bits = askedBits(point_);
-    if (!bits) return arm.branchOf(start_);
-    for (const arm::WristSolution& solution : solutions) {
-      const arm::PoseBits found = arm::poseBitsOf(scene_.arm, solution.joints);
-      if (found.shoulder == bits->shoulder && found.elbow == bits->elbow) return solution.branch;
-    }
-    return refuse(noSolution());
-  }
-  [[nodiscard]] PathRefusal noSolution() const {
-    const auto bits = askedBits(point_);
-    return refusal(
-        path_error::kNoSolution,
-        fmt::format("the target can be reached, but not with {}: choose another configuration, or "
-                    "another place",
-                    bits ? arm::toString(*bits) : "the shoulder and elbow of the target before it"));
-  }
-  [[nodiscard]] Result<arm::JointVector, PathRefusal> withinLimits(const arm::JointVector& joints) const {
-    arm::JointVector near = start_;
-    near.tail<3>() = joints.tail<3>();  // these are as they were asked for
-    const auto turned = arm::nearestTurn(scene_.arm, joints, near);
-    if (turned && turned->tail<3>() == joints.tail<3>()) return *turned;
-    const int joint = scene_.arm.firstJointOutsideLimits(joints);
-    return refuse(
-        refusal(path_error::kJointLimit,
-                fmt::format("the target needs J{} at {:.2f} deg, which is outside its limits: choose "
-                            "another target",
-                            joint + 1, radToDeg(joints[std::max(joint, 0)])),
-                joint));
-  }
-
   // --- Refusals.
 
   [[nodiscard]] PathRefusal startOutside(int joint) const {
@@ -171,20 +98,6 @@ class PointPlanner {
                     "PTP first",
                     joint + 1, radToDeg(start_[joint])),
         joint);
-  }
-  [[nodiscard]] static int idOf(arm::IkRefusal::Reason reason) {
-    using Reason = arm::IkRefusal::Reason;
-    switch (reason) {
-      case Reason::NotFinite:
-        return path_error::kTargetPose;
-      case Reason::OutOfReach:
-        return path_error::kReach;
-      case Reason::BitsNotPossible:
-        return path_error::kNoSolution;
-      case Reason::OutsideLimits:
-        return path_error::kJointLimit;
-    }
-    return path_error::kNoSolution;
   }
   [[nodiscard]] PathRefusal toRefusal(motion::Refusal why) const {
     PathRefusal made = refusal(idOf(why.reason), std::move(why.message), why.joint);
