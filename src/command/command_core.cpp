@@ -44,6 +44,18 @@ void CommandCore::useSettings(const link::LinkSettings& settings, Instant now) {
   impl_->useSettings(settings, now);
 }
 
+void CommandCore::useTables(tables::DataTables tables) {
+  impl_->tables().use(std::move(tables));
+}
+
+TableAnswer CommandCore::writeTable(const TableWrite& write) {
+  return impl_->tables().write(write);
+}
+
+TableAnswer CommandCore::tryTable(const TableWrite& write) const {
+  return impl_->tables().tried(write);
+}
+
 void CommandCore::opened(link::ConnectionId id, Instant now) {
   impl_->opened(id, now);
 }

@@ -21,11 +21,14 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
     : settings_(settings),
       links_(settings_, actions_, std::move(ports.traced)),
       tags_(settings_.first_tag),
+      tables_(arm ? tables::payloadOf(*arm) : tables::Payload(), actions_),
       board_(actions_),
       keeper_(settings_, links_, robot_, board_),
-      forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_, actions_),
-      arbiter_({settings_, links_.script(), tags_, robot_, keeper_, forecast_, board_, actions_},
-               std::move(ports), planning) {}
+      forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_,
+                tables_.store(), actions_),
+      arbiter_(
+          {settings_, links_.script(), tags_, robot_, tables_.store(), keeper_, forecast_, board_, actions_},
+          std::move(ports), planning) {}
 
 // --- Goals.
 

@@ -11,6 +11,7 @@
 #include "connecting/link_keeper.h"
 #include "forecast/forecast.h"
 #include "links/links.h"
+#include "table_desk.h"
 
 #include "cobot_command/command/command_core.h"
 #include "cobot_command/link/tag_ledger.h"
@@ -32,6 +33,7 @@ class CommandCore::Impl {
   [[nodiscard]] bool retired() const;
   void shutDown(Instant now);
   void useSettings(const link::LinkSettings& settings, Instant now);
+  [[nodiscard]] TableDesk& tables() { return tables_; }
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);
@@ -72,6 +74,7 @@ class CommandCore::Impl {
   link::TagLedger tags_;
   robot::RobotWatch robot_;
   robot::StrangerWatch strangers_;
+  TableDesk tables_;
   OutputBoard board_;
   LinkKeeper keeper_;
   Forecast forecast_;

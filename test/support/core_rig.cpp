@@ -265,6 +265,10 @@ void CoreRig::take(const ActiveFramesChanged& action) {
   active_frames.push_back(action.frames);
 }
 
+void CoreRig::take(const TablesChanged& action) {
+  told_tables.push_back(action.tables);
+}
+
 void CoreRig::take(const PathPlanned& /*action*/) {}
 
 void CoreRig::take(const PlanAsked& action) {

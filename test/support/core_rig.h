@@ -104,6 +104,7 @@ class CoreRig {
   std::vector<std::string> warnings;               ///< of the log
   std::map<std::string, arm::Pose> frames;         ///< where tf would say that they are now
   std::vector<command::CommandsFell> fell;
+  std::vector<tables::DataTables> told_tables;  ///< every change
 
   void pump();
 
@@ -123,6 +124,7 @@ class CoreRig {
   void take(const command::StatusChanged& action);
   void take(const command::RobotStatusReceived& action);
   void take(const command::ActiveFramesChanged& action);
+  void take(const command::TablesChanged& action);
   void take(const command::PathPlanned& action);
   void take(const command::FrameTraced& action);
   void take(const command::LogMessage& action);

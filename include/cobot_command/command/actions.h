@@ -15,6 +15,7 @@
 #include "cobot_command/link/connection.h"
 #include "cobot_command/link/robot_status.h"
 #include "cobot_command/robot/active_frames.h"
+#include "cobot_command/tables/data_tables.h"
 
 namespace cobot_command::command {
 
@@ -75,6 +76,10 @@ struct RobotStatusReceived {
 struct ActiveFramesChanged {
   robot::ActiveFrames frames;
 };
+/// Tools, frames or loads are others than before.
+struct TablesChanged {
+  tables::DataTables tables;
+};
 /// The path of a motion that was checked or is about to start: the TCP in the robot base.
 struct PathPlanned {
   blocks::GoalId goal;
@@ -97,6 +102,6 @@ struct LogMessage {
 
 using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed,
                             GoalEnded, CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived,
-                            ActiveFramesChanged, PathPlanned, FrameTraced, LogMessage>;
+                            ActiveFramesChanged, TablesChanged, PathPlanned, FrameTraced, LogMessage>;
 
 }  // namespace cobot_command::command

@@ -19,6 +19,7 @@
 #include "cobot_command/command/core_ports.h"
 #include "cobot_command/command/finish.h"
 #include "cobot_command/command/planning_job.h"
+#include "cobot_command/command/table_write.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
 
@@ -64,6 +65,13 @@ class CommandCore {
   /// misses) count at once. A link that is up keeps its status port; `first_tag` and `planning_budget` stay
   /// as they were. Precondition: all are in the ranges of the node's parameters (README).
   void useSettings(const link::LinkSettings& settings, Instant now);
+
+  /// All tables at once, as they were kept; for the start.
+  void useTables(tables::DataTables tables);
+  /// Writes an entry, if it may be what it is to be and nobody uses it; else nothing changes.
+  [[nodiscard]] TableAnswer writeTable(const TableWrite& write);
+  /// What that would answer now; for who has to keep the tables before they rule.
+  [[nodiscard]] TableAnswer tryTable(const TableWrite& write) const;
 
   // --- Connections.
   void opened(link::ConnectionId id, Instant now);

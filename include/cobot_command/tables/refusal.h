@@ -23,6 +23,9 @@ inline constexpr int kNotFinite = 0x200;
 inline constexpr int kCoordinateRange = 0x213;
 inline constexpr int kInertiaRange = 0x21D;
 inline constexpr int kNameInvalid = 0x21F;
+inline constexpr int kShutDown = 0x230;
+// This layer's, and of no block.
+inline constexpr int kNotKept = 0x232;  ///< the file of the tables cannot be written
 }  // namespace table_error
 
 struct Refusal {

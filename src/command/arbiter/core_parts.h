@@ -11,6 +11,7 @@
 #include "cobot_command/link/script_link.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/robot/robot_watch.h"
+#include "cobot_command/tables/table_store.h"
 
 namespace cobot_command::command {
 
@@ -20,6 +21,7 @@ struct CoreParts {
   link::ScriptLink& script;
   link::TagLedger& tags;
   robot::RobotWatch& robot;
+  tables::TableStore& tables;
   LinkKeeper& keeper;
   Forecast& forecast;
   OutputBoard& board;

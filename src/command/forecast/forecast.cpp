@@ -23,9 +23,11 @@ blocks::Outcome outcomeOf(blocks::Block block, const Planned& planned, bool has_
 }
 
 PlanAnswer planGoal(const blocks::Goal& goal, const arm::ArmModel* arm, const std::optional<arm::Pose>& base,
-                    const std::optional<Origin>& origin, const PlanDesk::Dropped& dropped) {
+                    const std::optional<Origin>& origin, const tables::DataTables& tables,
+                    const PlanDesk::Dropped& dropped) {
   const blocks::GoalRules rules(goal);
   blocks::PlanningScene scene;
+  scene.tables = tables;
   scene.arm = arm;
   if (origin) scene.start = origin->start;
   scene.give_up = [dropped] { return dropped->load(); };
@@ -63,8 +65,8 @@ robot::LooseMotion::End endOf(const CommandOrder& order) {
 }  // namespace
 
 Forecast::Forecast(std::shared_ptr<const arm::ArmModel> arm, robot::RobotWatch& robot,
-                   std::vector<Action>& actions)
-    : arm_(std::move(arm)), robot_(robot), actions_(actions) {}
+                   const tables::TableStore& tables, std::vector<Action>& actions)
+    : arm_(std::move(arm)), robot_(robot), tables_(tables), actions_(actions) {}
 
 // --- Plans.
 
@@ -126,8 +128,8 @@ PlanDesk::MakeWork Forecast::workFor(const blocks::Command& command, const Origi
 PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const OriginAt& origin_at) const {
   return [=](const PlanDesk::Dropped& dropped, Instant now) -> PlanWork {
     const auto origin = origin_at(now);
-    return [=, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
-      return planGoal(goal, arm.get(), base, origin, dropped);
+    return [=, arm = arm_, base = baseAt(origin), tables = tables_.tables()]() -> PlanAnswer {
+      return planGoal(goal, arm.get(), base, origin, tables, dropped);
     };
   };
 }

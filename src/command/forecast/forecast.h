@@ -22,13 +22,15 @@
 #include "cobot_command/robot/frame_watch.h"
 #include "cobot_command/robot/loose_motion.h"
 #include "cobot_command/robot/robot_watch.h"
+#include "cobot_command/tables/table_store.h"
 
 namespace cobot_command::command {
 
 class Forecast {
  public:
-  /// `arm`: nothing without a model; then nothing is planned. `robot`, `actions`: have to live longer.
-  Forecast(std::shared_ptr<const arm::ArmModel> arm, robot::RobotWatch& robot, std::vector<Action>& actions);
+  /// `arm`: nothing without a model; then nothing is planned. The others have to live longer.
+  Forecast(std::shared_ptr<const arm::ArmModel> arm, robot::RobotWatch& robot,
+           const tables::TableStore& tables, std::vector<Action>& actions);
 
   [[nodiscard]] const arm::ArmModel* arm() const { return arm_.get(); }
   /// That the next command will be taken in.
@@ -84,6 +86,7 @@ class Forecast {
 
   std::shared_ptr<const arm::ArmModel> arm_;
   robot::RobotWatch& robot_;
+  const tables::TableStore& tables_;
   std::vector<Action>& actions_;
   PlannedQueue queue_;
   robot::FrameWatch frames_;

@@ -215,6 +215,28 @@ void CommandRuntime::useSettings(const link::LinkSettings& settings) {
   impl_->post([settings](auto& core, Instant now) { core.useSettings(settings, now); });
 }
 
+void CommandRuntime::useTables(tables::DataTables tables) {
+  impl_->post([tables = std::move(tables)](auto& core, Instant /*now*/) { core.useTables(tables); });
+}
+
+std::optional<std::future<command::TableAnswer>> CommandRuntime::writeTable(command::TableWrite write) {
+  const auto answer = std::make_shared<std::promise<command::TableAnswer>>();
+  auto answered = answer->get_future();
+  const bool posted = impl_->post([=, write = std::move(write)](auto& core, Instant /*now*/) {
+    answer->set_value(core.writeTable(write));
+  });
+  return posted ? std::optional(std::move(answered)) : std::nullopt;
+}
+
+std::optional<std::future<command::TableAnswer>> CommandRuntime::tryTable(command::TableWrite write) {
+  const auto answer = std::make_shared<std::promise<command::TableAnswer>>();
+  auto answered = answer->get_future();
+  const bool posted = impl_->post([=, write = std::move(write)](auto& core, Instant /*now*/) {
+    answer->set_value(core.tryTable(write));
+  });
+  return posted ? std::optional(std::move(answered)) : std::nullopt;
+}
+
 void CommandRuntime::keepConnected(blocks::ConnectGoal target) {
   impl_->post([target = std::move(target)](auto& core, Instant now) { core.keepConnected(target, now); });
 }

@@ -16,6 +16,7 @@ static_assert(tables::table_error::kNotFinite == own_error::kNotFinite);
 static_assert(tables::table_error::kCoordinateRange == own_error::kCoordinateRange);
 static_assert(tables::table_error::kInertiaRange == own_error::kInertiaRange);
 static_assert(tables::table_error::kNameInvalid == own_error::kNameInvalid);
+static_assert(tables::table_error::kShutDown == own_error::kShutDown);
 
 int idOfTool(const tables::Tool& tool) {
   const auto refusal = tables::TableStore().writeTool(1, tool);

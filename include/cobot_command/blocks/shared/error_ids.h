@@ -104,6 +104,7 @@ inline constexpr int kStoppedElsewhere = 0x228;
 // The layer.
 inline constexpr int kShutDown = 0x230;
 inline constexpr int kBaseUnknown = 0x231;
+// 0x232 is of the services of the tables: tables/refusal.h.
 // The connection.
 inline constexpr int kHostInvalid = 0x240;
 inline constexpr int kPortRange = 0x241;

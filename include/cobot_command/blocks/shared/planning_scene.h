@@ -6,6 +6,7 @@
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/planning/script_planner.h"
+#include "cobot_command/tables/data_tables.h"
 
 namespace cobot_command::blocks {
 
@@ -16,7 +17,8 @@ struct PlanningScene {
   const arm::ArmModel* arm = nullptr;  ///< nullptr: no model is known
   /// The robot when the first command comes, as far as that is known; absent: nothing is.
   std::optional<planning::ScriptPlanner::Start> start;
-  GiveUp give_up;  ///< may be empty: never
+  GiveUp give_up;                  ///< may be empty: never
+  tables::DataTables tables = {};  ///< as they are when the planning begins
 };
 
 }  // namespace cobot_command::blocks

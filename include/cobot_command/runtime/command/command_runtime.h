@@ -49,6 +49,11 @@ class CommandRuntime {
   /// See CommandCore.
   void useSettings(const link::LinkSettings& settings);
   /// See CommandCore.
+  void useTables(tables::DataTables tables);
+  /// See CommandCore; the answer as with finish().
+  std::optional<std::future<command::TableAnswer>> writeTable(command::TableWrite write);
+  std::optional<std::future<command::TableAnswer>> tryTable(command::TableWrite write);
+  /// See CommandCore.
   void keepConnected(blocks::ConnectGoal target);
 
   /// Begins the end, and returns at once: no goal is taken any more, a robot that moves is told to stop. The

@@ -62,7 +62,8 @@ class ForecastTest : public ::testing::Test {
   std::shared_ptr<const arm::ArmModel> arm_;
   robot::RobotWatch robot_;
   std::vector<Action> actions_;
-  Forecast forecast_{arm_, robot_, actions_};
+  tables::TableStore tables_;
+  Forecast forecast_{arm_, robot_, tables_, actions_};
   Instant now_{};
 };
 

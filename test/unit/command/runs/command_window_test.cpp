@@ -67,7 +67,8 @@ class CommandWindowTest : public ::testing::Test {
   robot::RobotWatch robot_;
   std::vector<Action> actions_;
   std::shared_ptr<const arm::ArmModel> arm_;  ///< nothing is planned
-  Forecast forecast_{arm_, robot_, actions_};
+  tables::TableStore tables_;
+  Forecast forecast_{arm_, robot_, tables_, actions_};
   StopRun stop_{settings_, link_, tags_, robot_, nullptr};
   CommandWindow window_{{settings_, link_, tags_, robot_, stop_, nullptr}, forecast_, {}};
   Instant now_{};
