@@ -104,7 +104,7 @@ std::optional<std::string> Reading::fill(Kind kind, const EntryText& text) {
 }
 
 std::optional<TextFault> Reading::take(Kind kind, const Written& written) {
-  TextFault place{written.place, std::string(written.text), ""};
+  TextFault place{kind, written.place, std::string(written.text), ""};
   const auto scanned = scanEntry(written.text.substr(written.before), written.end, written.before);
   const auto reason = scanned ? fill(kind, *scanned) : scanned.error();
   if (reason) {
@@ -173,7 +173,7 @@ Result<DataTables, TextFault> readFile(std::string_view text, const Payload& pay
     const std::string place = fmt::format("line {}", number);
     const auto kind = kindOf(line, first);
     if (!kind) {
-      return refuse(TextFault{place, std::string(line), "a line begins with tool, frame, load or #"});
+      return refuse(TextFault{{}, place, std::string(line), "a line begins with tool, frame, load or #"});
     }
     auto fault = reading.take(kind->first, {place, line, kind->second, EntryEnd::TextOrComment});
     if (fault) return refuse(*std::move(fault));

@@ -13,6 +13,7 @@ namespace cobot_command::tables {
 
 /// Where a text is wrong, and why.
 struct TextFault {
+  Kind kind{};         ///< of the entry, where that is known
   std::string place;   ///< "line 3" of a file, "entry 2 of tools" of a list
   std::string text;    ///< what stands there
   std::string reason;  ///< "at character 7: ..."

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "command/action_servers.h"
+#include "tables/table_services.h"
+#include "tables/tables_file.h"
 #include <fmt/format.h>
 #include <ros/console.h>
 
@@ -75,6 +77,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   const JointNames joint_names = jointNames(parameters.prefix);
   const GoalSink goal_sink = sink();
   servers_ = serveActions({node, joint_names, goal_sink});
+  tables_ = tableServices(node, parameters.tables);
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
@@ -83,6 +86,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
                          [this] { return last_goal_.load(); },
                          {},
                          [this](link::Channel channel) { return publisher_.isHeard(channel); }});
+  runtime_->useTables(parameters.tables.tables);
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
@@ -129,6 +133,16 @@ GoalIntake::Core CommandNode::intakeCore() {
 FileSource CommandNode::fileSource() {
   return {[this](blocks::GoalId id, const std::string& location) { return steps_files_.find(id, location); },
           [this](blocks::GoalId id) { steps_files_.forget(id); }};
+}
+
+std::unique_ptr<TableServices> CommandNode::tableServices(const ros::NodeHandle& node,
+                                                          const TableParameters& parameters) {
+  TableWriter::Core core{[this](const command::TableWrite& write) { return runtime_->tryTable(write); },
+                         [this](const command::TableWrite& write) { return runtime_->writeTable(write); }};
+  TableWriter::Keep keep = [path = parameters.file](const tables::DataTables& tables) {
+    return path.empty() ? std::nullopt : writeTablesFile(path, toFile(tables));
+  };
+  return std::make_unique<TableServices>(node, parameters.tables, std::move(core), std::move(keep));
 }
 
 /// It has not come to its block, whose outputs show nothing of it.
@@ -206,6 +220,7 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
             diagnostics_.take(a.status);
           },
           [&](const command::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
+          [&](const command::TablesChanged& a) { tables_->take(a.tables); },
           [&](const command::PathPlanned& a) { publisher_.publish(a); },
           [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
           [&](const command::LogMessage& a) { log(a); },

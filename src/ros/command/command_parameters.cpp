@@ -154,7 +154,8 @@ SettingTable behaviourTable(CommandParameters& p) {
 }  // namespace
 
 SettingTable settingsTable(CommandParameters& parameters) {
-  return joined({robotTable(parameters), deadlineTable(parameters.link), behaviourTable(parameters)});
+  return joined({robotTable(parameters), deadlineTable(parameters.link), behaviourTable(parameters),
+                 tableRows(parameters.tables)});
 }
 
 Result<CommandParameters, ParameterError> readCommandParameters(const GivenParameters& given) {
@@ -167,6 +168,8 @@ Result<CommandParameters, ParameterError> readCommandParameters(const GivenParam
   auto arm = armOf({parameters.robot_model, parameters.prefix}, given.robot_description, parameters.warnings);
   if (!arm) return refuse(parameterError(given, arm.error()));
   if (*arm) parameters.arm = (*arm)->turning(parameters.turn_speed);
+  fault = readTables(parameters.tables, parameters.arm ? &*parameters.arm : nullptr, parameters.warnings);
+  if (fault) return refuse(parameterError(given, *fault));
   return parameters;
 }
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "command/regular_file.h"
+#include "shared/regular_file.h"
 #include <fmt/format.h>
 #include <rospack/rospack.h>
 #include <yaml-cpp/yaml.h>

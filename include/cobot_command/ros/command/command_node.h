@@ -27,6 +27,8 @@
 
 namespace cobot_command::ros_adapter {
 
+class TableServices;
+
 class CommandNode {
  public:
   /// `self`: the node's private namespace.
@@ -48,6 +50,8 @@ class CommandNode {
   [[nodiscard]] GoalSink sink();
   [[nodiscard]] GoalIntake::Core intakeCore();
   [[nodiscard]] FileSource fileSource();
+  [[nodiscard]] std::unique_ptr<TableServices> tableServices(const ros::NodeHandle& node,
+                                                             const TableParameters& parameters);
   [[nodiscard]] GoalListener& of(blocks::Block block) const {
     return *servers_[static_cast<std::size_t>(block)];
   }
@@ -70,6 +74,7 @@ class CommandNode {
   GoalIntake intake_;
   std::vector<std::unique_ptr<GoalListener>> servers_;  ///< by their blocks
   std::unique_ptr<runtime::CommandRuntime> runtime_;
+  std::unique_ptr<TableServices> tables_;
   ros::SteadyTimer retry_;
   ros::ServiceServer finish_;
   bool stopped_ = false;

@@ -13,6 +13,7 @@
 #include "cobot_command/link/connection.h"
 #include "cobot_command/ros/shared/given_parameters.h"
 #include "cobot_command/ros/shared/robot_parameters.h"
+#include "cobot_command/ros/tables/table_parameters.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -27,6 +28,7 @@ struct CommandParameters {
   std::string simulated_controller;          ///< the node whose ports are used; empty: the ports above
   double diagnostic_period = 1.0;            ///< [s]
   link::LinkSettings link;
+  TableParameters tables;
 
   std::optional<arm::ArmModel> arm;   ///< absent: moves are sent without planning them first
   std::vector<std::string> warnings;  ///< of what can be used, but was hardly meant so

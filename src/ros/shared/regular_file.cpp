@@ -1,4 +1,4 @@
-#include "command/regular_file.h"
+#include "shared/regular_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,99 @@
+#include "cobot_command/ros/tables/table_parameters.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tables/tables_file.h"
+#include <fmt/format.h>
+
+#include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/setting_kinds.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+using namespace setting_kinds;
+
+constexpr const char* kPlacedEntry = "N=NAME, N=X,Y,Z,RX,RY,RZ [mm, deg] or N=NAME:X,Y,Z,RX,RY,RZ";
+constexpr const char* kFileRule = "an absolute path without control characters";
+
+SettingKind entries(std::vector<std::string>& list, std::string type) {
+  SettingKind kind;
+  kind.form = SettingKind::Form::Texts;
+  kind.type = std::move(type);
+  kind.take = [&list](const Given& given) -> std::optional<std::string> {
+    auto texts = textsIn(given);
+    if (!texts) return texts.error();
+    list = *std::move(texts);
+    return std::nullopt;
+  };
+  kind.show = [] { return std::string("none"); };
+  return kind;
+}
+
+TextRule absolutePath() {
+  return {kFileRule, [](const std::string& path) {
+            return !path.empty() && path.front() == '/' && path.back() != '/' &&
+                   std::none_of(path.begin(), path.end(), isControl);
+          }};
+}
+
+const Setting& rowOf(const SettingTable& rows, tables::Kind kind) {
+  return rows[static_cast<std::size_t>(kind)];
+}
+
+SettingFault faultOfList(const SettingTable& rows, const tables::TextFault& fault) {
+  const Setting& row = rowOf(rows, fault.kind);
+  return {row.name, fmt::format("holds {}: {}", quoted(fault.text), fault.reason), allowedBy(row.kind)};
+}
+
+SettingFault faultOfFile(const std::string& path, const std::string& why) {
+  return {
+      "tables_file", fmt::format("is {}: {}", foreignText(path), why),
+      "a file of tables that can be read and written (doc/tables.md), one that is not there yet, or empty"};
+}
+
+}  // namespace
+
+SettingTable tableRows(TableParameters& p) {
+  const std::string placed = std::string("a list of texts ") + kPlacedEntry;
+  return {
+      {"tools", entries(p.lists.tools, placed + ", each with @LOAD or without"),
+       "tools 1 to 15, until there is a ~tables_file; see doc/tables.md"},
+      {"frames", entries(p.lists.frames, placed + ", each with @REFERENCE or without"), "the same of frames"},
+      {"loads",
+       entries(p.lists.loads,
+               "a list of texts N=KG or N=KG,IXX,IYY,IZZ,X,Y,Z,RX,RY,RZ [kg mm^2; centre in mm, deg]"),
+       "the same of loads"},
+      {"tables_file", text(p.file, orEmpty(absolutePath())),
+       "keeps tools, frames and loads that are written, so that the next start has them; made by the first "
+       "write. Where it is there, the lists above are not used. Each robot has its own"},
+  };
+}
+
+std::optional<SettingFault> readTables(TableParameters& parameters, const arm::ArmModel* arm,
+                                       std::vector<std::string>& warnings) {
+  const tables::Payload payload = arm != nullptr ? tables::payloadOf(*arm) : tables::Payload();
+  auto of_lists = tables::readLists(parameters.lists, payload);
+  if (!of_lists) return faultOfList(tableRows(parameters), of_lists.error());
+  parameters.tables = *std::move(of_lists);
+  if (parameters.file.empty()) return std::nullopt;
+  const auto kept = readTablesFile(parameters.file);
+  if (!kept) return faultOfFile(parameters.file, kept.error());
+  if (const auto why_not = whyNotWritable(parameters.file)) return faultOfFile(parameters.file, *why_not);
+  if (!*kept) return std::nullopt;
+  auto of_file = tables::readFile(**kept, payload);
+  if (!of_file) return faultOfFile(parameters.file, describe(of_file.error()));
+  const tables::TableLists& lists = parameters.lists;
+  const bool has_lists = !lists.tools.empty() || !lists.frames.empty() || !lists.loads.empty();
+  if (has_lists && toFile(*of_file) != toFile(parameters.tables)) {
+    warnings.push_back(fmt::format(
+        "tools, frames and loads are those of {}, which has others than the parameters ~tools, ~frames and "
+        "~loads: remove the file to begin with the parameters again",
+        foreignText(parameters.file)));
+  }
+  parameters.tables = *std::move(of_file);
+  return std::nullopt;
+}
+
+}  // namespace cobot_command::ros_adapter

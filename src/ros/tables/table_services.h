@@ -1,0 +1,41 @@
+// The services that read and write the tables of tools, frames and loads, and the topic that tells them.
+//
+// The services are served by the spinner; take() may be called from the core's thread.
+#pragma once
+
+#include <mutex>
+#include <vector>
+
+#include "tables/table_board.h"
+#include "tables/table_writer.h"
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/service_server.h>
+
+namespace cobot_command::ros_adapter {
+
+class TableServices {
+ public:
+  TableServices(const ros::NodeHandle& node, const tables::DataTables& tables, TableWriter::Core core,
+                TableWriter::Keep keep);
+
+  /// They are so now; told when that is new.
+  void take(const tables::DataTables& tables);
+
+ private:
+  template <class Of>
+  void serve(ros::NodeHandle node);
+  template <class Of>
+  bool read(typename Of::Read::Request& request, typename Of::Read::Response& response);
+  template <class Of>
+  bool write(typename Of::Write::Request& request, typename Of::Write::Response& response);
+  [[nodiscard]] command::TableAnswer written(const command::TableWrite& write);
+
+  TableBoard board_;
+  TableWriter writer_;
+  std::mutex telling_;
+  ros::Publisher topic_;
+  std::vector<ros::ServiceServer> services_;
+};
+
+}  // namespace cobot_command::ros_adapter
