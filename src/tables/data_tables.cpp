@@ -64,7 +64,7 @@ Result<arm::Pose, Gap> DataTables::toolInFlange(int index) const {
 Result<arm::Pose, Gap> DataTables::frameInRobotBase(int index) const {
   const auto frame = found(Kind::Frame, entries_->frames, index);
   if (!frame) return refuse(frame.error());
-  const auto pose = poseOf(Kind::Frame, *frame, index);
+  auto pose = poseOf(Kind::Frame, *frame, index);
   if (!pose || frame->reference == 0) return pose;
   const auto reference = frameInRobotBase(frame->reference);  // which refers to none
   if (!reference) {
@@ -99,7 +99,7 @@ std::optional<Refusal> DataTables::writeFrame(int index, std::optional<Frame> fr
 }
 
 std::optional<Refusal> DataTables::writeLoad(int index, std::optional<Load> load, const Payload& payload) {
-  return write(Kind::Load, &Entries::loads, index, load, payload);
+  return write(Kind::Load, &Entries::loads, index, std::move(load), payload);
 }
 
 void DataTables::learnTool(std::string_view name, const arm::Pose& in_flange) {

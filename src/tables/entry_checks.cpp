@@ -24,24 +24,25 @@ class EntryCheck {
   EntryCheck(Kind kind, int index, const Entries& all, const Payload& payload)
       : kind_(kind), index_(index), all_(all), payload_(payload) {}
 
-  std::optional<Refusal> tool() const;
-  std::optional<Refusal> frame() const;
-  std::optional<Refusal> load() const;
+  [[nodiscard]] std::optional<Refusal> tool() const;
+  [[nodiscard]] std::optional<Refusal> frame() const;
+  [[nodiscard]] std::optional<Refusal> load() const;
 
  private:
   template <class Entry>
-  std::optional<Refusal> named(const Entry& entry) const;
-  std::optional<Refusal> pose(const char* what, const arm::Pose& pose) const;
-  std::optional<Refusal> reference(const Frame& frame) const;
-  std::optional<Refusal> referringFrames() const;
-  std::optional<Refusal> masses(const Load& load) const;
-  std::optional<Refusal> toolsThatWeighIt() const;
+  [[nodiscard]] std::optional<Refusal> named(const Entry& entry) const;
+  [[nodiscard]] std::optional<Refusal> pose(const char* what, const arm::Pose& pose) const;
+  [[nodiscard]] std::optional<Refusal> reference(const Frame& frame) const;
+  [[nodiscard]] std::optional<Refusal> referringFrames() const;
+  [[nodiscard]] std::optional<Refusal> masses(const Load& load) const;
+  [[nodiscard]] std::optional<Refusal> toolsThatWeighIt() const;
 
   template <class Entry>
-  const std::optional<Entry>& at(const Table<Entry>& table, int index) const {
+  [[nodiscard]] const std::optional<Entry>& at(const Table<Entry>& table, int index) const {
     return table[static_cast<std::size_t>(index)];
   }
-  Refusal refused(int error_id, std::string found, std::string allowed, std::string remedy) const {
+  [[nodiscard]] Refusal refused(int error_id, std::string found, std::string allowed,
+                                std::string remedy) const {
     return {error_id, kind_, index_, std::move(found), std::move(allowed), std::move(remedy)};
   }
 

@@ -35,7 +35,9 @@ class Scanner {
     reason_ = fmt::format("at character {}: {}", before_ + at_ + 1, reason);
     return false;
   }
-  bool ends() const { return at_ == text_.size() || (end_ == EntryEnd::TextOrComment && text_[at_] == '#'); }
+  [[nodiscard]] bool ends() const {
+    return at_ == text_.size() || (end_ == EntryEnd::TextOrComment && text_[at_] == '#');
+  }
   void skipBlanks() {
     while (at_ < text_.size() && isOneOf(text_[at_], " \t")) ++at_;
   }

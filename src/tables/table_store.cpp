@@ -91,7 +91,7 @@ Result<DataTables, Refusal> TableStore::withFrame(int index, std::optional<Frame
 
 Result<DataTables, Refusal> TableStore::withLoad(int index, std::optional<Load> load) const {
   DataTables changed = tables_;
-  auto refusal = changed.writeLoad(index, load, payload_);
+  auto refusal = changed.writeLoad(index, std::move(load), payload_);
   return unlessUsed(Kind::Load, index, std::move(changed), std::move(refusal));
 }
 
@@ -110,7 +110,7 @@ std::optional<Refusal> TableStore::writeFrame(int index, std::optional<Frame> fr
 }
 
 std::optional<Refusal> TableStore::writeLoad(int index, std::optional<Load> load) {
-  return take(withLoad(index, load));
+  return take(withLoad(index, std::move(load)));
 }
 
 }  // namespace cobot_command::tables

@@ -1,5 +1,8 @@
 // The tables take what the blocks take: the same names, weights and inertias, by the same numbers.
 
+#include <string>
+#include <utility>
+
 #include "block_goals.h"
 #include <gtest/gtest.h>
 
@@ -51,9 +54,11 @@ TEST(TableRules, takeTheInertiasOfChangeTcp) {
 }
 
 TEST(TableRules, takeTheWeightsOfChangeLoadWhereTheArmIsNotKnown) {
-  for (const std::string weight : {"0", "14", "14.001", "-1", "nan"}) {
-    const int of_block = errorWith<ChangeLoadGoal>([&](auto& g) { g.weight = std::stod(weight); });
-    EXPECT_EQ(tables::readLists({{}, {}, {"1=" + weight}}, {}).has_value(), of_block == 0) << weight;
+  using Row = std::pair<std::string, double>;
+  for (const auto& [text, weight] :
+       {Row{"0", 0}, Row{"14", 14}, Row{"14.001", 14.001}, Row{"-1", -1}, Row{"nan", kNan}}) {
+    const int of_block = errorWith<ChangeLoadGoal>([kg = weight](auto& g) { g.weight = kg; });
+    EXPECT_EQ(tables::readLists({{}, {}, {"1=" + text}}, {}).has_value(), of_block == 0) << text;
   }
 }
 
