@@ -56,6 +56,12 @@ Duration partOf(Duration most, const BlendShare& share) {
   return Duration(static_cast<Duration::rep>(part));
 }
 
+double radiusOf(const Blend& blend) {
+  if (const auto* radius = std::get_if<BlendRadius>(&blend)) return radius->metres;
+  const auto* way = std::get_if<BlendWay>(&blend);
+  return way ? way->radius : std::numeric_limits<double>::infinity();
+}
+
 /// The longest time up to `most` that is `good`, where all shorter ones are, too.
 template <class Good>
 Duration longest(Duration most, const Good& good) {
@@ -145,7 +151,7 @@ Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& 
   const Duration most = std::min({corner.before.timeDown(), corner.next.timeUp(),
                                   corner.before.duration() / 2, corner.next.duration() / 2});
   const auto* radius = std::get_if<BlendRadius>(&blend);
-  const CornerCheck check(arm, corner, radius ? radius->metres : std::numeric_limits<double>::infinity());
+  const CornerCheck check(arm, corner, radiusOf(blend));
   const auto asked = [&] {
     if (const auto* share = std::get_if<BlendShare>(&blend)) return partOf(most, *share);
     if (const auto* way = std::get_if<BlendWay>(&blend)) return longestWithin(corner, *way, most);

@@ -24,6 +24,7 @@ DeviationWatch::DeviationWatch(arm::ArmModel arm, PathPlan plan)
     : arm_(std::move(arm)), plan_(std::move(plan)) {}
 
 void DeviationWatch::add(Duration time, const arm::JointVector& joints) {
+  if (!joints.allFinite()) return;
   for (std::size_t i = 0; i < kDelays; ++i) {
     squares_[i] += (joints - plan_.at(time - delay(i)).position).squaredNorm();
   }

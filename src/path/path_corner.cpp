@@ -10,6 +10,8 @@ namespace cobot_command::path {
 namespace {
 
 constexpr double kNoWay = 1e-9;  // [m]
+/// A shorter one is a stop.
+constexpr Duration kShortestOverlap = std::chrono::milliseconds(25);
 
 /// Below which share of a move in joint space the moved frame is within `metres` of where it began.
 double shareWithin(const PlannedPoint& move, const arm::Pose& moved_frame, double metres,
@@ -44,8 +46,9 @@ motion::BlendWay blendOf(const PlannedPoint& before, const PlannedPoint& next, c
   if (is(before.point.interpolation, Interpolation::Ptp)) return {tolerance / 100.0, 1.0};
   const double metres = mmToM(tolerance);
   const bool next_is_ptp = is(next.point.interpolation, Interpolation::Ptp);
-  return {shareOfWay(before, metres),
-          next_is_ptp ? shareWithin(next, before.moved_frame, metres, scene.arm) : shareOfWay(next, metres)};
+  const double share_of_next =
+      next_is_ptp ? shareWithin(next, before.moved_frame, metres, scene.arm) : shareOfWay(next, metres);
+  return {shareOfWay(before, metres), share_of_next, metres};
 }
 
 }  // namespace
@@ -59,7 +62,7 @@ Duration overlapBetween(const PlannedPoint& before, const PlannedPoint& next, co
   }
   return motion::overlapAt(scene.arm, {*before.motion, *next.motion, before.moved_frame},
                            blendOf(before, next, scene),
-                           {Duration::max(), std::chrono::milliseconds(1), scene.segment});
+                           {Duration::max(), std::chrono::milliseconds(1), kShortestOverlap});
 }
 
 }  // namespace cobot_command::path

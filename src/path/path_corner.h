@@ -8,7 +8,7 @@
 namespace cobot_command::path {
 
 /// How long before the end of `before` the next motion begins, by its termination and tolerance: what is left
-/// out of its way is never more than that. Whole milliseconds; below a segment of a PVT it is a stop.
+/// out of its way is never more than that. Whole milliseconds; below 25 it is a stop.
 [[nodiscard]] Duration overlapBetween(const PlannedPoint& before, const PlannedPoint& next,
                                       const PathScene& scene);
 

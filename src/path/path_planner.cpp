@@ -33,11 +33,19 @@ std::optional<PathRefusal> checkIndices(const PathSection& section) {
   return std::nullopt;
 }
 
+/// As no motion takes longer, no path does.
+constexpr Duration kLongest = std::chrono::hours(3);
+
+PathRefusal tooLong(int index) {
+  return {path_error::kNotPlannable, index, -1,
+          "the path would take more than 3 h with this point: divide it, or choose higher speeds"};
+}
+
 /// The pairs of type and number that the poses of a goal refer to.
 class References {
  public:
   std::optional<PathRefusal> take(const PathPoint& point, int index) {
-    if (!hasPose(point)) return std::nullopt;
+    if (!hasReference(point)) return std::nullopt;
     const int id = is(point.ref_frame_type, Reference::User) ? point.ref_frame_id : 0;
     seen_.emplace(point.ref_frame_type, id);
     if (seen_.size() <= kMostReferences) return std::nullopt;
@@ -86,8 +94,11 @@ class PathPlanner::Appending {
     if (!target) return std::move(target.error());
     auto made = planPoint(point, index, *target, dynamics_.current(), previous_.joints, scene_);
     if (!made) return std::move(made.error());
+    if (plan_.duration() + made->motion->duration() > kLongest) return tooLong(index);
     previous_ = {made->motion->end().position, target->written};
-    take({goal, index, point, dynamics_.current(), target->moved_frame, made->command, made->motion});
+    const double feedrate = scene_.feedrate;
+    take({goal, index, point, dynamics_.current(), feedrate, target->moved_frame, made->command,
+          made->motion});
     return std::nullopt;
   }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "target.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
@@ -18,11 +17,26 @@ namespace {
 /// The times to top speed that a script may ask for [ms] (thesis table 5.3.2.3).
 constexpr int kShortestRamp = 150;
 constexpr int kLongestRamp = 9999;
+/// The highest speed of a TCP in the same table [mm/s], and a radius that no arm of the family has room for
+/// [mm].
+constexpr double kMostSpeed = 4500;
+constexpr double kMostRadius = 9999;
 constexpr double kWholeNumber = 1e-9;
 
 const char* nameOf(int profile_type) {
   constexpr std::array<const char*, 4> kNames{"S_CURVE", "POLY5", "MOD_SINE", "SINE2"};
   return kNames.at(static_cast<std::size_t>(profile_type));
+}
+
+/// What may be left out of the way of a point, as a share of it.
+double toleranceOf(const PlannedPoint& point) {
+  if (is(point.point.interpolation, Interpolation::Ptp)) return point.point.command_tolerance / 100.0;
+  return mmToM(point.point.command_tolerance) / std::max(point.motion->tcpWay(), 1e-9);
+}
+
+bool isSame(const arm::Pose& a, const arm::Pose& b) {
+  constexpr double kSame = 1e-6;  // [m and rotation entry]
+  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < kSame;
 }
 
 /// One point, by what it says and what was planned of it.
@@ -49,7 +63,13 @@ class PointWriter {
   }
 
   [[nodiscard]] const Dynamics& dynamics() const { return point_.dynamics; }
-  [[nodiscard]] double speed() const { return dynamics().speed * scene_.feedrate; }
+  [[nodiscard]] double acceleration() const {
+    return std::min(dynamics().acceleration, dynamics().deceleration) * point_.feedrate * point_.feedrate;
+  }
+  /// As much slower as the longest ramp asks for.
+  [[nodiscard]] double speed() const {
+    return std::min(dynamics().speed * point_.feedrate, 1e-3 * kLongestRamp * acceleration());
+  }
 
   /// What no motion of a script can say.
   void tellShape() {
@@ -65,38 +85,69 @@ class PointWriter {
 
   /// [ms]
   [[nodiscard]] int ramp() {
-    const double slower = std::min(dynamics().acceleration, dynamics().deceleration) * scene_.feedrate;
-    const double exact = 1e3 * dynamics().speed / slower;
-    const int whole = static_cast<int>(std::min(std::ceil(exact - kWholeNumber), kLongestRamp + 1.0));
-    if (whole < kShortestRamp || whole > kLongestRamp) {
-      tell(fmt::format("{:.3f} ms to top speed, {} to {} can be said", exact, kShortestRamp, kLongestRamp));
-    } else if (std::abs(exact - whole) > kWholeNumber * exact) {
-      tell(fmt::format("{:.3f} ms to top speed, whole ones can be said", exact));
+    if (speed() < dynamics().speed * point_.feedrate) {
+      tell(fmt::format("a speed of {:.6g}, as more than {} ms to top speed cannot be said", speed(),
+                       kLongestRamp));
     }
-    return std::clamp(whole, kShortestRamp, kLongestRamp);
+    const double exact = 1e3 * speed() / acceleration();
+    const double whole = std::ceil(exact * (1.0 - kWholeNumber));
+    if (whole < kShortestRamp) {
+      tell(fmt::format("{:.6g} ms to top speed, at least {} can be said", exact, kShortestRamp));
+    } else if (std::abs(exact - whole) > kWholeNumber * exact) {
+      tell(fmt::format("{:.6g} ms to top speed, whole ones can be said", exact));
+    }
+    return static_cast<int>(std::clamp(whole, 1.0 * kShortestRamp, 1.0 * kLongestRamp));
   }
 
-  [[nodiscard]] int whole(double exact, const char* unit) {
-    const int below = std::max(1, static_cast<int>(std::floor(exact + kWholeNumber)));
+  /// Rounded down to a whole number of 1..most.
+  [[nodiscard]] int whole(double exact, double most, const char* unit) {
+    const double below = std::clamp(std::floor(exact * (1.0 + kWholeNumber)), 1.0, most);
     if (std::abs(exact - below) > kWholeNumber * std::max(1.0, exact)) {
-      tell(fmt::format("{:.3f} {}, whole ones can be said", exact, unit));
+      tell(fmt::format("{:.6g} {}, whole ones up to {} can be said", exact, unit, most));
     }
-    return below;
+    return static_cast<int>(below);
   }
 
   [[nodiscard]] script::MotionOptions options(int speed, int blending) {
     return {speed, ramp(), blending, false};
   }
 
+  /// It is sent with a blend: the plan has one, or nothing is behind it yet.
+  [[nodiscard]] bool blends() const {
+    return point_.overlap > Duration::zero() || (next_ == nullptr && point_.losesBlend());
+  }
+  /// How long before its end it is left.
+  [[nodiscard]] Duration leftBefore() const {
+    if (next_ != nullptr) return point_.overlap;
+    const motion::Trajectory& motion = *point_.motion;
+    const double share = std::min(1.0, toleranceOf(point_));
+    Duration left{};
+    const Duration step = std::chrono::milliseconds(1);
+    while (left < motion.timeDown() && motion.progress(motion.duration() - left - step) >= 1.0 - share) {
+      left += step;
+    }
+    return left;
+  }
+
   /// The share of the ramps for which the plan lets both motions overlap [%].
   [[nodiscard]] int blendShare() {
-    if (point_.overlap == Duration::zero() || next_ == nullptr) return 0;
-    const Duration most = std::min({point_.motion->timeDown(), next_->motion->timeUp(),
-                                    point_.motion->duration() / 2, next_->motion->duration() / 2});
-    const double share = 100.0 * toSeconds(point_.overlap) / toSeconds(most);
-    tell(fmt::format("a tolerance of {} {}, sent as {:.0f} % of the ramps", point_.point.command_tolerance,
-                     is(point_.point.interpolation, Interpolation::Ptp) ? "% of the way" : "mm", share));
-    return std::clamp(static_cast<int>(std::floor(share)), 1, 100);
+    if (!blends()) return 0;
+    Duration most = std::min(point_.motion->timeDown(), point_.motion->duration() / 2);
+    if (next_ != nullptr) most = std::min({most, next_->motion->timeUp(), next_->motion->duration() / 2});
+    const double share = 100.0 * toSeconds(leftBefore()) / std::max(toSeconds(most), 1e-9);
+    const int percent = static_cast<int>(std::clamp(std::floor(share), 1.0, 100.0));
+    tell(fmt::format("a tolerance of {} {}, sent as {} % of the ramps", point_.point.command_tolerance,
+                     is(point_.point.interpolation, Interpolation::Ptp) ? "% of the way" : "mm", percent));
+    return percent;
+  }
+
+  /// [mm]; below one it is a stop.
+  [[nodiscard]] int radius() {
+    if (!blends()) return 0;
+    const double tolerance = std::min(point_.point.command_tolerance, mToMm(point_.motion->tcpWay()));
+    if (tolerance >= 1.0) return whole(tolerance, kMostRadius, "mm of tolerance");
+    tell(fmt::format("a tolerance of {:.6g} mm, below 1 mm it is a stop", tolerance));
+    return 0;
   }
 
   [[nodiscard]] script::ScriptCommand ptp() {
@@ -110,7 +161,7 @@ class PointWriter {
     const double longest = way.cwiseAbs().maxCoeff();
     const double percent = longest > 0.0 ? 100.0 * degToRad(speed()) * share / longest : 1.0;
     script::Ptp ptp;
-    ptp.options = options(whole(percent, "% of the rated speed"), blendShare());
+    ptp.options = options(whole(percent, 100, "% of the rated speed"), blendShare());
     ptp.format.target = script::DataFormat::Target::Joint;
     if (is(point_.point.target_type, TargetType::Cartesian)) {
       ptp.format.target = script::DataFormat::Target::Cartesian;
@@ -128,10 +179,8 @@ class PointWriter {
     line.format.blending = script::DataFormat::Blending::Radius;
     line.target = endPose();
     tellTurn();
-    const int radius =
-        point_.overlap > Duration::zero() ? whole(point_.point.command_tolerance, "mm of tolerance") : 0;
-    line.options = options(whole(speed(), "mm/s"), radius);
-    if (radius == 0) line.format.blending = script::DataFormat::Blending::Percent;
+    line.options = options(whole(speed(), kMostSpeed, "mm/s"), radius());
+    if (line.options.blending == 0) line.format.blending = script::DataFormat::Blending::Percent;
     return line;
   }
 
@@ -142,7 +191,7 @@ class PointWriter {
     circle.via = arm::toControllerPose(arc.via);
     circle.end = endPose();
     tellTurn();
-    circle.options = options(whole(speed(), "mm/s"), blendShare());
+    circle.options = options(whole(speed(), kMostSpeed, "mm/s"), blendShare());
     return circle;
   }
 
@@ -177,11 +226,11 @@ bool sendsPose(const PlannedPoint& point) {
 std::vector<script::ScriptCommand> framesFor(const PlannedPoint& point, ScriptFrames& active) {
   std::vector<script::ScriptCommand> lines;
   if (!sendsPose(point)) return lines;
-  if (!active.base || !arm::isSamePose(*active.base, arm::Pose::Identity())) {
+  if (!active.base || !isSame(*active.base, arm::Pose::Identity())) {
     lines.emplace_back(script::ChangeBase{script::kRobotBase});
     active.base = arm::Pose::Identity();
   }
-  if (!active.tcp || !arm::isSamePose(*active.tcp, point.moved_frame)) {
+  if (!active.tcp || !isSame(*active.tcp, point.moved_frame)) {
     lines.emplace_back(script::ChangeTcp{arm::toControllerPose(point.moved_frame), {}, {}});
     active.tcp = point.moved_frame;
   }

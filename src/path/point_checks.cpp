@@ -4,7 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "target.h"
 #include <fmt/format.h>
+
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::path {
 namespace {
@@ -56,7 +59,7 @@ Finding checkPoseType(const PathPoint& point, int index) {
 }
 
 Finding checkReference(const PathPoint& point, int index) {
-  if (!hasPose(point) || is(point.ref_frame_type, Reference::World) ||
+  if (!hasReference(point) || is(point.ref_frame_type, Reference::World) ||
       is(point.ref_frame_type, Reference::Robot) || is(point.ref_frame_type, Reference::User)) {
     return std::nullopt;
   }
@@ -81,7 +84,7 @@ bool usesTool(const PathPoint& point) {
   return hasMovedFrame(point) && is(point.pose_type, MovedFrame::Tool);
 }
 bool usesFrame(const PathPoint& point) {
-  return hasPose(point) && is(point.ref_frame_type, Reference::User);
+  return hasReference(point) && is(point.ref_frame_type, Reference::User);
 }
 
 Finding checkEntries(const PathPoint& point, int index, const tables::DataTables& tables) {
@@ -125,7 +128,7 @@ Finding checkDisabledJoints(const PathPoint& point, int index) {
 }
 
 Finding checkIncrement(const PathPoint& point, int index) {
-  if (!is(point.move_type, MoveType::Incremental) || !hasPose(point)) return std::nullopt;
+  if (!is(point.move_type, MoveType::Incremental) || !hasReference(point)) return std::nullopt;
   if (!usesTool(point) && !usesFrame(point)) return std::nullopt;
   return refusal(
       path_error::kIncrementInFrame, index,
@@ -138,6 +141,10 @@ Finding checkIncrement(const PathPoint& point, int index) {
 
 bool hasPose(const PathPoint& point) {
   return !is(point.target_type, TargetType::Joint);
+}
+
+bool hasReference(const PathPoint& point) {
+  return hasPose(point) || is(point.interpolation, Interpolation::Circular);
 }
 
 bool hasMovedFrame(const PathPoint& point) {
@@ -164,6 +171,9 @@ Finding checkPoint(const PathPoint& point, int index, const tables::DataTables& 
   if (!found) {
     found = checkNumber(path_error::kConfiguration, index, "robot_configuration", point.robot_configuration,
                         15, "0 to 15");
+  }
+  if (!found && is(point.target_type, TargetType::Hybrid) && is(point.move_type, MoveType::Absolute)) {
+    found = checkFlip(point, index, degToRad(point.joints[4]));
   }
   if (!found) found = checkPoseType(point, index);
   if (!found) found = checkReference(point, index);

@@ -19,6 +19,8 @@ namespace cobot_command::path {
 
 /// Whether the pose, or its x y z, says where the target is.
 [[nodiscard]] bool hasPose(const PathPoint& point);
+/// Whether it matters in which frame its poses are: that of the target, or the point on an arc.
+[[nodiscard]] bool hasReference(const PathPoint& point);
 /// Whether it matters which frame is moved: its pose is given, or it goes straight.
 [[nodiscard]] bool hasMovedFrame(const PathPoint& point);
 

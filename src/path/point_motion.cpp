@@ -73,13 +73,19 @@ class PointPlanner {
     const arm::PoseBits own = arm::poseBitsOf(scene_.arm, start_);
     const bool can_go = planned || planned.error().error_id == path_error::kJointSpeed;
     if (!can_go || !bits || *bits == own) return planned;
-    return refuse(refusal(path_error::kOtherConfiguration,
-                          fmt::format("the target has {}, the start {}, which a line and an arc keep: choose "
-                                      "another target, PTP or CP_WRIST",
-                                      arm::toString(*bits), arm::toString(own))));
+    PathRefusal other = refusal(path_error::kOtherConfiguration,
+                                fmt::format("the target has {}, the start {}, which a line and an arc keep: "
+                                            "choose another target, PTP or CP_WRIST",
+                                            arm::toString(*bits), arm::toString(own)));
+    other.where = to;
+    return refuse(std::move(other));
   }
 
-  [[nodiscard]] arm::Pose via() const { return target_.reference * arm::toPose(point_.via_pose); }
+  [[nodiscard]] arm::Pose via() const {
+    arm::Pose via = arm::Pose::Identity();
+    via.translation() = target_.via;
+    return via;
+  }
 
   [[nodiscard]] Made made(const motion::Command& command) const {
     motion::Setting setting;
@@ -101,7 +107,12 @@ class PointPlanner {
   }
   [[nodiscard]] PathRefusal toRefusal(motion::Refusal why) const {
     PathRefusal made = refusal(idOf(why.reason), std::move(why.message), why.joint);
-    made.where = why.point;
+    if (made.error_id != path_error::kNotPlannable && made.error_id != path_error::kTargetPose) {
+      made.where = why.point;
+    }
+    if (made.error_id == path_error::kJointSpeed && scene_.feedrate != 1.0) {
+      made.found += fmt::format("; these are speeds at the feedrate of {:.6g} %", 100.0 * scene_.feedrate);
+    }
     return made;
   }
   [[nodiscard]] static int idOf(motion::Refusal::Reason reason) {

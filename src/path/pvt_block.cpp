@@ -79,7 +79,10 @@ PvtBlock sampleBlock(const PathPlan& plan, std::size_t first, std::size_t last, 
   block.last = last;
   block.start = plan.points()[first].start;
   const Duration end = plan.points()[last].end();
-  if (end == block.start) return block;
+  if (end == block.start) {
+    for (std::size_t point = first; point <= last; ++point) block.ends[point] = 0;
+    return block;
+  }
   const std::vector<Duration> edges = apart(edgesOf(plan, first, last), segment);
   Duration before = block.start;
   std::size_t done = first;
@@ -106,16 +109,22 @@ std::vector<std::size_t> taggedPoints(std::size_t first, std::size_t last, std::
 std::vector<script::ScriptCommand> scriptOf(const PvtBlock& block, const std::map<std::size_t, int>& tags) {
   std::vector<script::ScriptCommand> lines;
   lines.reserve(block.points.size() + tags.size() + 2);
-  lines.emplace_back(script::PvtEnter{});
   auto tag = tags.begin();
+  const auto addTags = [&](std::size_t done) {
+    for (; tag != tags.end() && block.ends.at(tag->first) <= done; ++tag) {
+      lines.emplace_back(script::QueueTag{tag->second, false});
+    }
+  };
+  if (block.points.empty()) {
+    addTags(0);
+    return lines;
+  }
+  lines.emplace_back(script::PvtEnter{});
   for (std::size_t i = 0; i < block.points.size(); ++i) {
     const motion::PvtJointPoint& point = block.points[i];
     lines.emplace_back(script::PvtPoint{arm::toControllerJoints(point.position),
                                         arm::toControllerJoints(point.velocity), point.duration});
-    while (tag != tags.end() && block.ends.at(tag->first) <= i + 1) {
-      lines.emplace_back(script::QueueTag{tag->second, false});
-      ++tag;
-    }
+    addTags(i + 1);
   }
   lines.emplace_back(script::PvtExit{});
   return lines;

@@ -1,5 +1,6 @@
 #include "target.h"
 
+#include "point_checks.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
@@ -30,16 +31,25 @@ Result<arm::Pose, PathRefusal> reference(const PathPoint& point, int index, cons
                             "base: publish it, or give the target in ROBOT or USER"});
 }
 
-bool isSameFrames(const PathPoint& a, const PathPoint& b) {
-  return a.pose_type == b.pose_type && a.pose_id == b.pose_id && a.ref_frame_type == b.ref_frame_type &&
-         a.ref_frame_id == b.ref_frame_id;
+/// Equal where the same is meant: tool 0 is the flange, user frame 0 the robot base.
+std::array<int, 4> framesOf(const PathPoint& point) {
+  const bool has_tool = is(point.pose_type, MovedFrame::Tool) && point.pose_id != 0;
+  const bool has_frame = is(point.ref_frame_type, Reference::User) && point.ref_frame_id != 0;
+  const bool in_world = is(point.ref_frame_type, Reference::World);
+  return {has_tool ? 1 : 0, has_tool ? point.pose_id : 0, has_frame ? 2 : (in_world ? 1 : 0),
+          has_frame ? point.ref_frame_id : 0};
 }
 
 arm::ControllerPose numbersOf(const Previous& previous, const PathPoint& point, const Target& target,
-                              const PathScene& scene) {
-  if (previous.written && isSameFrames(previous.written->frames, point)) return previous.written->numbers;
+                              const arm::Pose& reference, const PathScene& scene) {
+  if (previous.written && previous.written->frames == framesOf(point)) return previous.written->numbers;
   const arm::Pose flange = arm::forwardKinematics(scene.arm, previous.joints);
-  return arm::toControllerPose(target.reference.inverse() * flange * target.moved_frame);
+  return arm::toControllerPose(reference.inverse() * flange * target.moved_frame);
+}
+
+arm::ControllerPose sum(arm::ControllerPose a, const arm::ControllerPose& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+  return a;
 }
 
 arm::JointVector jointsOf(const PathPoint& point, const Previous& previous) {
@@ -51,12 +61,12 @@ arm::JointVector jointsOf(const PathPoint& point, const Previous& previous) {
   return joints;
 }
 
-void placeAt(Target& target, const arm::ControllerPose& numbers, const PathPoint& point,
-             const Previous& previous) {
-  const arm::Pose pose = target.reference * arm::toPose(numbers);
+void placeAt(Target& target, const arm::Pose& reference, const arm::ControllerPose& numbers,
+             const PathPoint& point, const Previous& previous) {
+  const arm::Pose pose = reference * arm::toPose(numbers);
   if (is(point.target_type, TargetType::Cartesian)) {
     target.place = pose;
-    target.written = Previous::Written{point, numbers};
+    target.written = Previous::Written{framesOf(point), numbers};
   } else {
     target.place = HybridTarget{pose.translation(), jointsOf(point, previous).tail<3>()};
   }
@@ -67,27 +77,21 @@ void placeAt(Target& target, const arm::ControllerPose& numbers, const PathPoint
 Result<Target, PathRefusal> targetOf(const PathPoint& point, int index, const Previous& previous,
                                      const PathScene& scene) {
   Target target;
-  const bool has_pose = !is(point.target_type, TargetType::Joint);
-  if (has_pose) {
-    auto from = reference(point, index, scene);
-    if (!from) return refuse(std::move(from.error()));
-    target.reference = *from;
-  }
-  if (has_pose || !is(point.interpolation, Interpolation::Ptp)) {
+  if (hasMovedFrame(point)) {
     auto moved = movedFrame(point, index, scene);
     if (!moved) return refuse(std::move(moved.error()));
     target.moved_frame = *moved;
   }
-  if (!has_pose) {
-    target.place = jointsOf(point, previous);
-    return target;
-  }
-  arm::ControllerPose numbers = point.pose;
-  if (is(point.move_type, MoveType::Incremental)) {
-    const arm::ControllerPose before = numbersOf(previous, point, target, scene);
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] += before[i];
-  }
-  placeAt(target, numbers, point, previous);
+  if (!hasPose(point)) target.place = jointsOf(point, previous);
+  if (!hasReference(point)) return target;
+  auto from = reference(point, index, scene);
+  if (!from) return refuse(std::move(from.error()));
+  const bool adds = is(point.move_type, MoveType::Incremental);
+  const arm::ControllerPose before =
+      adds ? numbersOf(previous, point, target, *from, scene) : arm::ControllerPose{};
+  if (hasPose(point)) placeAt(target, *from, sum(point.pose, before), point, previous);
+  const arm::ControllerPose via = sum(point.via_pose, before);
+  target.via = *from * Eigen::Vector3d(mmToM(via[0]), mmToM(via[1]), mmToM(via[2]));
   return target;
 }
 

@@ -1,6 +1,7 @@
 // Where a point leads: its numbers, with what came before it, in the robot base.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <variant>
 
@@ -18,7 +19,7 @@ namespace cobot_command::path {
 struct Previous {
   /// Its pose as it was written; increments are added to these numbers.
   struct Written {
-    PathPoint frames;  ///< moved frame and reference
+    std::array<int, 4> frames{};  ///< moved frame and reference, type and number
     arm::ControllerPose numbers{};
   };
 
@@ -35,7 +36,7 @@ struct HybridTarget {
 struct Target {
   std::variant<arm::JointVector, arm::Pose, HybridTarget> place;  ///< joints [rad], or the moved frame
   arm::Pose moved_frame = arm::Pose::Identity();                  ///< in the flange [m]
-  arm::Pose reference = arm::Pose::Identity();                    ///< in the robot base [m]
+  Eigen::Vector3d via = Eigen::Vector3d::Zero();                  ///< of an arc, in the robot base [m]
   std::optional<Previous::Written> written{};
 };
 

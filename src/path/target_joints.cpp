@@ -1,11 +1,12 @@
 #include "target_joints.h"
 
-#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/arm/inverse_kinematics.h"
 #include "cobot_command/arm/wrist_inverse.h"
 #include "cobot_command/common/units.h"
@@ -47,12 +48,14 @@ class TargetJoints {
     const int joint = scene_.arm.firstJointOutsideLimits(joints);
     if (joint < 0) return joints;
     const arm::JointLimit& limit = scene_.arm.limits()[static_cast<std::size_t>(joint)];
-    return refuse(
+    PathRefusal made =
         refusal(path_error::kJointTarget,
                 fmt::format("the target has J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose a "
                             "target inside the limits",
                             joint + 1, radToDeg(joints[joint]), radToDeg(limit.lower), radToDeg(limit.upper)),
-                joint));
+                joint);
+    made.where = arm::forwardKinematics(scene_.arm, joints) * target_.moved_frame;
+    return refuse(std::move(made));
   }
   [[nodiscard]] Result<arm::JointVector, PathRefusal> jointsAt(const arm::Pose& pose) const {
     const arm::Pose flange = pose * target_.moved_frame.inverse();
@@ -60,34 +63,57 @@ class TargetJoints {
     auto joints =
         arm::postureFor(scene_.arm, flange, bits ? *bits : arm::poseBitsOf(scene_.arm, start_), start_);
     if (joints) return *joints;
-    return refuse(refusal(idOf(joints.error().reason), joints.error().message, joints.error().joint));
+    PathRefusal made = refusal(idOf(joints.error().reason), joints.error().message, joints.error().joint);
+    made.where = pose;
+    return refuse(std::move(made));
   }
   [[nodiscard]] Result<arm::JointVector, PathRefusal> jointsAt(const HybridTarget& target) const {
     if (auto wrong = checkFlip(point_, index_, target.wrist[1])) return refuse(*std::move(wrong));
     const arm::WristArm arm(scene_.arm, target_.moved_frame);
-    const auto branch = branchFor(arm, target);
-    if (!branch) return refuse(branch.error());
-    const auto joints = arm.solve(target.wrist, target.origin, *branch, start_);
-    if (!joints) return refuse(noSolution());
-    return withinLimits(*joints);
-  }
-  /// The one that is asked for; else that of the start.
-  [[nodiscard]] Result<arm::WristBranch, PathRefusal> branchFor(const arm::WristArm& arm,
-                                                                const HybridTarget& target) const {
     const arm::WristSolutions solutions = arm.solutions(target.wrist, target.origin);
     if (solutions.empty()) {
-      return refuse(
-          refusal(path_error::kReach,
-                  "no posture with these J4 to J6 brings the moved frame there: choose another place, "
-                  "or another wrist"));
+      return refuse(at(target, refusal(path_error::kReach,
+                                       "no posture with these J4 to J6 brings the moved frame there: choose "
+                                       "another place, or another wrist")));
     }
-    const auto bits = askedBits(point_);
-    if (!bits) return arm.branchOf(start_);
+    const auto joints = best(arm, target, solutions);
+    if (!joints) return refuse(at(target, noSolution()));
+    return withinLimits(*joints, target);
+  }
+  /// Of those that are asked for: a wrist move can go only to the branch of its start, all else to the
+  /// nearest.
+  [[nodiscard]] std::optional<arm::JointVector> best(const arm::WristArm& arm, const HybridTarget& target,
+                                                     const arm::WristSolutions& solutions) const {
+    const bool keeps_branch = is(point_.interpolation, Interpolation::Wrist);
+    const arm::WristBranch own = arm.branchOf(start_);
+    std::optional<arm::JointVector> found;
+    double least = 0.0;
     for (const arm::WristSolution& solution : solutions) {
-      const arm::PoseBits found = arm::poseBitsOf(scene_.arm, solution.joints);
-      if (found.shoulder == bits->shoulder && found.elbow == bits->elbow) return solution.branch;
+      const bool is_own = keeps_branch && solution.branch == own;
+      if (!isAsked(solution.joints, is_own)) continue;
+      const auto joints = arm.solve(target.wrist, target.origin, solution.branch, start_);
+      if (!joints) continue;
+      if (is_own) return joints;
+      const double way = (*joints - start_).head<3>().cwiseAbs().maxCoeff();
+      if (!found || way < least) {
+        found = joints;
+        least = way;
+      }
     }
-    return refuse(noSolution());
+    return found;
+  }
+  /// By shoulder and elbow; without a configuration those of the start, or its branch.
+  [[nodiscard]] bool isAsked(const arm::JointVector& joints, bool is_own_branch) const {
+    const auto bits = askedBits(point_);
+    if (!bits && is(point_.interpolation, Interpolation::Wrist)) return is_own_branch;
+    const arm::PoseBits asked = bits ? *bits : arm::poseBitsOf(scene_.arm, start_);
+    const arm::PoseBits found = arm::poseBitsOf(scene_.arm, joints);
+    return found.shoulder == asked.shoulder && found.elbow == asked.elbow;
+  }
+  /// Of the orientation nothing is known.
+  [[nodiscard]] static PathRefusal at(const HybridTarget& target, PathRefusal refusal) {
+    refusal.where = arm::Pose(Eigen::Translation3d(target.origin));
+    return refusal;
   }
   [[nodiscard]] PathRefusal noSolution() const {
     const auto bits = askedBits(point_);
@@ -97,18 +123,32 @@ class TargetJoints {
                     "another place",
                     bits ? arm::toString(*bits) : "the shoulder and elbow of the target before it"));
   }
-  [[nodiscard]] Result<arm::JointVector, PathRefusal> withinLimits(const arm::JointVector& joints) const {
+  [[nodiscard]] Result<arm::JointVector, PathRefusal> withinLimits(const arm::JointVector& joints,
+                                                                   const HybridTarget& target) const {
     arm::JointVector near = start_;
     near.tail<3>() = joints.tail<3>();  // these are as they were asked for
     const auto turned = arm::nearestTurn(scene_.arm, joints, near);
     if (turned && turned->tail<3>() == joints.tail<3>()) return *turned;
-    const int joint = scene_.arm.firstJointOutsideLimits(joints);
-    return refuse(
+    int joint = 0;
+    while (joint < 5 && hasPlace(joints[joint], joint)) ++joint;
+    const arm::JointLimit& limit = scene_.arm.limits()[static_cast<std::size_t>(joint)];
+    return refuse(at(
+        target,
         refusal(path_error::kJointLimit,
-                fmt::format("the target needs J{} at {:.2f} deg, which is outside its limits: choose "
-                            "another target",
-                            joint + 1, radToDeg(joints[std::max(joint, 0)])),
-                joint));
+                fmt::format("the target needs J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: "
+                            "choose another target",
+                            joint + 1, radToDeg(joints[joint]), radToDeg(limit.lower), radToDeg(limit.upper)),
+                joint)));
+  }
+  /// J1 to J3 at any turn, J4 to J6 as they are.
+  [[nodiscard]] bool hasPlace(double angle, int joint) const {
+    const arm::JointLimit& limit = scene_.arm.limits()[static_cast<std::size_t>(joint)];
+    constexpr int kTurns = 2;
+    for (int turn = -kTurns; turn <= kTurns; ++turn) {
+      const double turned = joint < 3 ? angle + turn * 2.0 * kPi : angle;
+      if (turned >= limit.lower && turned <= limit.upper) return true;
+    }
+    return false;
   }
 
   const PathPoint& point_;

@@ -6,6 +6,7 @@
 // itself. See doc/motion.md.
 #pragma once
 
+#include <limits>
 #include <variant>
 
 #include "cobot_command/arm/arm_model.h"
@@ -24,10 +25,11 @@ struct BlendRadius {
   double metres = 0.0;
 };
 /// What is left out at most: of the way of the one motion its last part, of that of the other its first, each
-/// as a share (0..1).
+/// as a share (0..1); and the TCP stays within `radius` of the corner [m].
 struct BlendWay {
   double before = 0.0;
   double next = 1.0;
+  double radius = std::numeric_limits<double>::infinity();
 };
 using Blend = std::variant<BlendShare, BlendRadius, BlendWay>;
 

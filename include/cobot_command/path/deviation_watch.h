@@ -24,7 +24,7 @@ class DeviationWatch {
  public:
   DeviationWatch(arm::ArmModel arm, PathPlan plan);
 
-  /// The arm had these joints [rad], so long after the path began.
+  /// The arm had these joints [rad], so long after the path began. Ignored where one is not finite.
   void add(Duration time, const arm::JointVector& joints);
 
   [[nodiscard]] Deviation deviation() const;

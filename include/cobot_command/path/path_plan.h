@@ -29,6 +29,7 @@ struct PlannedPoint {
   int index = 0;  ///< in the array of its goal
   PathPoint point;
   Dynamics dynamics;
+  double feedrate = 1.0;                          ///< that it was planned with
   arm::Pose moved_frame = arm::Pose::Identity();  ///< in the flange [m]
   motion::Command command;                        ///< in the robot base, at the feedrate
   motion::TrajectoryPtr motion;                   ///< from rest to rest

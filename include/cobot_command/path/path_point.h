@@ -36,13 +36,14 @@ struct PathPoint {
   int ref_frame_id = 0;                                     ///< number of the user frame
   /// J1..J6 [deg], the others 0; Hybrid: only J4..J6 count.
   std::array<double, 9> joints{};
-  arm::ControllerPose via_pose{};  ///< Circular: a point on the arc [mm, deg], as `pose`
-  int termination_type = 0;        ///< Termination
-  double command_tolerance = 0;    ///< Blend: PTP 0..100 % of the way, else >= 0 mm
-  int robot_configuration = 0;     ///< bit 0: take bits 1..3 (lefty, above, flip)
-  int profile_type = 0;            ///< ProfileType
-  double speed = 0;                ///< PTP deg/s, else mm/s; 0: as the point of its kind before
-  double acceleration = 0;         ///< deg/s^2 or mm/s^2
+  arm::ControllerPose
+      via_pose{};                ///< Circular: x, y, z of a point on the arc [mm], as `pose`; increments too
+  int termination_type = 0;      ///< Termination
+  double command_tolerance = 0;  ///< Blend: PTP 0..100 % of the way, else >= 0 mm
+  int robot_configuration = 0;   ///< bit 0: take bits 1..3 (lefty, above, flip)
+  int profile_type = 0;          ///< ProfileType
+  double speed = 0;              ///< PTP deg/s, else mm/s; 0: as the point of its kind before
+  double acceleration = 0;       ///< deg/s^2 or mm/s^2
   double deceleration = 0;
   double acceleration_jerk = 0;  ///< 0..100 % of the ramp's time
   double deceleration_jerk = 0;

@@ -17,9 +17,7 @@ inline constexpr int kJerk = 1014;
 inline constexpr int kOrientationDynamics = 1015;
 inline constexpr int kMoveType = 1017;
 inline constexpr int kTargetType = 1018;
-inline constexpr int kFirstTargetIncremental = 1019;
 inline constexpr int kInterpolation = 1020;
-inline constexpr int kOnlyPtp = 1021;
 inline constexpr int kTolerance = 1022;
 inline constexpr int kPtpTolerance = 1023;
 inline constexpr int kTermination = 1024;
@@ -48,10 +46,7 @@ inline constexpr int kDisabledJoint = 1058;
 
 inline constexpr int kJointSpeed = 0x204;
 inline constexpr int kNotPlannable = 0x206;
-inline constexpr int kStartUnknown = 0x208;
-inline constexpr int kNoModel = 0x209;
 inline constexpr int kNotInAScript = 0x271;
-inline constexpr int kBlockTooLong = 0x277;
 }  // namespace path_error
 
 struct PathRefusal {

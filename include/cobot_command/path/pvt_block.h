@@ -30,10 +30,12 @@ struct PvtBlock {
 [[nodiscard]] PvtBlock sampleBlock(const PathPlan& plan, std::size_t first, std::size_t last,
                                    Duration segment);
 
-/// Which points of a block get a tag, when it may have `most`: each; else every so many-th, and the last.
+/// Which points of a block get a tag, when it may have `most` (1 at least): each; else every so many-th, and
+/// the last.
 [[nodiscard]] std::vector<std::size_t> taggedPoints(std::size_t first, std::size_t last, std::size_t most);
 
-/// The lines of a block: enter, points, `tags` (point of the plan -> tag) behind what they tell of, exit.
+/// The lines of a block: enter, points, `tags` (point of the plan -> tag) behind what they tell of, exit; of
+/// a block without a way the tags alone. Precondition: the tags are those of its points.
 [[nodiscard]] std::vector<script::ScriptCommand> scriptOf(const PvtBlock& block,
                                                           const std::map<std::size_t, int>& tags);
 

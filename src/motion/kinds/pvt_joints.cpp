@@ -18,6 +18,9 @@
 namespace cobot_command::motion {
 namespace {
 
+/// What is said in a PVT is rounded: a joint at its limit is not beyond it [rad].
+constexpr double kRounding = 1e-6;
+
 struct Segment {
   double begin;
   double duration;
@@ -80,7 +83,9 @@ class Check {
       const Extremes at = extremes(segment, joint);
       for (const double time : at.of_position) {
         const double found = segment.cubic.at(time)[joint];
-        if (found < limit.lower || found > limit.upper) return outside(segment, time, joint, found);
+        if (found < limit.lower - kRounding || found > limit.upper + kRounding) {
+          return outside(segment, time, joint, found);
+        }
       }
       for (const double time : at.of_velocity) {
         const double needed = std::abs(segment.cubic.slopeAt(time)[joint]);

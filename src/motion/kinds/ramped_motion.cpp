@@ -76,10 +76,10 @@ Result<TrajectoryPtr, Refusal> along(const arm::ArmModel& arm, const arm::JointV
   if (auto ambiguous = ambiguousTurn(path.turn(), path.at(1.0), name, setting)) {
     return refuse(std::move(*ambiguous));
   }
-  return follow(arm, start,
-                {std::make_shared<const TcpPath>(path),
-                 profileOf(path.length(), path.turn(), rates, setting.speed_override), name,
-                 askedSpeed(path.length(), path.turn(), rates)},
+  ProfilePtr profile = profileOf(path.length(), path.turn(), rates, setting.speed_override);
+  const AskedSpeed asked =
+      askedSpeed(path.length(), path.turn(), rates, profile->travel() * setting.speed_override);
+  return follow(arm, start, {std::make_shared<const TcpPath>(path), std::move(profile), name, asked},
                 setting);
 }
 
@@ -91,11 +91,11 @@ ProfilePtr profileOf(double length, double turn, const PathRates& rates, double 
   return profileOver(1.0, both, rates.ramps, length >= kNoWay || turn >= kNoWay);
 }
 
-AskedSpeed askedSpeed(double length, double turn, const PathRates& rates) {
+AskedSpeed askedSpeed(double length, double turn, const PathRates& rates, double travel) {
   constexpr const char* kOtherwise = "choose another path, or PTP";
   const bool turn_rules = turn * rates.way.speed > length * rates.turn.speed;
-  return turn_rules ? AskedSpeed{radToDeg(rates.turn.speed), "deg/s", kOtherwise}
-                    : AskedSpeed{mToMm(rates.way.speed), "mm/s", kOtherwise};
+  return turn_rules ? AskedSpeed{radToDeg(std::min(rates.turn.speed, turn / travel)), "deg/s", kOtherwise}
+                    : AskedSpeed{mToMm(std::min(rates.way.speed, length / travel)), "mm/s", kOtherwise};
 }
 
 Result<TrajectoryPtr, Refusal> planJointMove(const arm::ArmModel& arm, const arm::JointVector& start,

@@ -24,7 +24,8 @@ namespace cobot_command::motion {
 /// none of both: no time.
 [[nodiscard]] ProfilePtr profileOf(double length, double turn, const PathRates& rates, double speed_override);
 
-/// For messages: the one of both speeds that rules.
-[[nodiscard]] AskedSpeed askedSpeed(double length, double turn, const PathRates& rates);
+/// For messages: the one of both speeds that rules; not above the one that is reached in `travel` [s], the
+/// time of the whole way at top speed.
+[[nodiscard]] AskedSpeed askedSpeed(double length, double turn, const PathRates& rates, double travel);
 
 }  // namespace cobot_command::motion

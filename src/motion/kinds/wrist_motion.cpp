@@ -92,8 +92,10 @@ Result<TrajectoryPtr, Refusal> planWristMove(const arm::ArmModel& arm, const arm
   if (auto outside = targetOutsideLimits(arm, move.target, setting)) return refuse(std::move(*outside));
   const auto postures = std::make_shared<const WristPostures>(arm, start, move.target, setting.tcp);
   const double turn = postures->longestTurn();
-  auto made = follow(postures, start, profileOf(postures->length(), turn, move.rates, setting.speed_override),
-                     {"wrist move", askedSpeed(postures->length(), turn, move.rates), setting.base});
+  const ProfilePtr profile = profileOf(postures->length(), turn, move.rates, setting.speed_override);
+  const AskedSpeed asked =
+      askedSpeed(postures->length(), turn, move.rates, profile->travel() * setting.speed_override);
+  auto made = follow(postures, start, profile, {"wrist move", asked, setting.base});
   if (!made) return made;
   const arm::Pose there = setting.base.inverse() * tcpInRobotBase(arm, move.target, setting);
   if (auto other = otherPosture((*made)->end().position, move.target, there)) {

@@ -20,7 +20,12 @@ Phases phasesOf(double way, const Rates& rates, const RampShape& shape) {
   const double down = Ramp(shape.law, shape.down).stretch() / rates.deceleration;
   const double highest = std::sqrt(2.0 * way / (up + down));
   if (highest <= rates.speed) return {up * highest, 0.0, down * highest};
-  return {up * rates.speed, way / rates.speed - 0.5 * rates.speed * (up + down), down * rates.speed};
+  const double cruise = way / rates.speed - 0.5 * rates.speed * (up + down);
+  if (cruise >= kShortestCruise) return {up * rates.speed, cruise, down * rates.speed};
+  // As slow as it takes to cruise so long; next to a triangle that costs next to no time.
+  const double half = kShortestCruise / (up + down);
+  const double speed = way / (std::sqrt(half * half + highest * highest) + half) * 2.0 / (up + down);
+  return {up * speed, kShortestCruise, down * speed};
 }
 
 Phases onGrid(const Phases& phases) {

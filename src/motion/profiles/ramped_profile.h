@@ -20,6 +20,10 @@ struct Phases {
 /// The shortest ramp on the grid [s]: a segment of a PVT is not shorter.
 inline constexpr double kShortestRamp = 0.025;
 
+/// A shorter cruise is none [s]: the speed is lowered until it is so long. A segment of a PVT across both its
+/// ends would be faster than the motion is anywhere.
+inline constexpr double kShortestCruise = 0.025;
+
 /// In closed form. `way` > 0 in the unit of the rates. Where it is too short for the top speed, the
 /// accelerations stay and the speed is lower.
 [[nodiscard]] Phases phasesOf(double way, const Rates& rates, const RampShape& shape);

@@ -112,6 +112,26 @@ TEST_F(RampedMoves, onTheirWayStayOnTheStraightLine) {
   }
 }
 
+TEST_F(RampedMoves, onTheirWayAreAcceptedAtTheSpeedThatARefusalAdvises) {
+  int advised = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double way = 20.0 + 10.0 * i;
+    const double x = i % 3 == 0 ? -0.7 * way : 0.1 * way;
+    StraightMove move = straight(start, x, 0.3 * way, i % 2 == 0 ? -0.5 * way : 0.2 * way,
+                                 {ofWay(4500, 1000.0 * (1 + i % 40)), kAnyTurn, {}});
+    auto made = plan(arm, start, move, setting);
+    if (made || made.error().reason != Refusal::Reason::JointSpeed) continue;
+    const std::string& text = made.error().message;
+    const std::size_t at = text.find("at most ");
+    ASSERT_NE(at, std::string::npos) << text;
+    move.rates.way.speed = mmToM(std::stod(text.substr(at + 8)));
+    made = plan(arm, start, move, setting);
+    EXPECT_TRUE(made) << text << " / " << made.error().message;
+    ++advised;
+  }
+  EXPECT_GT(advised, 10);
+}
+
 TEST_F(RampedMoves, alongAnArcPassTheArcPoint) {
   const arm::Pose from = tcpAt(arm, start, setting);
   const ArcMove arc{moved(from, 0.05, 0.05, 0), moved(from, 0, 0.1, 0), {ofWay(100, 500), kAnyTurn, {}}};

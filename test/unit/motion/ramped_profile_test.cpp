@@ -61,6 +61,14 @@ TEST(RampedProfile, roundsItsPhasesUpToWholeMilliseconds) {
   EXPECT_DOUBLE_EQ(onGrid({0.001, 0.0, 0.001}).duration(), 0.05);
 }
 
+TEST(RampedProfile, hasNoCruiseThatIsShorterThanASegment) {
+  const Phases phases = phasesOf(20, {180, 2000, 2000}, {});  // 21 ms at 180
+  EXPECT_DOUBLE_EQ(phases.cruise, 0.025);
+  EXPECT_NEAR(2000 * phases.up, 176.556, 1e-3);
+  EXPECT_NEAR(phases.duration(), 20.0 / 180 + 180.0 / 2000, 1e-3);
+  EXPECT_NEAR(2000 * phases.up * (phases.cruise + phases.up), 20, 1e-9) << "it goes as far";
+}
+
 TEST(RampedProfile, neverTakesLessTimeThanTheClosedFormAndAtMostThreeMillisecondsMore) {
   for (double way = 5; way < 400; way *= 1.3) {
     for (const SpeedLaw law : kLaws) {

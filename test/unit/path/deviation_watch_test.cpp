@@ -1,6 +1,8 @@
 // The arm against its plan: what is late, and what is off the path.
 #include "cobot_command/path/deviation_watch.h"
 
+#include <cmath>
+
 #include "path_support.h"
 
 namespace cobot_command::path {
@@ -56,6 +58,16 @@ TEST_F(Deviations, tellTheLastSampleToo) {
   watch.add(milliseconds(515), plan.at(milliseconds(515)).position);
   EXPECT_LT(mToMm(watch.offThePath()), 1e-6);
   EXPECT_GT(mToMm(watch.deviation().path), 0.1);
+}
+
+TEST_F(Deviations, ignoreWhatIsNoNumber) {
+  const PathPlan plan = corner();
+  DeviationWatch watch(scene.arm, plan);
+  watch.add(milliseconds(500), plan.at(milliseconds(500)).position.array() + degToRad(0.1));
+  const double before = watch.offThePath();
+  watch.add(milliseconds(515), arm::JointVector::Constant(std::nan("")));
+  EXPECT_EQ(watch.offThePath(), before);
+  EXPECT_GT(watch.deviation().path, 0.0);
 }
 
 TEST_F(Deviations, ofAnArmThatStandsAreNone) {

@@ -63,6 +63,32 @@ TEST_F(PathCorners, ofAPtpLeaveOutNoMoreThanTheirShareOfTheWay) {
   EXPECT_EQ(stops.at(stops.points()[0].end()).position[0], degToRad(60));
 }
 
+TEST_F(PathCorners, ofATurnOnTheSpotKeepTheToolWithinTheTolerance) {
+  tables::Entries entries;
+  entries.tools[1] = tables::Tool{"", arm::toPose({0, 0, 300, 0, 0, 0}), 0};
+  scene.tables = *tables::DataTables::of(entries, {});
+  const Eigen::Vector3d tool(0, 0, 0.3);
+  arm::ControllerPose pose = flangeAt(scene.start);
+  pose[2] -= 300;
+  const auto turned = [&](double rx, double ry) {
+    PathPoint point = toPose(pose);
+    point.pose[3] += rx;
+    point.pose[4] += ry;
+    point.pose_type = number(MovedFrame::Tool);
+    point.pose_id = 1;
+    return point;
+  };
+  for (const double tolerance : {0.01, 0.2, 5.0}) {
+    const PathPlan plan = planned({blending(turned(20, 0), tolerance), turned(20, 20)});
+    for (Duration time{}; time <= plan.duration(); time += std::chrono::milliseconds(1)) {
+      const arm::Pose flange = arm::forwardKinematics(scene.arm, plan.at(time).position);
+      const double off =
+          (flange * tool - Eigen::Vector3d(0.001 * pose[0], 0.001 * pose[1], 0.001 * pose[2])).norm();
+      ASSERT_LE(mToMm(off), tolerance + 1e-6) << toSeconds(time);
+    }
+  }
+}
+
 TEST_F(PathCorners, ofPointsThatStopAreNone) {
   PathPoint point = toPose(from(0, 100, 0));
   point.command_tolerance = 50;

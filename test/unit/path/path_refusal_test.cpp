@@ -158,6 +158,32 @@ TEST_F(Paths, areRefusedForEntriesWhoseValueNobodyKnows) {
   EXPECT_EQ(refused({inFrame(line, 3)}).error_id, 1042);
 }
 
+TEST_F(Paths, ofMoreThanThreeHoursAreRefused) {
+  PathPoint slow = with(toJoints({90, 0, 90, 0, 90, 0}), &PathPoint::speed, 0.0125);  // two hours
+  PathPoint back = with(toJoints({0, 0, 90, 0, 90, 0}), &PathPoint::speed, 0.0125);
+  const PathRefusal refusal = refused({slow, back});
+  EXPECT_EQ(refusal.error_id, path_error::kNotPlannable);
+  EXPECT_EQ(refusal.index, 1);
+  EXPECT_FALSE(refusal.where);
+}
+
+TEST_F(Paths, thatCannotBeReachedSayWhere) {
+  const arm::ControllerPose pose{2000, 0, 500, 180, 0, 90};
+  const PathRefusal refusal = refused({toPose(pose, Interpolation::Ptp)});
+  ASSERT_TRUE(refusal.where);
+  EXPECT_NEAR(refusal.where->translation().x(), 2.0, 1e-9);
+  const PathRefusal outside = refused({toJoints({0, 0, 160, 0, 90, 0})});
+  EXPECT_TRUE(outside.where);
+}
+
+TEST_F(Paths, areRefusedForAFlipThatDoesNotGoWithJ5BeforeAnythingIsPlanned) {
+  PathPoint flip = toHybrid({500, -120, 400}, {0, -30, 0}, Interpolation::Ptp);
+  flip.robot_configuration = 1;
+  const PathRefusal refusal = refused({flip, with(good(), &PathPoint::termination_type, 1)});
+  EXPECT_EQ(refusal.error_id, 1026);
+  EXPECT_EQ(refusal.index, 0);
+}
+
 TEST_F(Paths, straightFromASingularityAreRefusedWithTheJoint) {
   scene.start = degrees(0, 0, 90, 0, 0, 0);
   const PathRefusal refusal = refused({goodLine()});

@@ -50,7 +50,7 @@ TEST_F(PathScripts, roundTheSpeedDownAndTheRampUp) {
   point.speed = 50;
   point.acceleration = point.deceleration = 100;
   EXPECT_THAT(only(point), HasSubstr(",27,500,0,false)"));
-  EXPECT_THAT(toldOf(point), ElementsAre(StartsWith("point 0: 27.778 % of the rated speed")));
+  EXPECT_THAT(toldOf(point), ElementsAre(StartsWith("point 0: 27.7778 % of the rated speed")));
   point.acceleration = point.deceleration = 3000;
   EXPECT_THAT(only(point), HasSubstr(",27,150,0,false)"));
 }
@@ -91,6 +91,56 @@ TEST_F(PathScripts, sayAToleranceOfAPtpInPercentOfTheRamps) {
   const auto made = scripts({blending(quarterTurn(), 5), second});
   EXPECT_THAT(script::toText(made[0].lines), ::testing::MatchesRegex(".*,50,500,[0-9]+,false\\)"));
   EXPECT_THAT(made[0].approximations, ElementsAre(HasSubstr("a tolerance of 5 % of the way, sent as")));
+}
+
+TEST_F(PathScripts, sayNoNumberThatTheControllerRefuses) {
+  PathPoint short_turn = toJoints({3, 0, 90, 0, 90, 0});
+  short_turn.speed = 360;
+  EXPECT_THAT(only(short_turn), HasSubstr(",100,"));
+  EXPECT_THAT(toldOf(short_turn), ::testing::Contains(HasSubstr("200 % of the rated speed")));
+  PathPoint line = aside();
+  line.speed = 1e12;
+  line.acceleration = line.deceleration = 2000;
+  EXPECT_THAT(only(line), HasSubstr(",4500,"));
+  EXPECT_THAT(toldOf(line), ::testing::Contains(HasSubstr("mm/s")));
+}
+
+TEST_F(PathScripts, areSlowerWhereTheRampIsTooLongToSay) {
+  PathPoint line = aside();
+  line.acceleration = line.deceleration = 1;
+  EXPECT_THAT(only(line), HasSubstr(",9,9"));
+  EXPECT_THAT(toldOf(line), ::testing::Contains(HasSubstr("more than 9999 ms")));
+}
+
+TEST_F(PathScripts, stopWhereTheToleranceIsBelowAMillimetre) {
+  PathPoint second = aside();
+  second.pose[2] += 40;
+  PathPoint first = blending(aside(), 0.7);
+  first.acceleration = first.deceleration = 100;
+  const auto made = scripts({first, second});
+  EXPECT_THAT(script::toText(made[0].lines), StartsWith("Line(\"CAP\""));
+  EXPECT_THAT(made[0].approximations, ::testing::Contains(HasSubstr("below 1 mm it is a stop")));
+}
+
+TEST_F(PathScripts, sayTheBlendOfALastPointForWhatComesBehind) {
+  EXPECT_THAT(only(blending(aside(), 5)), StartsWith("Line(\"CAR\""));
+  EXPECT_THAT(only(blending(aside(), 5)), HasSubstr(",5,false)"));
+  EXPECT_THAT(only(blending(quarterTurn(), 100)), HasSubstr(",50,500,100,false)"));
+}
+
+TEST_F(PathScripts, goByTheFeedrateThatEachPointWasPlannedWith) {
+  PathPlanner planner(scene);
+  ASSERT_FALSE(planner.append(sectionOf({quarterTurn()})));
+  PathScene slower = scene;
+  slower.feedrate = 0.5;
+  planner.setScene(slower);
+  PathPoint back = quarterTurn();
+  back.joints[0] = 0;
+  ASSERT_FALSE(planner.append(sectionOf({back})));
+  const auto made = scriptOf(planner.plan(), 0, planner.scene(), {});
+  ASSERT_TRUE(made);
+  EXPECT_THAT(script::toText((*made)[0].lines), HasSubstr(",50,500,"));
+  EXPECT_THAT(script::toText((*made)[1].lines), HasSubstr(",25,1000,"));
 }
 
 TEST_F(PathScripts, sayAPoseWithThePostureItWasPlannedIn) {

@@ -1,4 +1,6 @@
 // Where the targets of points are: frames, configurations, increments, hybrids.
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "path_support.h"
@@ -130,6 +132,86 @@ TEST_F(PathTargets, areNoIncrementsInAUserFrameOrOfATool) {
   const PathRefusal refusal = refused({point});
   EXPECT_EQ(refusal.error_id, path_error::kIncrementInFrame);
   EXPECT_THAT(refusal.found, HasSubstr("user frame"));
+}
+
+TEST_F(PathTargets, ofHybridsWithoutAConfigurationKeepShoulderAndElbowByPtp) {
+  int kept = 0;
+  for (int i = 0; i < 200; ++i) {
+    scene.start = degrees(i % 40 - 20, i % 37 - 18, 60 + i % 50, i % 90 - 45, 40 + i % 60, 0);
+    const arm::ControllerPose from = flangeAt(scene.start);
+    const auto bits = arm::poseBitsOf(scene.arm, scene.start);
+    PathPlanner planner(scene);
+    const PathPoint point = toHybrid({from[0] + 40, from[1] - 60, from[2] + 30},
+                                     {10.0 + i % 50, 20.0 + i % 80, 30}, Interpolation::Ptp);
+    if (planner.append(sectionOf({point}))) continue;
+    const auto reached = arm::poseBitsOf(scene.arm, endOf(planner.plan()));
+    EXPECT_EQ(reached.shoulder, bits.shoulder) << i;
+    EXPECT_EQ(reached.elbow, bits.elbow) << i;
+    ++kept;
+  }
+  EXPECT_GT(kept, 100);
+}
+
+TEST_F(PathTargets, ofWristMovesAreTheSameWithTheConfigurationOfTheirEnd) {
+  for (int i = 0; i < 200; ++i) {
+    scene.start = degrees(0, i % 41 - 20, 50 + i % 60, i % 70 - 35, 30 + i % 70, 0);
+    const arm::ControllerPose from = flangeAt(scene.start);
+    PathPoint point =
+        toHybrid({from[0] - 30, from[1] + 50, from[2] + 20}, {20.0 + i % 30, 30.0 + i % 60, -20});
+    PathPlanner planner(scene);
+    if (planner.append(sectionOf({point}))) continue;
+    const auto bits = arm::poseBitsOf(scene.arm, endOf(planner.plan())).numbers();
+    point.robot_configuration = 1 + 2 * bits[0] + 4 * (3 - bits[1]) + 8 * (bits[2] - 4);
+    PathPlanner again(scene);
+    const auto refusal = again.append(sectionOf({point}));
+    if (refusal && refusal->error_id == path_error::kConfiguration)
+      continue;  // a flip that its J5 does not have
+    ASSERT_FALSE(refusal) << i << ": " << refusal->found;
+    EXPECT_EQ(endOf(again.plan()), endOf(planner.plan())) << i;
+  }
+}
+
+TEST_F(PathTargets, areIncrementsOfNumbersInTheSameFramesHoweverTheyAreNamed) {
+  PathPoint first = toPose({517.5, -122.3, 461.05, 180, 0, 90}, Interpolation::Ptp, 5);
+  first.pose_id = 3;  // of a tool, which the flange has not
+  first.ref_frame_id = 7;
+  PathPoint step = incremental(toPose({0, 0, 0, 10, 0, 0}, Interpolation::Ptp));
+  EXPECT_NEAR(flangeAt(endOf(planned({first, step})))[3], -170.0, 1e-6);
+  step.ref_frame_type = number(Reference::User);
+  step.ref_frame_id = 0;
+  EXPECT_EQ(refused({first, step}).error_id, path_error::kIncrementInFrame);
+}
+
+TEST_F(PathTargets, ofAnArcToJointsHaveTheirViaPointInTheReference) {
+  configure([](tables::Entries& entries) {
+    entries.frames[4] = tables::Frame{"", arm::toPose({400, 0, 0, 0, 0, 0}), 0};
+  });
+  PathPoint arc = toJoints({15, 0, 90, 0, 90, 0}, Interpolation::Circular);
+  arc.ref_frame_type = number(Reference::User);
+  arc.ref_frame_id = 4;
+  const arm::ControllerPose middle = flangeAt(degrees(8, 0, 90, 0, 90, 0));
+  arc.via_pose = {middle[0] + 5 - 400, middle[1], middle[2], 0, 0, 0};
+  const PathPlan plan = planned({arc});
+  double nearest = 1e3;
+  for (Duration time{}; time <= plan.duration(); time += std::chrono::milliseconds(1)) {
+    const arm::ControllerPose at = flangeAt(plan.at(time).position);
+    nearest = std::min(nearest, std::hypot(at[0] - middle[0] - 5, at[1] - middle[1], at[2] - middle[2]));
+  }
+  EXPECT_LT(nearest, 0.5);
+  arc.ref_frame_id = 99;
+  EXPECT_EQ(refused({arc}).error_id, path_error::kFrameIndex);
+}
+
+TEST_F(PathTargets, ofAnArcByIncrementsHaveTheirViaPointByIncrementsToo) {
+  const PathPoint arc = [] {
+    PathPoint made = incremental(toPose({0, 100, 0, 0, 0, 0}, Interpolation::Circular));
+    made.via_pose = {-50, 50, 0, 0, 0, 0};
+    return made;
+  }();
+  const arm::ControllerPose from = flangeAt(scene.start);
+  const PathPlan plan = planned({arc});
+  const arm::ControllerPose middle = flangeAt(plan.at(plan.duration() / 2).position);
+  EXPECT_NEAR(middle[0], from[0] - 50, 0.01);
 }
 
 TEST_F(PathTargets, ofAnArcPassTheViaPoint) {

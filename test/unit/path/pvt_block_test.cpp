@@ -82,8 +82,26 @@ TEST_F(PvtBlocks, goFromRestToRest) {
   EXPECT_EQ(second.ends.at(4), second.points.size());
 }
 
-TEST_F(PvtBlocks, withoutAWayHaveNoPoints) {
-  EXPECT_TRUE(wholeOf(planned({toJoints({0, 0, 90, 0, 90, 0})})).points.empty());
+TEST_F(PvtBlocks, withoutAWayHaveNoPointsAndOnlyTheirTags) {
+  const PvtBlock block = wholeOf(planned({toJoints({0, 0, 90, 0, 90, 0})}));
+  EXPECT_TRUE(block.points.empty());
+  EXPECT_EQ(script::toText(scriptOf(block, {{0, 4}})), "QueueTag(4,0)");
+}
+
+TEST_F(PvtBlocks, atTheRatedSpeedAreTakenByWhoMakesThem) {
+  for (double way = 2; way < 60; way += 0.5) {
+    PathPoint point = toJoints({way, 0, 90, 0, 90, 0});
+    point.speed = 180;
+    point.acceleration = point.deceleration = 2000;
+    EXPECT_TRUE(made(wholeOf(planned({point})))) << way;
+  }
+}
+
+TEST_F(PvtBlocks, toAJointLimitAreTakenByWhoMakesThem) {
+  PathPoint point = toJoints({270, 0, 90, 0, 90, 0});
+  point.profile_type = number(ProfileType::SineSquared);
+  point.acceleration_jerk = point.deceleration_jerk = 20;
+  EXPECT_TRUE(made(wholeOf(planned({point}))));
 }
 
 TEST_F(PvtBlocks, haveATagForEachPointOrForEverySoMany) {
