@@ -18,19 +18,20 @@ double shareWithin(const PlannedPoint& move, const arm::Pose& moved_frame, doubl
                    const arm::ArmModel& arm) {
   const arm::JointVector from = move.motion->at(Duration::zero()).position;
   const arm::JointVector way = move.motion->end().position - from;
-  const auto placeAt = [&](double share) -> Eigen::Vector3d {
+  const auto place_at = [&](double share) -> Eigen::Vector3d {
     return (arm::forwardKinematics(arm, from + share * way) * moved_frame).translation();
   };
-  const Eigen::Vector3d corner = placeAt(0.0);
+  const Eigen::Vector3d corner = place_at(0.0);
   constexpr int kSteps = 64;
   int steps = 1;
-  while (steps <= kSteps && (placeAt(static_cast<double>(steps) / kSteps) - corner).norm() <= metres) ++steps;
+  const auto is_within = [&](double share) { return (place_at(share) - corner).norm() <= metres; };
+  while (steps <= kSteps && is_within(static_cast<double>(steps) / kSteps)) ++steps;
   if (steps > kSteps) return 1.0;
   double within = static_cast<double>(steps - 1) / kSteps;
   double beyond = static_cast<double>(steps) / kSteps;
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (within + beyond);
-    ((placeAt(middle) - corner).norm() <= metres ? within : beyond) = middle;
+    (is_within(middle) ? within : beyond) = middle;
   }
   return within;
 }

@@ -32,13 +32,13 @@ motion::JointState PathPlan::at(Duration time) const {
 
 PathPlan::Place PathPlan::placeAt(Duration time) const {
   const std::size_t begun = begunAt(time);
-  const auto shareOf = [&](std::size_t point) {
+  const auto share_of = [&](std::size_t point) {
     return points_[point].motion->progress(time - points_[point].start);
   };
   if (begun > 0 && time < points_[begun - 1].end()) {
-    return {begun - 1, shareOf(begun - 1), true, shareOf(begun)};
+    return {begun - 1, share_of(begun - 1), true, share_of(begun)};
   }
-  return {begun, shareOf(begun), false, 0.0};
+  return {begun, share_of(begun), false, 0.0};
 }
 
 }  // namespace cobot_command::path

@@ -82,8 +82,8 @@ std::optional<PathRefusal> checkSection(const PathSection& section, const tables
 /// One section, behind what is planned already.
 class PathPlanner::Appending {
  public:
-  Appending(const PathScene& scene, const PathPlan& plan, std::optional<Previous::Written> written)
-      : scene_(scene), plan_(plan), previous_{plan.at(plan.duration()).position, std::move(written)} {}
+  Appending(const PathScene& scene, const PathPlan& plan, const std::optional<Previous::Written>& written)
+      : scene_(scene), plan_(plan), previous_{plan.at(plan.duration()).position, written} {}
 
   [[nodiscard]] std::optional<PathRefusal> append(const PathPoint& point, int index, int goal) {
     auto refusal = dynamics_.take(point, index);

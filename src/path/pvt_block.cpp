@@ -110,13 +110,13 @@ std::vector<script::ScriptCommand> scriptOf(const PvtBlock& block, const std::ma
   std::vector<script::ScriptCommand> lines;
   lines.reserve(block.points.size() + tags.size() + 2);
   auto tag = tags.begin();
-  const auto addTags = [&](std::size_t done) {
+  const auto add_tags = [&](std::size_t done) {
     for (; tag != tags.end() && block.ends.at(tag->first) <= done; ++tag) {
       lines.emplace_back(script::QueueTag{tag->second, false});
     }
   };
   if (block.points.empty()) {
-    addTags(0);
+    add_tags(0);
     return lines;
   }
   lines.emplace_back(script::PvtEnter{});
@@ -124,7 +124,7 @@ std::vector<script::ScriptCommand> scriptOf(const PvtBlock& block, const std::ma
     const motion::PvtJointPoint& point = block.points[i];
     lines.emplace_back(script::PvtPoint{arm::toControllerJoints(point.position),
                                         arm::toControllerJoints(point.velocity), point.duration});
-    addTags(i + 1);
+    add_tags(i + 1);
   }
   lines.emplace_back(script::PvtExit{});
   return lines;

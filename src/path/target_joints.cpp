@@ -91,7 +91,7 @@ class TargetJoints {
     for (const arm::WristSolution& solution : solutions) {
       const bool is_own = keeps_branch && solution.branch == own;
       if (!isAsked(solution.joints, is_own)) continue;
-      const auto joints = arm.solve(target.wrist, target.origin, solution.branch, start_);
+      auto joints = arm.solve(target.wrist, target.origin, solution.branch, start_);
       if (!joints) continue;
       if (is_own) return joints;
       const double way = (*joints - start_).head<3>().cwiseAbs().maxCoeff();

@@ -107,19 +107,19 @@ INSTANTIATE_TEST_SUITE_P(All, RefusedPoints, ::testing::ValuesIn(recipes()),
                          [](const auto& recipe) { return std::string(recipe.param.name); });
 
 TEST_F(Paths, areRefusedForASectionOutsideTheArray) {
-  const auto refusedSection = [&](int start, int count) {
+  const auto refused_section = [&](int start, int count) {
     PathSection section = sectionOf(std::vector<PathPoint>(20, good()));
     section.start_index = start;
     section.number_of_moves = count;
     return refused(section).error_id;
   };
-  EXPECT_EQ(refusedSection(15, 6), 1010);
-  EXPECT_EQ(refusedSection(0, 0), 1010);
-  EXPECT_EQ(refusedSection(0, 21), 1010);
-  EXPECT_EQ(refusedSection(20, 1), 1012);
-  EXPECT_EQ(refusedSection(-1, 1), 1012);
+  EXPECT_EQ(refused_section(15, 6), 1010);
+  EXPECT_EQ(refused_section(0, 0), 1010);
+  EXPECT_EQ(refused_section(0, 21), 1010);
+  EXPECT_EQ(refused_section(20, 1), 1012);
+  EXPECT_EQ(refused_section(-1, 1), 1012);
   constexpr int kMost = std::numeric_limits<int>::max();
-  EXPECT_EQ(refusedSection(kMost, kMost), 1010);
+  EXPECT_EQ(refused_section(kMost, kMost), 1010);
   EXPECT_EQ(refused(PathSection{}).error_id, 1010);
   EXPECT_EQ(refused(sectionOf(std::vector<PathPoint>(1001, good()))).error_id, 1010);
 }

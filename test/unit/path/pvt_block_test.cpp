@@ -56,6 +56,7 @@ TEST_F(PvtBlocks, missThePlanByLessThanAMicrometre) {
 
 TEST_F(PvtBlocks, haveSegmentsOfWholeMillisecondsNoneShorterThanAsked) {
   std::vector<PathPoint> points;
+  points.reserve(10);
   for (int i = 0; i < 10; ++i) points.push_back(blending(fastLine(i % 2 ? 11 : 13, ProfileType::Poly5), 2));
   const PvtBlock block = wholeOf(planned(points));
   for (const motion::PvtJointPoint& point : block.points) {
@@ -89,7 +90,8 @@ TEST_F(PvtBlocks, withoutAWayHaveNoPointsAndOnlyTheirTags) {
 }
 
 TEST_F(PvtBlocks, atTheRatedSpeedAreTakenByWhoMakesThem) {
-  for (double way = 2; way < 60; way += 0.5) {
+  for (int i = 4; i < 120; ++i) {
+    const double way = 0.5 * i;
     PathPoint point = toJoints({way, 0, 90, 0, 90, 0});
     point.speed = 180;
     point.acceleration = point.deceleration = 2000;
@@ -135,6 +137,7 @@ TEST_F(PvtBlocks, sayJointsAndSpeedsToFiveDecimalsAndTimesToThree) {
 
 TEST_F(PvtBlocks, areTheSameLinesForOneGoalAndForSeveral) {
   std::vector<PathPoint> points;
+  points.reserve(10);
   for (int i = 0; i < 10; ++i) points.push_back(blending(fastLine(10, ProfileType::ModSine), 2));
   const PathPlan whole = planned(points);
   PathPlanner planner(scene);

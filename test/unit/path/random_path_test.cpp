@@ -17,6 +17,7 @@ class RandomPoints {
 
   std::vector<PathPoint> path(int count) {
     std::vector<PathPoint> points;
+    points.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) points.push_back(point());
     return points;
   }
