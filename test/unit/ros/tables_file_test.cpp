@@ -2,6 +2,9 @@
 
 #include "tables/tables_file.h"
 
+#include <string>
+#include <system_error>
+
 #include "own_folder.h"
 #include <gmock/gmock.h>
 
@@ -13,6 +16,11 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+
+/// As the system says it, in the language of the process.
+std::string noSuchFile() {
+  return std::make_error_code(std::errc::no_such_file_or_directory).message();
+}
 
 TEST(TablesFile, isNothingBeforeItIsThere) {
   const OwnFolder folder;
@@ -53,7 +61,7 @@ TEST(TablesFile, staysAsItIsWhenItCannotBeWritten) {
 
 TEST(TablesFile, canNotBeInAFolderThatIsNotThere) {
   const OwnFolder folder;
-  EXPECT_THAT(*whyNotWritable(folder.file("no/tables")), HasSubstr("No such file or directory"));
+  EXPECT_THAT(*whyNotWritable(folder.file("no/tables")), HasSubstr(noSuchFile()));
   EXPECT_EQ(whyNotWritable(folder.file("tables")), std::nullopt);
   EXPECT_EQ(folder.count(), 0) << "it was only tried";
 }
@@ -138,8 +146,7 @@ TEST(TableParameters, nameAFileThatCanBeReadAndWritten) {
   EXPECT_THAT(file("tables"), HasSubstr("tables_file is the text \"tables\"; allowed: an absolute path"));
   EXPECT_THAT(file("/tmp/"), HasSubstr("allowed: an absolute path"));
   EXPECT_THAT(file(folder.file("no/tables")), HasSubstr("no/tables: "));
-  EXPECT_THAT(file(folder.file("no/tables")),
-              HasSubstr("cannot be written: No such file or directory; allowed"));
+  EXPECT_THAT(file(folder.file("no/tables")), HasSubstr("cannot be written: " + noSuchFile() + "; allowed"));
   EXPECT_THAT(file(folder.file("wrong", "load 1=2\ntool 1=1,2\n")),
               HasSubstr("wrong: line 2, \"tool 1=1,2\": there are 2 numbers; a tool has six"));
   std::filesystem::create_directory(folder.file("folder"));
