@@ -56,7 +56,7 @@ void writeThousandPoints(benchmark::State& state) {
   PathPlanner planner(scene());
   if (const auto refusal = planner.append(thousandPoints())) state.SkipWithError(refusal->found.c_str());
   for (auto _ : state) {
-    const PvtBlock block = sampleBlock(planner.plan(), 0, kMostPoints - 1, scene().segment);
+    const PvtBlock block = sampleBlock(planner.plan(), 0, kMostPoints - 1);
     benchmark::DoNotOptimize(script::toText(scriptOf(block, {})));
   }
 }

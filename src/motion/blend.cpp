@@ -20,18 +20,6 @@ constexpr double kCornerWay = 5e-3;
 /// A shorter overlap is not worth looking for.
 constexpr Duration kShortest = std::chrono::milliseconds(1);
 
-/// `next` begins `overlap` before the end of `before`; `time` counts from there.
-JointState sumOf(const Trajectory& before, const Trajectory& next, Duration overlap, Duration time) {
-  const Duration clamped = std::max(time, Duration::zero());
-  JointState state = next.at(clamped);
-  if (clamped < overlap) {
-    const JointState fading = before.at(before.duration() - overlap + clamped);
-    state.position += fading.position - before.end().position;
-    state.velocity += fading.velocity;
-  }
-  return state;
-}
-
 class BlendedTrajectory final : public Trajectory {
  public:
   BlendedTrajectory(TrajectoryPtr before, TrajectoryPtr next, Duration overlap)
@@ -41,8 +29,9 @@ class BlendedTrajectory final : public Trajectory {
   [[nodiscard]] Duration timeUp() const override { return next_->timeUp(); }
   [[nodiscard]] Duration timeDown() const override { return next_->timeDown(); }
   [[nodiscard]] double progress(Duration time) const override { return next_->progress(time); }
+  [[nodiscard]] double tcpWay() const override { return next_->tcpWay(); }
   [[nodiscard]] JointState at(Duration time) const override {
-    return sumOf(*before_, *next_, overlap_, time);
+    return stateIn(*before_, *next_, overlap_, time);
   }
 
  private:
@@ -96,7 +85,7 @@ class CornerCheck {
   [[nodiscard]] bool canBeMade(Duration overlap) const {
     const auto steps = static_cast<Duration::rep>(std::ceil(toSeconds(overlap) / samplePeriod(overlap)));
     for (Duration::rep i = 0; i <= steps; ++i) {
-      const JointState state = sumOf(corner_.before, corner_.next, overlap, overlap * i / steps);
+      const JointState state = stateIn(corner_.before, corner_.next, overlap, overlap * i / steps);
       if (arm_.firstJointOutsideLimits(state.position) >= 0 || isTooFast(state.velocity) ||
           !isWithinRadius(state.position)) {
         return false;
@@ -145,6 +134,17 @@ class CornerCheck {
 };
 
 }  // namespace
+
+JointState stateIn(const Trajectory& before, const Trajectory& next, Duration overlap, Duration time) {
+  const Duration clamped = std::max(time, Duration::zero());
+  JointState state = next.at(clamped);
+  if (clamped < overlap) {
+    const JointState fading = before.at(before.duration() - overlap + clamped);
+    state.position += fading.position - before.end().position;
+    state.velocity += fading.velocity;
+  }
+  return state;
+}
 
 Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend,
                    const OverlapLimits& limits) {

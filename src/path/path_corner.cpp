@@ -10,8 +10,6 @@ namespace cobot_command::path {
 namespace {
 
 constexpr double kNoWay = 1e-9;  // [m]
-/// A shorter one is a stop.
-constexpr Duration kShortestOverlap = std::chrono::milliseconds(25);
 
 /// Below which share of a move in joint space the moved frame is within `metres` of where it began.
 double shareWithin(const PlannedPoint& move, const arm::Pose& moved_frame, double metres,
@@ -63,7 +61,7 @@ Duration overlapBetween(const PlannedPoint& before, const PlannedPoint& next, co
   }
   return motion::overlapAt(scene.arm, {*before.motion, *next.motion, before.moved_frame},
                            blendOf(before, next, scene),
-                           {Duration::max(), std::chrono::milliseconds(1), kShortestOverlap});
+                           {Duration::max(), std::chrono::milliseconds(1), motion::kLeastSegment});
 }
 
 }  // namespace cobot_command::path

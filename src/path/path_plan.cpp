@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "cobot_command/motion/blend.h"
+
 namespace cobot_command::path {
 
 void PathPlan::append(PlannedPoint point, Duration overlap) {
@@ -21,13 +23,9 @@ motion::JointState PathPlan::at(Duration time) const {
   if (points_.empty()) return {start_, arm::JointVector::Zero()};
   const std::size_t begun = begunAt(time);
   const PlannedPoint& point = points_[begun];
-  motion::JointState state = point.motion->at(time - point.start);
-  if (begun == 0 || time >= points_[begun - 1].end()) return state;
-  const motion::Trajectory& before = *points_[begun - 1].motion;
-  const motion::JointState fading = before.at(time - points_[begun - 1].start);
-  state.position += fading.position - before.end().position;
-  state.velocity += fading.velocity;
-  return state;
+  if (begun == 0) return point.motion->at(time - point.start);
+  const PlannedPoint& before = points_[begun - 1];
+  return motion::stateIn(*before.motion, *point.motion, before.overlap, time - point.start);
 }
 
 PathPlan::Place PathPlan::placeAt(Duration time) const {

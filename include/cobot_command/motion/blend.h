@@ -54,6 +54,10 @@ struct OverlapLimits {
 [[nodiscard]] Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend,
                                  const OverlapLimits& limits = {});
 
+/// Where the arm is when `next` begins `overlap` before the end of `before`; `time` counts from there.
+[[nodiscard]] JointState stateIn(const Trajectory& before, const Trajectory& next, Duration overlap,
+                                 Duration time);
+
 /// The next motion as the arm makes it: over its first `overlap` the end of the one before it fades out.
 /// `next` itself where `overlap` is zero.
 [[nodiscard]] TrajectoryPtr blended(const TrajectoryPtr& before, const TrajectoryPtr& next, Duration overlap);

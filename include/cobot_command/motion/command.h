@@ -111,6 +111,9 @@ struct PvtPosePoint {
   TcpVelocity velocity;
   double duration = 0.0;
 };
+/// The least time between two points of a PVT that is made of a motion: ramps, cruises and overlaps that are
+/// meant for one are not shorter.
+inline constexpr Duration kLeastSegment = std::chrono::milliseconds(25);
 struct Pvt {
   std::variant<std::vector<PvtJointPoint>, std::vector<PvtPosePoint>> points;
 };

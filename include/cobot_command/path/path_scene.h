@@ -5,7 +5,6 @@
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/types.h"
-#include "cobot_command/common/time.h"
 #include "cobot_command/tables/data_tables.h"
 
 namespace cobot_command::path {
@@ -16,7 +15,6 @@ struct PathScene {
   tables::DataTables tables{};       ///< of tools and frames
   std::optional<arm::Pose> world{};  ///< in the robot base [m]; nothing: nobody knows where it is
   double feedrate = 1.0;             ///< (0..1.25]: as much faster as time runs
-  Duration segment{std::chrono::milliseconds(25)};  ///< the least time between two points of a PVT
 };
 
 }  // namespace cobot_command::path

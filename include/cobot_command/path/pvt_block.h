@@ -28,7 +28,7 @@ struct PvtBlock {
 /// one, but for those that are nearer together. Joints and speeds are those of the plan, rounded as they are
 /// sent.
 [[nodiscard]] PvtBlock sampleBlock(const PathPlan& plan, std::size_t first, std::size_t last,
-                                   Duration segment);
+                                   Duration segment = motion::kLeastSegment);
 
 /// Which points of a block get a tag, when it may have `most` (1 at least): each; else every so many-th, and
 /// the last.

@@ -38,6 +38,7 @@ class PLineTrajectory final : public Trajectory {
   [[nodiscard]] Duration timeUp() const override { return made_->timeUp(); }
   [[nodiscard]] Duration timeDown() const override { return made_->timeDown(); }
   [[nodiscard]] double progress(Duration time) const override { return made_->progress(time); }
+  [[nodiscard]] double tcpWay() const override { return made_->tcpWay(); }
   [[nodiscard]] const Chain& chain() const { return chain_; }
 
  private:

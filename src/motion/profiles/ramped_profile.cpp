@@ -21,16 +21,16 @@ Phases phasesOf(double way, const Rates& rates, const RampShape& shape) {
   const double highest = std::sqrt(2.0 * way / (up + down));
   if (highest <= rates.speed) return {up * highest, 0.0, down * highest};
   const double cruise = way / rates.speed - 0.5 * rates.speed * (up + down);
-  if (cruise >= kShortestCruise) return {up * rates.speed, cruise, down * rates.speed};
+  if (cruise >= kShortestPhase) return {up * rates.speed, cruise, down * rates.speed};
   // As slow as it takes to cruise so long; next to a triangle that costs next to no time.
-  const double half = kShortestCruise / (up + down);
+  const double half = kShortestPhase / (up + down);
   const double speed = way / (std::sqrt(half * half + highest * highest) + half) * 2.0 / (up + down);
-  return {up * speed, kShortestCruise, down * speed};
+  return {up * speed, kShortestPhase, down * speed};
 }
 
 Phases onGrid(const Phases& phases) {
-  return {std::max(wholeMilliseconds(phases.up), kShortestRamp), wholeMilliseconds(phases.cruise),
-          std::max(wholeMilliseconds(phases.down), kShortestRamp)};
+  return {std::max(wholeMilliseconds(phases.up), kShortestPhase), wholeMilliseconds(phases.cruise),
+          std::max(wholeMilliseconds(phases.down), kShortestPhase)};
 }
 
 double RampedProfile::progress(double time) const {

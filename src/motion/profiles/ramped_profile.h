@@ -17,19 +17,16 @@ struct Phases {
   [[nodiscard]] double duration() const { return up + cruise + down; }
 };
 
-/// The shortest ramp on the grid [s]: a segment of a PVT is not shorter.
-inline constexpr double kShortestRamp = 0.025;
-
-/// A shorter cruise is none [s]: the speed is lowered until it is so long. A segment of a PVT across both its
-/// ends would be faster than the motion is anywhere.
-inline constexpr double kShortestCruise = 0.025;
+/// The shortest ramp on the grid [s]. A shorter cruise is none: the speed is lowered until it is so long, as
+/// a segment of a PVT across both its ends would be faster than the motion is anywhere.
+inline constexpr double kShortestPhase = toSeconds(kLeastSegment);
 
 /// In closed form. `way` > 0 in the unit of the rates. Where it is too short for the top speed, the
 /// accelerations stay and the speed is lower.
 [[nodiscard]] Phases phasesOf(double way, const Rates& rates, const RampShape& shape);
 
-/// Each phase a whole number of milliseconds, none shorter than it was, ramps at least kShortestRamp: what is
-/// planned is then what can be sent.
+/// Each phase a whole number of milliseconds, none shorter than it was, ramps at least kShortestPhase: what
+/// is planned is then what can be sent.
 [[nodiscard]] Phases onGrid(const Phases& phases);
 
 class RampedProfile final : public Profile {

@@ -67,8 +67,7 @@ class PathRun : public ::testing::Test {
   /// takes.
   [[nodiscard]] path::Deviation deviationOf(const path::PathPlan& plan, Duration late) {
     const std::size_t last = plan.points().size() - 1;
-    robot.script(client, "1",
-                 script::toText(path::scriptOf(path::sampleBlock(plan, 0, last, scene.segment), {})));
+    robot.script(client, "1", script::toText(path::scriptOf(path::sampleBlock(plan, 0, last), {})));
     EXPECT_EQ(robot.heard(client), ok("1"));
     path::DeviationWatch watch(scene.arm, plan);
     const Instant began = robot.now();
@@ -90,7 +89,7 @@ TEST_F(PathRun, isAsPlannedToAHundredthOfAMillimetre) {
   int blocks = 0;
   while (first < plan.points().size()) {
     const std::size_t last = path::endOfBlock(plan, first);
-    const auto block = path::sampleBlock(plan, first, last, scene.segment);
+    const auto block = path::sampleBlock(plan, first, last);
     first = last + 1;
     if (block.points.empty()) continue;
     robot.script(client, "1", script::toText(path::scriptOf(block, {{last, 1 + blocks++ % 15}})));
@@ -108,8 +107,7 @@ TEST_F(PathRun, tellsItsPointsByTheirTags) {
   for (const std::size_t point : path::taggedPoints(0, last, 7)) {
     tags.emplace(point, 1 + static_cast<int>(tags.size()));
   }
-  robot.script(client, "1",
-               script::toText(path::scriptOf(path::sampleBlock(plan, 0, last, scene.segment), tags)));
+  robot.script(client, "1", script::toText(path::scriptOf(path::sampleBlock(plan, 0, last), tags)));
   ASSERT_EQ(robot.heard(client), ok("1"));
   const Instant began = robot.now();
   for (const auto& [point, number] : tags) {

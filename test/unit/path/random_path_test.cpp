@@ -79,7 +79,7 @@ class RandomPaths : public Paths {
     arm::JointVector from = scene.start;
     for (std::size_t first = 0; first < plan.points().size();) {
       const std::size_t last = endOfBlock(plan, first);
-      const PvtBlock block = sampleBlock(plan, first, last, scene.segment);
+      const PvtBlock block = sampleBlock(plan, first, last);
       first = last + 1;
       if (block.points.empty()) continue;
       const auto made = motion::plan(scene.arm, from, motion::Pvt{block.points}, {});
