@@ -34,12 +34,14 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
 void Arbiter::cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest) {
   const blocks::Run* const run = turns_.run();
   ConnectRun& connect = parts_.keeper.run();
-  if (queue_.plansTheNext() && queue_.front().id == id) {
+  const bool has_the_turn = run == nullptr && queue_.plansTheNext() && queue_.front().id == id;
+  if (has_the_turn) {
     cancelTurn(newest.value_or(queue_.newest()), now);
     return;
   }
   if (queue_.drop(id, "cancelled before its turn") || plans_.cancel(id)) return;
-  if (run != nullptr && run->goal() == id) {
+  if (run != nullptr && run->serves(id)) {
+    if (turns_.takeOut(id, "cancelled", now)) return;
     queue_.dropAll(cancelledInFront(run->block()), newest.value_or(queue_.newest()));
     turns_.cancel("cancelled", now);
   } else if (connect.busy() && connect.goal() == id) {

@@ -42,7 +42,7 @@ void FrontDesk::take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
       if (traits.check_only) {
         answerByPlan(id, goal, now);
       } else {
-        queueUp(id, goal, traits.buffer_mode, now);
+        queueUp(id, goal, turns_.modeOf(blockOf(goal), traits), now);
       }
       return;
   }

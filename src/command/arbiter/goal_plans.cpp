@@ -78,14 +78,16 @@ void GoalPlans::takeForesight(blocks::GoalId id, const PlannedCommand* planned) 
   }
 }
 
-void GoalPlans::planTheNext(Instant now) {
+void GoalPlans::planTheNext(const blocks::Detail& chain, Instant now) {
   const Waiting& first = queue_.front();
   const auto origin = [this](Instant then) { return parts_.forecast.origin(then); };
   const auto take = [this, block = blockOf(first.goal), id = first.id](std::optional<PlanAnswer> answer) {
     Waiting* const waiting = queue_.find(id);
     if (waiting != nullptr) waiting->found = (answer ? *std::move(answer) : tookTooLong(block)).outcome;
   };
-  desk_.ask({blockOf(first.goal), first.id, Purpose::Send, parts_.forecast.workFor(first.goal, origin), take},
+  Joining joining{chain, parts_.board.accepted(blockOf(first.goal)) + 1};
+  desk_.ask({blockOf(first.goal), first.id, Purpose::Send,
+             parts_.forecast.workFor(first.goal, origin, std::move(joining)), take},
             now);
 }
 

@@ -26,8 +26,8 @@ class GoalPlans {
   void check(blocks::GoalId id, const blocks::Goal& goal, Instant now);
   /// Of the last one that waits, when it is one command: refused, or where it will leave the robot.
   void foresee(Instant now);
-  /// The first one that waits: what is found is `found` of it.
-  void planTheNext(Instant now);
+  /// The first one that waits: what is found is `found` of it. `chain`: that it is to join, if it is.
+  void planTheNext(const blocks::Detail& chain, Instant now);
 
   /// A check that was cancelled; false: there is none.
   bool cancel(blocks::GoalId goal);

@@ -1,7 +1,11 @@
 #include "arbiter/goal_queue.h"
 
+#include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::command {
@@ -41,7 +45,17 @@ bool GoalQueue::drop(blocks::GoalId id, const std::string& why) {
   const auto found = at(id);
   if (found == waiting_.end()) return false;
   forgetForecasts();
-  end(found, blocks::commandAborted(why));
+  auto last = std::next(found);
+  if (blocks::GoalRules(found->goal).traits().chains) {
+    last = std::find_if(last, waiting_.end(),
+                        [&](const Waiting& w) { return blockOf(w.goal) != blockOf(found->goal); });
+  }
+  const auto count = last - found;
+  const std::string in_front = fmt::format("the {} in front of it was cancelled", toString(blockOf(found->goal)));
+  for (auto i = count - 1; i >= 0; --i) {
+    const auto waiting = at(id) + i;
+    end(waiting, blocks::commandAborted(i == 0 ? why : in_front));
+  }
   return true;
 }
 

@@ -70,7 +70,9 @@ class GoalQueue {
   void push(Waiting waiting);
   /// It is its turn. Precondition: not empty.
   [[nodiscard]] Waiting take();
-  /// When it waits: one goal, that was cancelled.
+  /// One that was taken is the first again.
+  void putBack(Waiting waiting) { waiting_.push_front(std::move(waiting)); }
+  /// When it waits: one goal, that was cancelled, and what was to join its chain behind it.
   bool drop(blocks::GoalId id, const std::string& why);
   /// It cannot be made. Precondition: it waits.
   void refuse(blocks::GoalId id, blocks::Outcome refusal);

@@ -14,7 +14,7 @@ NextCommand::State NextCommand::look(const blocks::Command& command, blocks::Goa
   if (!isAsked(command, goal)) return make(command, goal, now, now);
   if (!asked_->answered) return State::Planning;
   if (!asked_->planned) return refuse({blocks::own_error::kPlanningBudget, "", ""});
-  const Origin origin = forecast_.origin(now);
+  const Origin origin = origin_(now);
   if (isStillGood(*asked_->planned, origin)) return take(*asked_->planned, origin);
   if (now - asked_->first < settings_.planning_budget) return make(command, goal, asked_->first, now);
   return refuse({blocks::own_error::kPlanningBudget,
@@ -28,7 +28,7 @@ NextCommand::State NextCommand::make(const blocks::Command& command, blocks::Goa
   if (!order) return refuse(order.error());
   order_ = std::move(*order);
   if (!order_.commands) return State::Ready;
-  const Origin origin = forecast_.origin(now);
+  const Origin origin = origin_(now);
   if (forecast_.isPlannedAtOnce(order_)) return take(*forecast_.plan(order_, origin), origin);
   ask({goal, order_.key, first}, origin, now);
   return asked_->answered ? take(*asked_->planned, origin) : State::Planning;

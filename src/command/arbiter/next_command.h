@@ -3,8 +3,10 @@
 // counts from the first beginning on.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "forecast/command_order.h"
 #include "forecast/forecast.h"
@@ -17,9 +19,11 @@ namespace cobot_command::command {
 
 class NextCommand {
  public:
+  /// Where a command starts that goes out now.
+  using OriginNow = std::function<Origin(Instant now)>;
   /// All have to live longer.
-  NextCommand(const link::LinkSettings& settings, const Forecast& forecast, PlanDesk& desk)
-      : settings_(settings), forecast_(forecast), desk_(desk) {}
+  NextCommand(const link::LinkSettings& settings, const Forecast& forecast, PlanDesk& desk, OriginNow origin)
+      : settings_(settings), forecast_(forecast), desk_(desk), origin_(std::move(origin)) {}
 
   enum class State {
     Planning,  ///< to be looked at again behind the next event
@@ -54,6 +58,7 @@ class NextCommand {
   const link::LinkSettings& settings_;
   const Forecast& forecast_;
   PlanDesk& desk_;
+  OriginNow origin_;
   CommandOrder order_;
   std::optional<blocks::Failure> failure_;
   std::optional<Asked> asked_;

@@ -25,7 +25,8 @@ Turns::Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder fra
     : parts_(parts),
       desks_(desks),
       frames_(std::move(frames)),
-      next_(parts.settings, parts.forecast, desks.planning) {}
+      next_(parts.settings, parts.forecast, desks.planning,
+            [this](Instant now) { return originNow(now); }) {}
 
 // --- What is there.
 
@@ -46,8 +47,8 @@ std::vector<blocks::Failure> Turns::objectionsToAny(blocks::BufferMode mode) con
   if (mode == blocks::BufferMode::Refuse && busy) {
     failures.push_back({blocks::motion_error::kOtherBlockBusy, toString(*busy), ""});
   }
-  if (mode == blocks::BufferMode::Buffered && desks_.queue.size() >= kMostWaiting) {
-    failures.push_back(blocks::tooManyWait(desks_.queue.size()));
+  if (mode == blocks::BufferMode::Buffered && waiting() >= kMostWaiting) {
+    failures.push_back(blocks::tooManyWait(waiting()));
   }
   if (parts_.robot.emergencyStop()) failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
   if (parts_.robot.inError()) failures.push_back(blocks::robotError(parts_.robot));
@@ -60,32 +61,54 @@ std::vector<blocks::Failure> Turns::objectionsToAny(blocks::BufferMode mode) con
 std::optional<Origin> Turns::originBehind(Ticket ticket, Instant now) const {
   if (const Waiting* const before = desks_.queue.lastBefore(ticket)) return before->end;
   if (!run_ || run_->leavesTheRobot()) return parts_.forecast.origin(now);
-  return run_->isOneCommand() ? desks_.window.end() : std::nullopt;
+  return run_->isOneCommand() ? desks_.window.end(now) : std::nullopt;
+}
+
+Origin Turns::originNow(Instant now) const {
+  if (desks_.window.empty()) return parts_.forecast.origin(now);
+  if (auto end = desks_.window.end(now)) return *std::move(end);
+  Origin unknown = parts_.forecast.origin(now);
+  unknown.start.joints.reset();
+  unknown.behind.reset();
+  return unknown;
+}
+
+std::size_t Turns::waiting() const {
+  return desks_.queue.size() + (run_ ? run_->waiting() : 0);
+}
+
+blocks::BufferMode Turns::modeOf(blocks::Block block, const blocks::GoalTraits& traits) const {
+  const bool refuses = traits.buffer_mode == blocks::BufferMode::Refuse;
+  if (!refuses || !traits.chains || desks_.stops.executes()) return traits.buffer_mode;
+  const auto last = desks_.queue.empty() ? busyWith() : blockOf(desks_.queue.back().goal);
+  return last == block ? blocks::BufferMode::Buffered : traits.buffer_mode;
 }
 
 // --- Begins.
 
 void Turns::dispatch(Instant now) {
-  while (desks_.window.empty() && !desks_.stops.busy() && !desks_.stops.holdsBack()) {
-    if (run_) {
-      if (!continueRun(now)) return;
-    } else if (!desks_.queue.empty()) {
-      if (!beginNext(now)) return;
-    } else {
-      return;
-    }
+  while (!desks_.stops.busy() && !desks_.stops.holdsBack()) {
+    const bool went_on = run_ ? continueRun(now) || joinNext(now) : beginNext(now);
+    if (!went_on) return;
     settle(now);
   }
 }
 
-/// Nothing (false) as long as it is planned.
 bool Turns::beginNext(Instant now) {
+  return desks_.window.empty() && !desks_.queue.empty() && admitNext(now);
+}
+
+bool Turns::joinNext(Instant now) {
+  return !desks_.queue.empty() && run_->isJoinedBy(blockOf(desks_.queue.front().goal)) && admitNext(now);
+}
+
+bool Turns::admitNext(Instant now) {
   Waiting& first = desks_.queue.front();
   const Failures failures = objectionsTo(first);
   if (failures.empty() && isBeingPlanned(first, now)) return false;
-  const Waiting next = desks_.queue.take();
+  Waiting next = desks_.queue.take();
   if (failures.empty()) {
-    begin(next, now);
+    admit(std::move(next), now);
   } else {
     refuseTurn(next, toRejection(blockOf(next.goal), failures));
   }
@@ -102,7 +125,7 @@ bool Turns::isBeingPlanned(Waiting& first, Instant now) {
   if (rules.isPlanned() && first.turn == Turn::NotYet) {
     first.turn = Turn::PlansWhole;
     first.told_place = 0;  // what it waits for is another thing now
-    desks_.plans.planTheNext(now);
+    desks_.plans.planTheNext(run_ ? run_->chain() : blocks::Detail(), now);
   }
   return rules.isPlanned() && !first.found;
 }
@@ -118,12 +141,30 @@ Turns::Failures Turns::objectionsTo(const Waiting& next) const {
   return failures;
 }
 
-void Turns::begin(const Waiting& next, Instant now) {
-  blocks::Outcome found = next.found.value_or(blocks::Outcome());
+void Turns::admit(Waiting next, Instant now) {
+  const blocks::Outcome found = next.found.value_or(blocks::Outcome());
   if (found.ending == blocks::Ending::Rejected && !couldNotBePlanned(found)) {
-    refuseTurn(next, std::move(found));
+    refuseTurn(next, found);
+  } else if (run_) {
+    join(std::move(next), found, now);
+  } else {
+    begin(next, found, now);
+  }
+}
+
+/// One whose plan is of a chain that has gone on since is the next one again.
+void Turns::join(Waiting next, const blocks::Outcome& found, Instant now) {
+  const blocks::GoalId id = next.id;
+  if (run_->join(id, found, now)) {
+    parts_.board.accept(run_->block(), id, 0);
     return;
   }
+  next.found.reset();
+  next.turn = Waiting::Turn::NotYet;
+  desks_.queue.putBack(std::move(next));
+}
+
+void Turns::begin(const Waiting& next, const blocks::Outcome& found, Instant now) {
   desks_.queue.forgetPlan(next.id);  // what was to be foreseen is there
   auto run = blocks::GoalRules(next.goal).run(next.id, found, now);
   if (run->isOneCommand()) {
@@ -160,6 +201,7 @@ void Turns::refuseTurn(const Waiting& next, blocks::Outcome refusal) {
 
 /// Nothing (false) as long as the run has nothing to send, or that is planned.
 bool Turns::continueRun(Instant now) {
+  if (desks_.window.size() >= run_->window()) return false;
   if (finishes_behind_motion_) {
     if (parts_.forecast.loose().mayMove() && parts_.robot.tellsMotion()) return false;
     finishes_behind_motion_ = false;
@@ -210,7 +252,8 @@ void Turns::send(Instant now) {
 
 void Turns::settle(Instant now) {
   for (const auto& [key, progress] : desks_.window.takeProgress()) run_->commandProgressed(key, progress);
-  while (auto ended = desks_.window.takeEnded()) endCommand(std::move(*ended), now);
+  for (const auto& [key, mark] : desks_.window.takePassed()) run_->commandPassed(key, mark, now);
+  while (auto ended = desks_.window.takeEnded(now)) endCommand(std::move(*ended), now);
   endRun(now);
 }
 
@@ -225,18 +268,25 @@ void Turns::endCommand(CommandWindow::Ended ended, Instant now) {
   run_->robotChanged(parts_.robot, now);
 }
 
+void Turns::tellRun() {
+  for (auto& [goal, progress] : run_->takeProgress()) {
+    parts_.board.progress(run_->block(), goal, std::move(progress));
+  }
+  for (auto& [goal, outcome] : run_->takeEnded()) {
+    parts_.board.end(run_->block(), goal, std::move(outcome));
+  }
+}
+
 void Turns::endRun(Instant now) {
   if (!run_) return;
-  for (blocks::Progress& progress : run_->takeProgress()) {
-    parts_.board.progress(run_->block(), run_->goal(), std::move(progress));
-  }
+  tellRun();
   if (!run_->outcome()) return;
   assert(desks_.window.empty());
   next_.forget();
   stopping_.reset();
   finishes_behind_motion_ = false;
   const auto done = std::exchange(run_, nullptr);
-  if (done->outcome()->ending == blocks::Ending::Aborted) {
+  if (done->failed()) {
     if (done->leavesMotions()) desks_.stops.askIfMoving(now);
     // Before the end of the goal itself: its error is what the block shows then.
     desks_.queue.dropAll(fmt::format("the command in front of it, {}, failed", toString(done->block())));
@@ -245,12 +295,25 @@ void Turns::endRun(Instant now) {
 }
 
 void Turns::cancel(const std::string& why, Instant now) {
-  if (!run_ || !desks_.window.empty()) parts_.forecast.forgetPath();  // else it stays as it is
   if (isBetweenCommands()) {
     stopBetweenCommands(why, now);
     return;
   }
   if (run_) run_->cancel(why, now);
+  cancelWindow(why, now);
+}
+
+void Turns::interrupt(const std::string& why, Instant now) {
+  if (!run_ || isBetweenCommands()) {
+    cancel(why, now);
+    return;
+  }
+  run_->interrupt(why, now);
+  cancelWindow(why, now);
+}
+
+void Turns::cancelWindow(const std::string& why, Instant now) {
+  if (!run_ || !desks_.window.empty()) parts_.forecast.forgetPath();  // else it stays as it is
   desks_.window.cancel(why, now);
 }
 
@@ -288,6 +351,10 @@ void Turns::stopEnded(const StopRun::Result& result, Instant now) {
   }
 }
 
+bool Turns::takeOut(blocks::GoalId goal, const std::string& why, Instant now) {
+  return run_ && run_->takeOut(goal, why, now);
+}
+
 void Turns::abandon(const std::string& why, Instant now) {
   if (run_) run_->cancel(why, now);
   desks_.window.abandon(why, now);
@@ -305,7 +372,7 @@ void Turns::finish(blocks::FinishAfter after, Instant now) {
 
 void Turns::abortAll(const std::string& why, blocks::GoalId newest, Instant now) {
   desks_.queue.dropAll(why, newest);
-  cancel(why, now);
+  interrupt(why, now);
 }
 
 void Turns::stopAll(const std::string& why, blocks::GoalId newest, Instant now) {

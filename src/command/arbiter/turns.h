@@ -1,5 +1,5 @@
-// Whose turn it is: one goal at a time is under way, and one command of it at the controller. Blended motions
-// end with their acceptance, so the next one goes out while they still run.
+// Whose turn it is: one run at a time is under way, and as many of its commands are at the controller as it
+// says. Blended motions end with their acceptance, so the next one goes out while they still run.
 #pragma once
 
 #include <memory>
@@ -39,6 +39,8 @@ class Turns {
   [[nodiscard]] std::optional<blocks::Block> busyWith() const;
   /// Why no command may be taken now, whatever it is; in table order.
   [[nodiscard]] std::vector<blocks::Failure> objectionsToAny(blocks::BufferMode mode) const;
+  /// What a goal of that block does while others are busy: behind another one of its kind it joins its chain.
+  [[nodiscard]] blocks::BufferMode modeOf(blocks::Block block, const blocks::GoalTraits& traits) const;
   /// Where the goal with that ticket starts: behind all that is on the wire, and waits with an earlier one;
   /// nothing when nobody knows.
   [[nodiscard]] std::optional<Origin> originBehind(Ticket ticket, Instant now) const;
@@ -51,6 +53,8 @@ class Turns {
   void cancel(const std::string& why, Instant now);
   /// The same, now.
   void abandon(const std::string& why, Instant now);
+  /// One goal of the run whose turn it is: alone, where nothing has to be stopped for that.
+  [[nodiscard]] bool takeOut(blocks::GoalId goal, const std::string& why, Instant now);
   void finish(blocks::FinishAfter after, Instant now);
   /// With what waits, as CommandAborted; `newest`: see GoalQueue::dropAll().
   void abortAll(const std::string& why, blocks::GoalId newest, Instant now);
@@ -68,13 +72,24 @@ class Turns {
   using Failures = std::vector<blocks::Failure>;
 
   bool beginNext(Instant now);
+  bool joinNext(Instant now);
+  /// Nothing (false) as long as it is planned.
+  bool admitNext(Instant now);
   /// Its plan, or that of its only command, is being made.
   [[nodiscard]] bool isBeingPlanned(Waiting& first, Instant now);
   [[nodiscard]] Failures objectionsTo(const Waiting& next) const;
-  void begin(const Waiting& next, Instant now);
+  void admit(Waiting next, Instant now);
+  void begin(const Waiting& next, const blocks::Outcome& found, Instant now);
+  void join(Waiting next, const blocks::Outcome& found, Instant now);
   void beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now);
   void refuseTurn(const Waiting& next, blocks::Outcome refusal);
   bool continueRun(Instant now);
+  /// Behind what is at the controller.
+  [[nodiscard]] Origin originNow(Instant now) const;
+  void interrupt(const std::string& why, Instant now);
+  void cancelWindow(const std::string& why, Instant now);
+  /// Goals that nothing was sent of yet.
+  [[nodiscard]] std::size_t waiting() const;
   /// Its last command was blended and is done, but moves the robot still; the next one is not out yet.
   [[nodiscard]] bool isBetweenCommands() const;
   void stopBetweenCommands(const std::string& why, Instant now);
@@ -83,6 +98,7 @@ class Turns {
   [[nodiscard]] std::optional<blocks::Failure> prepare(const blocks::Command& command, Instant now);
   void send(Instant now);
   void endCommand(CommandWindow::Ended ended, Instant now);
+  void tellRun();
   void endRun(Instant now);
   [[nodiscard]] std::string textOfPlace(int place) const;
 

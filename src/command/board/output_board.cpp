@@ -32,6 +32,7 @@ OutputBoard::OutputBoard(std::vector<Action>& actions) : actions_(actions) {
     outputs_.push_back(idle(static_cast<blocks::Block>(i)));
   }
   owners_.resize(blocks::kBlockCount);
+  accepted_.resize(blocks::kBlockCount);
 }
 
 BlockOutputs& OutputBoard::of(blocks::Block block) {
@@ -73,7 +74,12 @@ void OutputBoard::wait(blocks::Block block, blocks::GoalId goal) {
   }
 }
 
+int OutputBoard::accepted(blocks::Block block) const {
+  return accepted_[static_cast<std::size_t>(block)];
+}
+
 void OutputBoard::accept(blocks::Block block, blocks::GoalId goal, int command_id_ack) {
+  ++accepted_[static_cast<std::size_t>(block)];
   open(block, goal);
   of(block).command_id_ack = command_id_ack;
   actions_.push_back(GoalAccepted{block, goal});

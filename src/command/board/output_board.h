@@ -28,6 +28,8 @@ class OutputBoard {
   void end(blocks::Block block, blocks::GoalId goal, blocks::Outcome outcome);
 
   [[nodiscard]] const std::vector<BlockOutputs>& outputs() const { return outputs_; }
+  /// So many goals of that block were accepted until now.
+  [[nodiscard]] int accepted(blocks::Block block) const;
 
  private:
   [[nodiscard]] BlockOutputs& of(blocks::Block block);
@@ -37,6 +39,7 @@ class OutputBoard {
   std::vector<Action>& actions_;
   std::vector<BlockOutputs> outputs_;
   std::vector<blocks::GoalId> owners_;  ///< of the outputs of each block: what it executes
+  std::vector<int> accepted_;           ///< goals of each block
   std::vector<std::pair<blocks::Block, blocks::GoalId>> open_;  ///< goals that wait or run
 };
 

@@ -1,9 +1,17 @@
 #include "forecast/command_order.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace cobot_command::command {
+namespace {
+
+std::string lineOfTag(int tag) {
+  return script::toText(script::ScriptCommand(script::QueueTag{tag, false}));
+}
+
+}  // namespace
 
 /// Behind a motion the robot gets it later than it was planned for, by as much as its plan took to make.
 void takePlan(CommandOrder& order, PlannedCommand& planned, const Origin& now) {
@@ -20,10 +28,16 @@ void takePlan(CommandOrder& order, PlannedCommand& planned, const Origin& now) {
   order.plan->start_delay = std::max(Duration::zero(), order.plan->start_delay - since);
 }
 
-void addLastLines(CommandOrder& order) {
-  if (order.tag) {
-    order.lines.push_back(script::toText(script::ScriptCommand(script::QueueTag{*order.tag, false})));
+void addMarks(CommandOrder& order) {
+  assert(order.mark_tags.size() == order.marks.size());
+  for (std::size_t i = order.marks.size(); i-- > 0;) {
+    order.lines.insert(order.lines.begin() + static_cast<std::ptrdiff_t>(order.marks[i]),
+                       lineOfTag(order.mark_tags[i]));
   }
+}
+
+void addLastLines(CommandOrder& order) {
+  if (order.tag) order.lines.push_back(lineOfTag(*order.tag));
   if (order.exits_node) {
     order.lines.push_back(script::toText(script::ScriptCommand(script::ScriptExit{})));
   }

@@ -21,6 +21,7 @@ struct CommandOrder : blocks::Order {
   blocks::CommandKey key = 0;
   int command_id_ack = 0;
   std::optional<int> tag;         ///< open in the ledger; none: done as soon as it is accepted
+  std::vector<int> mark_tags;     ///< the same of each of its marks
   bool exits_node = false;        ///< ScriptExit() is to stand behind its lines
   bool exits_afterwards = false;  ///< the node is to be left with a script of its own once it is done
   bool beside = false;            ///< goes out beside what is on the wire, whatever state the robot is in
@@ -32,6 +33,9 @@ struct CommandOrder : blocks::Order {
 
 /// The order goes out from `now`. Precondition: it was planned, not refused, from the same start.
 void takePlan(CommandOrder& order, PlannedCommand& planned, const Origin& now);
+
+/// Behind each mark its tag. Precondition: there are as many.
+void addMarks(CommandOrder& order);
 
 /// The queue tag, when one is open for it, and the exit from the node.
 void addLastLines(CommandOrder& order);

@@ -22,15 +22,10 @@ blocks::Outcome outcomeOf(blocks::Block block, const Planned& planned, bool has_
   return outcome;
 }
 
-PlanAnswer planGoal(const blocks::Goal& goal, const arm::ArmModel* arm, const std::optional<arm::Pose>& base,
-                    const std::optional<Origin>& origin, const tables::DataTables& tables,
-                    const PlanDesk::Dropped& dropped) {
+PlanAnswer planGoal(const blocks::Goal& goal, const blocks::PlanningScene& scene,
+                    const std::optional<arm::Pose>& base, const std::optional<Origin>& origin) {
   const blocks::GoalRules rules(goal);
-  blocks::PlanningScene scene;
-  scene.tables = tables;
-  scene.arm = arm;
-  if (origin) scene.start = origin->start;
-  scene.give_up = [dropped] { return dropped->load(); };
+  const arm::ArmModel* const arm = scene.arm;
   if (auto whole = rules.plan(scene)) return {std::move(*whole), {}};
   const blocks::Command command = *rules.command();
   const Planned plan = planFor(arm, command, base, origin, scene.give_up);
@@ -125,11 +120,19 @@ PlanDesk::MakeWork Forecast::workFor(const blocks::Command& command, const Origi
   };
 }
 
-PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const OriginAt& origin_at) const {
+PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const OriginAt& origin_at,
+                                     Joining joining) const {
   return [=](const PlanDesk::Dropped& dropped, Instant now) -> PlanWork {
     const auto origin = origin_at(now);
-    return [=, arm = arm_, base = baseAt(origin), tables = tables_.tables()]() -> PlanAnswer {
-      return planGoal(goal, arm.get(), base, origin, tables, dropped);
+    blocks::PlanningScene scene;
+    scene.arm = arm_.get();
+    if (origin) scene.start = origin->start;
+    scene.give_up = [dropped] { return dropped->load(); };
+    scene.tables = tables_.tables();
+    scene.chain = joining.chain;
+    scene.number = joining.number;
+    return [=, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
+      return planGoal(goal, scene, base, origin);
     };
   };
 }

@@ -15,6 +15,7 @@ void CommandClock::release(Instant now) {
   for (std::optional<Instant>* at : {&begins_at_, &executing_from_, &deadline_, &kept_}) {
     if (*at) **at += pause;
   }
+  waits_from_ += pause;
   give_up_at_ += pause;
 }
 

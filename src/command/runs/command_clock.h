@@ -11,7 +11,7 @@ namespace cobot_command::command {
 class CommandClock {
  public:
   /// `patience`: so long it is waited when nobody can tell whether the robot moves.
-  CommandClock(Instant now, Duration patience) : give_up_at_(now + patience) {}
+  CommandClock(Instant now, Duration patience) : waits_from_(now), give_up_at_(now + patience) {}
 
   // --- Holds.
   /// Nothing falls due from now on.
@@ -31,6 +31,8 @@ class CommandClock {
   void execute(Instant now);
   /// For how long, less the holds; zero before.
   [[nodiscard]] Duration executed(Instant now) const;
+  /// The same since the beginning.
+  [[nodiscard]] Duration waited(Instant now) const { return held_since_.value_or(now) - waits_from_; }
 
   // --- The deadline.
   void setDeadline(Instant at) { deadline_ = at; }
@@ -52,6 +54,7 @@ class CommandClock {
  private:
   [[nodiscard]] bool waits(Instant now) const { return begins_at_ && now < *begins_at_; }
 
+  Instant waits_from_;                ///< later by every hold since
   std::optional<Instant> begins_at_;       ///< when the commands in front of it should be done
   std::optional<Instant> executing_from_;  ///< later by every hold since
   std::optional<Instant> deadline_;

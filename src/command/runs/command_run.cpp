@@ -1,5 +1,6 @@
 #include "runs/command_run.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -45,7 +46,8 @@ CommandRun::CommandRun(CommandOrder order, const RunContext& context, Instant no
       sent_at_(now),
       clock_(now, context.settings.unplanned_motion_timeout),
       evidence_(context.robot, context.settings, context.arm, order_.target),
-      reports_(order_.command_id_ack, plannedTime(order_)) {
+      reports_(order_.command_id_ack, plannedTime(order_)),
+      stop_in_front_(context.stop.last()) {
   script_id_ =
       context_.link.sendScript(fmt::format("{}", fmt::join(order_.lines, "\r\n")), now, order_.reply_timeout);
   tell(blocks::Phase::Sent, "sent to the controller", now);
@@ -55,6 +57,18 @@ void CommandRun::cancel(const std::string& why, Instant now) {
   if (!order_.moves || !mayBeCancelled()) return;
   cancelled_why_ = why;
   fire(Event::Cancel, now);
+}
+
+std::optional<std::size_t> CommandRun::markOf(int tag) const {
+  const auto& marks = order_.mark_tags;
+  const auto found = std::find(marks.begin() + static_cast<std::ptrdiff_t>(passed_), marks.end(), tag);
+  if (found == marks.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - marks.begin());
+}
+
+void CommandRun::passMark(std::size_t mark) {
+  while (passed_ < mark) context_.tags.abandon(order_.mark_tags[passed_++]);
+  passed_ = mark + 1;
 }
 
 bool CommandRun::mayBeCancelled() const {
@@ -69,7 +83,8 @@ void CommandRun::abandon(const std::string& why, Instant now) {
   end(blocks::commandAborted(why), now);
 }
 
-void CommandRun::tagCompleted(Instant now) {
+void CommandRun::tagCompleted(bool followed, Instant now) {
+  followed_ = followed;
   fire(Event::TagComplete, now);
 }
 
@@ -217,9 +232,11 @@ void CommandRun::askTag(bool early, Instant now) {
   context_.link.queryTag(*order_.tag, now);
 }
 
+/// What several commands need in one event is one stop.
 void CommandRun::askForStop(Instant now) {
   clock_.clear();
-  context_.stop.ask(order_.target, now);
+  const bool is_asked = context_.stop.last() > stop_in_front_ && context_.stop.lastAt() == now;
+  if (!is_asked) context_.stop.ask(order_.target, now);
   stop_ = context_.stop.last();
 }
 
@@ -228,7 +245,7 @@ void CommandRun::askForStop(Instant now) {
 void CommandRun::beginVerifying(Instant now) {
   if (!tag_seen_at_) tag_seen_at_ = now;
   clock_.clear();  // its time begins with the first frame behind the tag
-  if (!order_.stands_at_end || !context_.robot.tellsMotion()) fire(Event::Verified, now);
+  if (followed_ || !order_.stands_at_end || !context_.robot.tellsMotion()) fire(Event::Verified, now);
 }
 
 void CommandRun::verify(Instant now) {
@@ -280,7 +297,8 @@ void CommandRun::lookForReason(Instant now) {
 
 void CommandRun::end(blocks::Outcome outcome, Instant now) {
   clock_.clear();
-  if (order_.tag) context_.tags.abandon(*order_.tag);
+  if (order_.tag && !tag_seen_at_) context_.tags.abandon(*order_.tag);
+  for (std::size_t i = passed_; i < order_.mark_tags.size(); ++i) context_.tags.abandon(order_.mark_tags[i]);
   outcome.command_id_ack = order_.command_id_ack;
   if (order_.plan) outcome.planned = order_.plan->duration;
   if (tag_seen_at_) {

@@ -4,6 +4,7 @@
 // in its order. Its time, what the status stream shows of it, and what is told of it are parts of their own.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,8 +46,14 @@ class CommandRun {
   void abandon(const std::string& why, Instant now);
 
   void answered(const link::ScriptAnswered& answer, Instant now);
-  /// The tag, open until now, was reported complete: Done, when the status stream shows it too.
-  void tagCompleted(Instant now);
+  /// The tag, open until now, was reported complete: Done, when the status stream shows it too. `followed`:
+  /// the robot goes on with the command behind it, so that it need not be seen to stand.
+  void tagCompleted(bool followed, Instant now);
+  /// One of its marks that it has not passed; nothing: it has none of that tag.
+  [[nodiscard]] std::optional<std::size_t> markOf(int tag) const;
+  /// That one was reported. Those in front of it are passed, too, though nobody said so: tags complete in
+  /// their order.
+  void passMark(std::size_t mark);
   void tagFailed(Instant now);
   /// The answer to the question that it asked, other than "complete".
   void tagIncomplete(protocol::TagState state, Instant now);
@@ -60,8 +67,12 @@ class CommandRun {
 
   [[nodiscard]] const CommandOrder& order() const { return order_; }
   [[nodiscard]] bool accepted() const { return accepted_at_.has_value(); }
+  /// For how long the controller has had it, less the holds.
+  [[nodiscard]] Duration waited(Instant now) const { return clock_.waited(now); }
   [[nodiscard]] bool stopping() const { return state_ == CommandRunState::Stopping; }
   [[nodiscard]] bool mayBeCancelled() const;
+  /// It has the robot stopped, or had.
+  [[nodiscard]] bool asksForStop() const { return stop_ > stop_in_front_; }
   [[nodiscard]] bool ended() const { return state_ == CommandRunState::Ended; }
   /// Precondition: ended().
   [[nodiscard]] const blocks::Outcome& outcome() const { return outcome_; }
@@ -105,7 +116,10 @@ class CommandRun {
   robot::ReasonWait reason_;
   blocks::Failure failure_;
   Robot robot_on_failure_ = Robot::LeaveIt;
-  StopRun::Number stop_ = 0;  ///< that it has asked for
+  std::size_t passed_ = 0;         ///< of its marks
+  StopRun::Number stop_in_front_;  ///< the last one when it was sent
+  StopRun::Number stop_ = 0;       ///< that it has asked for
+  bool followed_ = false;          ///< the command behind it takes the robot over
   std::string cancelled_why_;
   std::string stopped_how_;
   blocks::Outcome outcome_;

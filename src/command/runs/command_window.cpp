@@ -1,6 +1,7 @@
 #include "runs/command_window.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/deadline.h"
@@ -42,13 +43,25 @@ std::optional<blocks::Failure> CommandWindow::prepare(CommandOrder& order, const
   order.exits_afterwards = traits.exits_node && traits.awaits_motion;
   if (auto closed = objectionTo(order, now)) return closed;
   // A tag is opened last, for what will be sent.
-  if (traits.awaits_motion) {
-    order.tag = context_.tags.open(traits.command_id);
-    if (!order.tag) return blocks::Failure{blocks::own_error::kNoFreeTag, "", ""};
+  if (traits.awaits_motion && !openTags(order, traits.command_id)) {
+    return blocks::Failure{blocks::own_error::kNoFreeTag, "", ""};
   }
   order.command_id_ack = traits.command_id != 0 ? traits.command_id : order.tag.value_or(0);
+  addMarks(order);
   addLastLines(order);
   return std::nullopt;
+}
+
+bool CommandWindow::openTags(CommandOrder& order, int command_id) {
+  for (std::size_t i = 0; i < order.marks.size(); ++i) {
+    const auto tag = context_.tags.open();
+    if (!tag) break;
+    order.mark_tags.push_back(*tag);
+  }
+  if (order.mark_tags.size() == order.marks.size()) order.tag = context_.tags.open(command_id);
+  if (order.tag) return true;
+  for (const int tag : std::exchange(order.mark_tags, {})) context_.tags.abandon(tag);
+  return false;
 }
 
 std::optional<blocks::Failure> CommandWindow::objectionTo(const CommandOrder& order, Instant now) const {
@@ -94,10 +107,13 @@ void CommandWindow::leaveNode(Ended done, Instant now) {
 
 // --- What is there.
 
-std::optional<Origin> CommandWindow::end() const {
+std::optional<Origin> CommandWindow::end(Instant now) const {
   if (ordered_.empty()) return std::nullopt;
   const CommandRun& last = ordered_.back().run;
-  return last.order().plan && !last.stopping() ? std::make_optional(last.order().plan->end) : std::nullopt;
+  if (!last.order().plan || last.stopping()) return std::nullopt;
+  Origin end = last.order().plan->end;
+  end.arrival = last.order().plan->arrival + last.waited(now);
+  return end;
 }
 
 bool CommandWindow::mayMove() const {
@@ -123,8 +139,9 @@ std::optional<robot::Target> CommandWindow::target() const {
 
 // --- Events.
 
+/// The last one first: the stop of them all is on the way to its target.
 void CommandWindow::cancel(const std::string& why, Instant now) {
-  for (Sent& sent : ordered_) sent.run.cancel(why, now);
+  for (auto sent = ordered_.rbegin(); sent != ordered_.rend(); ++sent) sent->run.cancel(why, now);
 }
 
 void CommandWindow::abandon(const std::string& why, Instant now) {
@@ -145,20 +162,37 @@ void CommandWindow::answered(const link::ScriptAnswered& event, Instant now) {
 }
 
 bool CommandWindow::tagReported(const link::TagReported& event, Instant now) {
-  const auto sent = std::find_if(ordered_.begin(), ordered_.end(),
-                                 [&](const Sent& s) { return s.run.order().tag == event.tag; });
+  const auto sent = std::find_if(ordered_.begin(), ordered_.end(), [&](const Sent& s) {
+    return s.run.order().tag == event.tag || s.run.markOf(event.tag);
+  });
   if (sent == ordered_.end() || !context_.tags.isOpen(event.tag)) return false;
-  CommandRun& run = sent->run;
   if (event.state == protocol::TagState::Complete) {
-    if (!context_.tags.complete(event.tag)) return true;
-    forecast_.arrived(run.order(), now);
-    run.tagCompleted(now);
+    complete(sent, event.tag, now);
+  } else if (sent->run.order().tag != event.tag) {
+    return true;  // a mark is nobody's end: what becomes of the command, its own tag tells
   } else if (event.asked) {
-    run.tagIncomplete(event.state, now);
+    sent->run.tagIncomplete(event.state, now);
   } else if (event.state == protocol::TagState::Incomplete) {
-    run.tagFailed(now);
+    sent->run.tagFailed(now);
   }
   return true;
+}
+
+void CommandWindow::complete(std::list<Sent>::iterator sent, int tag, Instant now) {
+  if (!context_.tags.complete(tag)) return;
+  CommandRun& run = sent->run;
+  if (run.order().tag != tag) {
+    passMark(run, tag);
+    return;
+  }
+  forecast_.arrived(run.order(), now);
+  run.tagCompleted(std::next(sent) != ordered_.end(), now);
+}
+
+void CommandWindow::passMark(CommandRun& run, int tag) {
+  const std::size_t mark = *run.markOf(tag);
+  run.passMark(mark);
+  passed_.emplace_back(run.order().key, mark);
 }
 
 void CommandWindow::tagQueryFailed(const link::TagQueryFailed& event, Instant now) {
@@ -215,14 +249,25 @@ CommandWindow::Ended CommandWindow::endOf(const CommandRun& run) {
           order.stops_unanswered};
 }
 
-std::optional<CommandWindow::Ended> CommandWindow::takeEnded() {
+void CommandWindow::takeAlong(std::list<Sent>::iterator failed, Instant now) {
+  const auto first = failed->run.asksForStop() ? ordered_.begin() : std::next(failed);
+  for (auto sent = ordered_.end(); sent != first;) {
+    --sent;
+    if (sent != failed) sent->run.cancel("a command beside it failed", now);
+  }
+}
+
+std::optional<CommandWindow::Ended> CommandWindow::takeEnded(Instant now) {
   const auto first =
       std::find_if(ordered_.begin(), ordered_.end(), [](const Sent& sent) { return sent.run.ended(); });
   if (first == ordered_.end()) return std::nullopt;
   Ended ended = endOf(first->run);
   if (first->motion_in_front) ended.outcome = withMotion(ended.outcome, *first->motion_in_front);
+  if (ended.outcome.ending == blocks::Ending::Aborted) {
+    takeAlong(first, now);
+    forecast_.forgetPath();
+  }
   ordered_.erase(first);
-  if (ended.outcome.ending == blocks::Ending::Aborted) forecast_.forgetPath();
   return ended;
 }
 

@@ -1,8 +1,8 @@
 // The commands that the controller has and that have not ended: those of the goal whose turn it is, in the
 // order of sending, and those that go out beside all others.
 //
-// Each has its key, by which its goal is told of it. Turns sends one behind the other: what is planned behind
-// one that waits for its tag, and what falls with one that fails, is for whoever sends several.
+// Each has its key, by which its goal is told of it. With one that fails those fall that are behind it; those
+// in front of it only where the robot is stopped for it.
 #pragma once
 
 #include <list>
@@ -51,8 +51,8 @@ class CommandWindow {
   [[nodiscard]] std::size_t size() const { return ordered_.size(); }
   [[nodiscard]] bool empty() const { return ordered_.empty(); }
   [[nodiscard]] bool nothingBeside() const { return beside_.empty(); }
-  /// Where the last one will leave the robot, when that is planned and it is not being stopped.
-  [[nodiscard]] std::optional<Origin> end() const;
+  /// Where the next one starts, behind the last one: nothing when that is not planned, or is being stopped.
+  [[nodiscard]] std::optional<Origin> end(Instant now) const;
   /// The controller may be moving the robot for one of them.
   [[nodiscard]] bool mayMove() const;
   /// A cancel of them all sends a stop.
@@ -78,8 +78,12 @@ class CommandWindow {
 
   // --- Out: what is new since the last call.
   [[nodiscard]] std::vector<std::pair<blocks::CommandKey, blocks::Progress>> takeProgress();
+  /// The last mark of each command that has come to one.
+  [[nodiscard]] std::vector<std::pair<blocks::CommandKey, std::size_t>> takePassed() {
+    return std::exchange(passed_, {});
+  }
   /// The first that has ended.
-  [[nodiscard]] std::optional<Ended> takeEnded();
+  [[nodiscard]] std::optional<Ended> takeEnded(Instant now);
   [[nodiscard]] std::vector<Ended> takeEndedBeside();
 
  private:
@@ -91,6 +95,12 @@ class CommandWindow {
     std::optional<blocks::Outcome> motion_in_front;  ///< of an exit: how that ended
   };
   [[nodiscard]] static Ended endOf(const CommandRun& run);
+  /// False: all tags are open.
+  [[nodiscard]] bool openTags(CommandOrder& order, int command_id);
+  void passMark(CommandRun& run, int tag);
+  void complete(std::list<Sent>::iterator sent, int tag, Instant now);
+  /// With one that failed.
+  void takeAlong(std::list<Sent>::iterator failed, Instant now);
 
   /// By the gate.
   [[nodiscard]] std::optional<blocks::Failure> objectionTo(const CommandOrder& order, Instant now) const;
@@ -100,6 +110,7 @@ class CommandWindow {
   Gate gate_;
   std::list<Sent> ordered_;
   std::list<CommandRun> beside_;
+  std::vector<std::pair<blocks::CommandKey, std::size_t>> passed_;
 };
 
 }  // namespace cobot_command::command

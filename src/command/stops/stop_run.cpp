@@ -49,6 +49,7 @@ void StopRun::ask(const std::optional<robot::Target>& target, Instant now) {
   tags_.renewEpoch();
   Stop stop;
   stop.result.number = ++last_;
+  last_at_ = now;
   stop.result.target = target;
   stop.told = hasToBeTold();
   stop.script_id = link_.sendScript(script::toText(script::ScriptCommand(script::StopAndClearBuffer{})), now);

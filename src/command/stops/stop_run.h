@@ -51,8 +51,9 @@ class StopRun {
   /// Whatever the state of the link: a stop is worth a try. Does nothing without a connection: then nobody
   /// can be told. `target`: where the robot was to go, if that is known.
   void ask(const std::optional<robot::Target>& target, Instant now);
-  /// The stop that was sent last.
+  /// The stop that was sent last, and when.
   [[nodiscard]] Number last() const { return last_; }
+  [[nodiscard]] std::optional<Instant> lastAt() const { return last_at_; }
   [[nodiscard]] bool busy() const { return !stops_.empty(); }
 
   void answered(const link::ScriptAnswered& answer, Instant now);
@@ -93,6 +94,7 @@ class StopRun {
   const robot::RobotWatch& robot_;
   const arm::ArmModel* arm_;  ///< nullptr: no model
   Number last_ = 0;
+  std::optional<Instant> last_at_;
   std::deque<Stop> stops_;  ///< that have not ended, in the order of sending
   std::deque<Result> results_;
 };

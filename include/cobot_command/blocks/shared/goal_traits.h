@@ -26,6 +26,7 @@ struct GoalTraits {
   bool check_only = false;     ///< to be planned and answered, as with Way::Plan
   bool halts = false;          ///< it can only take motion away from the robot
   bool tried_anyway = false;   ///< Way::Beside: on any connection, also one that is not known to listen
+  bool chains = false;         ///< behind another one of its block it waits, whatever its buffer_mode
   bool needs_base = false;     ///< a target in a tf frame: the active base has to be known
   std::optional<Duration> reply_timeout;  ///< other than that of the link
 };

@@ -1,6 +1,7 @@
 // What goes to the controller for a goal: lines of script, and what they mean.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@ namespace cobot_command::blocks {
 /// Without queue tag and exit.
 struct Order {
   std::vector<std::string> lines;
+  /// So many lines in front of each, rising: there the controller is to tell that it has come so far.
+  std::vector<std::size_t> marks;
   /// What the lines mean; absent when they are a raw script that says more than this layer knows.
   std::optional<std::vector<script::ScriptCommand>> commands;
   bool moves = false;         ///< a cancel has to stop the robot

@@ -2,8 +2,11 @@
 //
 // It says which command is to be sent next, and is told how that went and what becomes of the robot; sending
 // is the arbiter's. So every command lives on the wire in the same way, whatever block it is of.
+//
+// Other goals may join it on its way: then it is a chain, and each of them has its own end.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +22,16 @@
 
 namespace cobot_command::blocks {
 
+struct GoalProgress {
+  GoalId goal = 0;
+  Progress progress;
+};
+
+struct GoalEnd {
+  GoalId goal = 0;
+  Outcome outcome;
+};
+
 class Run {
  public:
   Run(Block block, GoalId goal) : block_(block), goal_(goal) {}
@@ -27,6 +40,7 @@ class Run {
   Run& operator=(const Run&) = delete;
 
   [[nodiscard]] Block block() const { return block_; }
+  /// Of a chain the one that is the first to end.
   [[nodiscard]] GoalId goal() const { return goal_; }
 
   /// The goal is accepted with its first command, or refused with it; else as its turn comes.
@@ -35,13 +49,17 @@ class Run {
   [[nodiscard]] virtual bool leavesMotions() const { return false; }
   /// It moves nothing: what is planned behind it begins where the robot is.
   [[nodiscard]] virtual bool leavesTheRobot() const { return false; }
-  /// What has to be sent now; nothing while a command is under way, or when there is nothing to send.
+  /// So many of its commands may be at the controller at once.
+  [[nodiscard]] virtual std::size_t window() const { return 1; }
+  /// What has to be sent now; nothing while it waits for what is under way, or when there is nothing to send.
   [[nodiscard]] virtual std::optional<Command> next() const { return std::nullopt; }
   /// Whether the exit_node of the command that is done now counts.
   [[nodiscard]] virtual bool leavesNode() const { return true; }
   // What becomes of the command of that key.
   virtual void commandStarted(CommandKey /*key*/) {}
   virtual void commandProgressed(CommandKey /*key*/, const Progress& /*progress*/) {}
+  /// It has come to that one of its marks (Order), and past all before that.
+  virtual void commandPassed(CommandKey /*key*/, std::size_t /*mark*/, Instant /*now*/) {}
   virtual void commandEnded(CommandKey /*key*/, const Outcome& /*outcome*/, Instant /*now*/) {}
   /// The command could not be sent.
   virtual void commandRefused(CommandKey /*key*/, const Failure& failure, Instant /*now*/) {
@@ -50,6 +68,8 @@ class Run {
 
   /// When a command is under way that one is cancelled too; its end is this one's.
   virtual void cancel(const std::string& why, Instant now) = 0;
+  /// The same, by a stop or a goal that takes over, and not by its client.
+  virtual void interrupt(const std::string& why, Instant now) { cancel(why, now); }
   /// Ends in its own time. Changes nothing behind a cancel.
   virtual void finish(FinishAfter /*after*/, Instant /*now*/) {}
   /// `patience`: how long the status stream may take to tell why; nothing: there is none.
@@ -60,19 +80,48 @@ class Run {
   virtual void advance(Instant /*now*/) {}
   [[nodiscard]] virtual std::optional<Instant> nextDeadline() const { return std::nullopt; }
 
-  /// Its one end; nothing as long as it is Busy.
+  // --- A chain.
+  /// Whether a goal of that block, the next one in the queue, is to join it now.
+  [[nodiscard]] virtual bool isJoinedBy(Block /*block*/) const { return false; }
+  /// Where a goal begins that joins it, for the plan of that one (PlanningScene::chain).
+  [[nodiscard]] virtual Detail chain() const { return {}; }
+  /// `planned`: what plan() found of it. False: the chain has gone on since, so that it has to be planned
+  /// anew.
+  [[nodiscard]] virtual bool join(GoalId /*goal*/, const Outcome& /*planned*/, Instant /*now*/) {
+    return false;
+  }
+  [[nodiscard]] virtual bool serves(GoalId goal) const { return goal == goal_; }
+  /// Takes a goal out, and those behind it, for which nothing needs to be stopped. False: cancel it all.
+  [[nodiscard]] virtual bool takeOut(GoalId /*goal*/, const std::string& /*why*/, Instant /*now*/) {
+    return false;
+  }
+  /// How many of its goals nothing was sent of yet.
+  [[nodiscard]] virtual std::size_t waiting() const { return 0; }
+
+  /// The end of the last of its goals, and so its own; nothing as long as it is Busy.
   [[nodiscard]] const std::optional<Outcome>& outcome() const { return outcome_; }
+  /// It ended so that nothing behind it may go on. Precondition: it has an outcome.
+  [[nodiscard]] virtual bool failed() const { return outcome_->ending == Ending::Aborted; }
   /// What is new since the last call.
-  [[nodiscard]] std::vector<Progress> takeProgress() { return std::exchange(progress_, {}); }
+  [[nodiscard]] std::vector<GoalProgress> takeProgress() { return std::exchange(progress_, {}); }
+  /// The goals that have ended before it, since the last call.
+  [[nodiscard]] std::vector<GoalEnd> takeEnded() { return std::exchange(ended_, {}); }
 
  protected:
-  void report(Progress progress) { progress_.push_back(std::move(progress)); }
+  void report(Progress progress) { report(goal_, std::move(progress)); }
+  void report(GoalId goal, Progress progress) { progress_.push_back({goal, std::move(progress)}); }
+  /// Of that goal, while others go on. Precondition: `first`, the first to end from now on, is one of these.
+  void endOne(GoalId goal, Outcome outcome, GoalId first) {
+    ended_.push_back({goal, std::move(outcome)});
+    goal_ = first;
+  }
   void end(Outcome outcome) { outcome_ = std::move(outcome); }
 
  private:
   Block block_;
   GoalId goal_;
-  std::vector<Progress> progress_;
+  std::vector<GoalProgress> progress_;
+  std::vector<GoalEnd> ended_;
   std::optional<Outcome> outcome_;
 };
 

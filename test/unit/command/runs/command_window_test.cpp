@@ -27,14 +27,17 @@ class CommandWindowTest : public ::testing::Test {
     link_.opened(now_);
   }
 
-  void send(const std::array<double, 6>& joints_deg, blocks::CommandKey key) {
+  void send(const std::array<double, 6>& joints_deg, blocks::CommandKey key,
+            const std::vector<std::size_t>& marks = {}) {
     const blocks::Goal goal = testing::moveJoints(joints_deg);
     blocks::Command command = *blocks::GoalRules(goal).command();
     command.key = key;
     CommandOrder order = forecast_.order(command).value();
+    order.marks = marks;
     takePlan(order, *forecast_.plan(order, forecast_.origin(now_)), forecast_.origin(now_));
     ASSERT_FALSE(window_.prepare(order, command.traits, now_));
     tags_of_[key] = *order.tag;
+    marks_of_[key] = order.mark_tags;
     window_.send(std::move(order), now_);
     ids_of_[key] = idOf(wire_.sent.back());
   }
@@ -56,7 +59,7 @@ class CommandWindowTest : public ::testing::Test {
   }
   std::vector<std::pair<blocks::CommandKey, blocks::Ending>> takeEnded() {
     std::vector<std::pair<blocks::CommandKey, blocks::Ending>> all;
-    while (const auto ended = window_.takeEnded()) all.emplace_back(ended->key, ended->outcome.ending);
+    while (const auto ended = window_.takeEnded(now_)) all.emplace_back(ended->key, ended->outcome.ending);
     return all;
   }
 
@@ -74,6 +77,7 @@ class CommandWindowTest : public ::testing::Test {
   Instant now_{};
   std::map<blocks::CommandKey, std::string> ids_of_;
   std::map<blocks::CommandKey, int> tags_of_;
+  std::map<blocks::CommandKey, std::vector<int>> marks_of_;
 };
 
 TEST_F(CommandWindowTest, sendsTheSecondWhileTheFirstIsUnderWay) {
@@ -109,6 +113,60 @@ TEST_F(CommandWindowTest, endsTheOneThatTheControllerRefusesAndKeepsTheOther) {
   window_.answered(reply(ids_of_[2], false), now_);
   EXPECT_THAT(takeEnded(), ElementsAre(std::pair(2U, blocks::Ending::Aborted)));
   EXPECT_EQ(window_.size(), 1U);
+}
+
+TEST_F(CommandWindowTest, stopsWhatWasSentBehindOneThatTheControllerRefuses) {
+  sendTwo();
+  window_.answered(reply(ids_of_[1], false), now_);
+  EXPECT_THAT(takeEnded(), ElementsAre(std::pair(1U, blocks::Ending::Aborted)));
+  EXPECT_THAT(wire_.sent.back(), HasSubstr("StopAndClearBuffer"));
+  stop_.answered(reply(idOf(wire_.sent.back()), true), now_);
+  while (const auto result = stop_.takeResult()) window_.stopEnded(*result, now_);
+  EXPECT_THAT(takeEnded(), ElementsAre(std::pair(2U, blocks::Ending::CommandAborted)));
+}
+
+TEST_F(CommandWindowTest, stopsAllOfThemWithOneStopWhenOneFailsInMotion) {
+  sendTwo();
+  accept(1);
+  accept(2);
+  const auto before = wire_.sent.size();
+  window_.tagReported({tags_of_[2], false, protocol::TagState::Incomplete}, now_);  // behind the first one
+  EXPECT_THAT(takeEnded(), ElementsAre(std::pair(2U, blocks::Ending::Aborted)));
+  EXPECT_EQ(wire_.sent.size(), before + 1);
+  EXPECT_THAT(wire_.sent.back(), HasSubstr("StopAndClearBuffer"));
+  stop_.answered(reply(idOf(wire_.sent.back()), true), now_);
+  while (const auto result = stop_.takeResult()) window_.stopEnded(*result, now_);
+  EXPECT_THAT(takeEnded(), ElementsAre(std::pair(1U, blocks::Ending::CommandAborted)));
+}
+
+TEST_F(CommandWindowTest, sendsOneStopForACancelOfThemAll) {
+  sendTwo();
+  accept(1);
+  accept(2);
+  const auto before = wire_.sent.size();
+  window_.cancel("cancelled", now_);
+  EXPECT_EQ(wire_.sent.size(), before + 1);
+}
+
+TEST_F(CommandWindowTest, tellsHowFarACommandHasComeByItsMarks) {
+  send(kAside, 1, {0, 1});
+  ASSERT_EQ(marks_of_[1].size(), 2U);
+  EXPECT_THAT(wire_.sent.back(), HasSubstr("QueueTag(" + std::to_string(marks_of_[1][0]) + ",0)\r\nPTP"));
+  accept(1);
+  EXPECT_TRUE(window_.tagReported({marks_of_[1][1], false, protocol::TagState::Complete}, now_));
+  EXPECT_THAT(window_.takePassed(), ElementsAre(std::pair(1U, 1U))) << "the report of the first one was lost";
+  EXPECT_TRUE(takeEnded().empty());
+  EXPECT_TRUE(complete(1));
+  EXPECT_THAT(takeEnded(), ElementsAre(std::pair(1U, blocks::Ending::Done)));
+  EXPECT_TRUE(tags_.openTags().empty());
+}
+
+TEST_F(CommandWindowTest, needNotSeeTheRobotStandWhereTheNextOneTakesItOver) {
+  sendTwo();
+  accept(1);
+  accept(2);
+  EXPECT_TRUE(complete(1));
+  EXPECT_THAT(takeEnded(), ElementsAre(std::pair(1U, blocks::Ending::Done)));
 }
 
 TEST_F(CommandWindowTest, endsAllWithTheLink) {
