@@ -51,7 +51,7 @@ bool PickAndPlaceRun::isLast() const {
   return step_ + 1 == goal_.steps.size() && goal_.cycles != 0 && cycle_ >= goal_.cycles;
 }
 
-void PickAndPlaceRun::commandProgressed(CommandKey /*key*/, const Progress& progress) {
+void PickAndPlaceRun::commandProgressed(CommandKey /*key*/, const Progress& progress, Instant /*now*/) {
   Progress mine = progress;
   mine.fraction = (static_cast<double>(step_) + progress.fraction) / static_cast<double>(goal_.steps.size());
   tell(std::move(mine));

@@ -38,7 +38,7 @@ class PickAndPlaceRun final : public Run {
     under_way_ = true;
     ++commands_;
   }
-  void commandProgressed(CommandKey key, const Progress& progress) override;
+  void commandProgressed(CommandKey key, const Progress& progress, Instant now) override;
   void commandEnded(CommandKey key, const Outcome& outcome, Instant now) override;
   void commandRefused(CommandKey key, const Failure& failure, Instant now) override;
 

@@ -17,7 +17,9 @@ class SingleCommand final : public Run {
     return sent_ ? std::nullopt : std::make_optional(command_);
   }
   void commandStarted(CommandKey /*key*/) override { sent_ = true; }
-  void commandProgressed(CommandKey /*key*/, const Progress& progress) override { report(progress); }
+  void commandProgressed(CommandKey /*key*/, const Progress& progress, Instant /*now*/) override {
+    report(progress);
+  }
   void commandEnded(CommandKey /*key*/, const Outcome& outcome, Instant /*now*/) override { end(outcome); }
   /// It is its command that is cancelled.
   void cancel(const std::string& /*why*/, Instant /*now*/) override {}

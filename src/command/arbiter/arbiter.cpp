@@ -41,7 +41,10 @@ void Arbiter::cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalI
   }
   if (queue_.drop(id, "cancelled before its turn") || plans_.cancel(id)) return;
   if (run != nullptr && run->serves(id)) {
-    if (turns_.takeOut(id, "cancelled", now)) return;
+    if (turns_.takeOut(id, "cancelled", now)) {
+      queue_.dropFirst(run->block(), cancelledInFront(run->block()));
+      return;
+    }
     queue_.dropAll(cancelledInFront(run->block()), newest.value_or(queue_.newest()));
     turns_.cancel("cancelled", now);
   } else if (connect.busy() && connect.goal() == id) {

@@ -41,6 +41,13 @@ std::optional<Waiting> GoalQueue::takeFirstIf(bool (*is_meant)(const Waiting&)) 
   return !empty() && is_meant(front()) ? std::make_optional(take()) : std::nullopt;
 }
 
+void GoalQueue::forgetTurn() {
+  if (!plansTheNext()) return;
+  forgetPlan(front().id);
+  front().found.reset();
+  front().turn = Waiting::Turn::NotYet;
+}
+
 bool GoalQueue::drop(blocks::GoalId id, const std::string& why) {
   const auto found = at(id);
   if (found == waiting_.end()) return false;
@@ -57,6 +64,10 @@ bool GoalQueue::drop(blocks::GoalId id, const std::string& why) {
     end(waiting, blocks::commandAborted(i == 0 ? why : in_front));
   }
   return true;
+}
+
+void GoalQueue::dropFirst(blocks::Block block, const std::string& why) {
+  while (!empty() && blockOf(front().goal) == block) end(waiting_.begin(), blocks::commandAborted(why));
 }
 
 void GoalQueue::refuse(blocks::GoalId id, blocks::Outcome refusal) {

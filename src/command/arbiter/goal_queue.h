@@ -70,10 +70,14 @@ class GoalQueue {
   void push(Waiting waiting);
   /// It is its turn. Precondition: not empty.
   [[nodiscard]] Waiting take();
+  /// What was planned of the first one, as its turn seemed to have come, does not hold any more.
+  void forgetTurn();
   /// One that was taken is the first again.
   void putBack(Waiting waiting) { waiting_.push_front(std::move(waiting)); }
   /// When it waits: one goal, that was cancelled, and what was to join its chain behind it.
   bool drop(blocks::GoalId id, const std::string& why);
+  /// Those of that block that are the first ones.
+  void dropFirst(blocks::Block block, const std::string& why);
   /// It cannot be made. Precondition: it waits.
   void refuse(blocks::GoalId id, blocks::Outcome refusal);
   /// All, and those that wait in front of the core: up to `newest`, the last that had come when `why` did.

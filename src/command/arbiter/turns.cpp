@@ -251,7 +251,9 @@ void Turns::send(Instant now) {
 // --- Ends.
 
 void Turns::settle(Instant now) {
-  for (const auto& [key, progress] : desks_.window.takeProgress()) run_->commandProgressed(key, progress);
+  for (const auto& [key, progress] : desks_.window.takeProgress()) {
+    run_->commandProgressed(key, progress, now);
+  }
   for (const auto& [key, mark] : desks_.window.takePassed()) run_->commandPassed(key, mark, now);
   while (auto ended = desks_.window.takeEnded(now)) endCommand(std::move(*ended), now);
   endRun(now);
@@ -286,6 +288,7 @@ void Turns::endRun(Instant now) {
   stopping_.reset();
   finishes_behind_motion_ = false;
   const auto done = std::exchange(run_, nullptr);
+  desks_.queue.forgetTurn();  // what was to join it begins by itself
   if (done->failed()) {
     if (done->leavesMotions()) desks_.stops.askIfMoving(now);
     // Before the end of the goal itself: its error is what the block shows then.
@@ -335,7 +338,7 @@ void Turns::stopBetweenCommands(const std::string& why, Instant now) {
   blocks::Progress progress;
   progress.phase = blocks::Phase::Stopping;
   progress.text = why + ", stopping the robot";
-  run_->commandProgressed(0, progress);
+  run_->commandProgressed(0, progress, now);
 }
 
 void Turns::stopEnded(const StopRun::Result& result, Instant now) {
@@ -391,7 +394,9 @@ void Turns::linkLost(const std::string& reason, Instant now) {
 
 void Turns::robotChanged(Instant now) {
   desks_.window.robotChanged(now);
-  if (run_) run_->robotChanged(parts_.robot, now);
+  if (!run_) return;
+  run_->robotChanged(parts_.robot, now);
+  if (const auto why = run_->stopsFor()) cancelWindow(*why, now);
 }
 
 void Turns::advance(Instant now) {

@@ -57,7 +57,7 @@ class Run {
   [[nodiscard]] virtual bool leavesNode() const { return true; }
   // What becomes of the command of that key.
   virtual void commandStarted(CommandKey /*key*/) {}
-  virtual void commandProgressed(CommandKey /*key*/, const Progress& /*progress*/) {}
+  virtual void commandProgressed(CommandKey /*key*/, const Progress& /*progress*/, Instant /*now*/) {}
   /// It has come to that one of its marks (Order), and past all before that.
   virtual void commandPassed(CommandKey /*key*/, std::size_t /*mark*/, Instant /*now*/) {}
   virtual void commandEnded(CommandKey /*key*/, const Outcome& /*outcome*/, Instant /*now*/) {}
@@ -65,6 +65,9 @@ class Run {
   virtual void commandRefused(CommandKey /*key*/, const Failure& failure, Instant /*now*/) {
     end(toOutcome(block(), Ending::Aborted, failure));
   }
+
+  /// Why what it has at the controller is to be stopped, by its own finding; nothing: it is not.
+  [[nodiscard]] virtual std::optional<std::string> stopsFor() const { return std::nullopt; }
 
   /// When a command is under way that one is cancelled too; its end is this one's.
   virtual void cancel(const std::string& why, Instant now) = 0;
