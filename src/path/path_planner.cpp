@@ -68,15 +68,23 @@ std::optional<PathRefusal> forEachPoint(const PathSection& section, const Visit&
   return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<PathRefusal> checkSection(const PathSection& section, const tables::DataTables& tables) {
+std::optional<PathRefusal> checkAgainst(const tables::DataTables* tables, const PathSection& section) {
   if (auto refusal = checkIndices(section)) return refusal;
   DynamicsOfGoal dynamics;
   return forEachPoint(section, [&](const PathPoint& point, int index) {
     auto refusal = dynamics.take(point, index);
     return refusal ? refusal : checkPoint(point, index, tables);
   });
+}
+
+}  // namespace
+
+std::optional<PathRefusal> checkSection(const PathSection& section, const tables::DataTables& tables) {
+  return checkAgainst(&tables, section);
+}
+
+std::optional<PathRefusal> checkSection(const PathSection& section) {
+  return checkAgainst(nullptr, section);
 }
 
 /// One section, behind what is planned already.

@@ -87,19 +87,20 @@ bool usesFrame(const PathPoint& point) {
   return hasReference(point) && is(point.ref_frame_type, Reference::User);
 }
 
-Finding checkEntries(const PathPoint& point, int index, const tables::DataTables& tables) {
+Finding checkEntries(const PathPoint& point, int index, const tables::DataTables* tables) {
   Finding found;
   if (usesTool(point)) found = checkIndex(path_error::kToolIndex, index, "pose_id", point.pose_id);
   if (!found && usesFrame(point)) {
     found = checkIndex(path_error::kFrameIndex, index, "ref_frame_id", point.ref_frame_id);
   }
+  if (tables == nullptr) return found;
   if (!found && usesTool(point)) {
     found =
-        checkConfigured(path_error::kToolNotConfigured, index, tables.toolInFlange(point.pose_id), "tools");
+        checkConfigured(path_error::kToolNotConfigured, index, tables->toolInFlange(point.pose_id), "tools");
   }
   if (!found && usesFrame(point)) {
     found = checkConfigured(path_error::kFrameNotConfigured, index,
-                            tables.frameInRobotBase(point.ref_frame_id), "frames");
+                            tables->frameInRobotBase(point.ref_frame_id), "frames");
   }
   return found;
 }
@@ -151,7 +152,7 @@ bool hasMovedFrame(const PathPoint& point) {
   return hasPose(point) || !is(point.interpolation, Interpolation::Ptp);
 }
 
-Finding checkPoint(const PathPoint& point, int index, const tables::DataTables& tables) {
+Finding checkPoint(const PathPoint& point, int index, const tables::DataTables* tables) {
   Finding found =
       checkNumber(path_error::kMoveType, index, "move_type", point.move_type, 1, "ABSOLUTE 0, INCREMENTAL 1");
   if (!found) {

@@ -10,9 +10,10 @@
 namespace cobot_command::path {
 
 /// 1017 to 1032; 1013 to 1015 are those of DynamicsOfGoal. Fields that the point makes no use of are not
-/// looked at: the pose of a joint target, the tolerance of a stop.
+/// looked at: the pose of a joint target, the tolerance of a stop. `tables`: nullptr: what is in them is not
+/// looked at (1031, 1032).
 [[nodiscard]] std::optional<PathRefusal> checkPoint(const PathPoint& point, int index,
-                                                    const tables::DataTables& tables);
+                                                    const tables::DataTables* tables);
 
 /// What is checked only once all points are right so far, as it belongs to planning: 1035, 1037, 1058.
 [[nodiscard]] std::optional<PathRefusal> checkTarget(const PathPoint& point, int index);

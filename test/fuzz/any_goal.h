@@ -139,6 +139,32 @@ class AnyGoal {
     return goal;
   }
 
+  blocks::LoadPathGoal any(const blocks::LoadPathGoal* /*kind*/) {
+    auto goal = testing::good<blocks::LoadPathGoal>();
+    goal.path.resize(input_.choice(kMostSteps + 1), goal.path.front());
+    goal.number_of_moves = static_cast<int>(goal.path.size());
+    for (path::PathPoint& point : goal.path) {
+      begin();
+      vary(point.move_id, point.move_type, point.target_type, point.interpolation, point.pose,
+           point.pose_type, point.pose_id, point.ref_frame_type, point.ref_frame_id, point.joints,
+           point.via_pose, point.termination_type, point.command_tolerance, point.robot_configuration,
+           point.profile_type);
+      begin();
+      vary(point.speed, point.acceleration, point.deceleration, point.acceleration_jerk,
+           point.deceleration_jerk, point.orientation_speed, point.orientation_acceleration,
+           point.orientation_deceleration, point.tracking_axis_position);
+      const bool is_ptp = is(point.interpolation, path::Interpolation::Ptp);
+      if (plans_ && !is_ptp && point.speed > 0 && point.speed < kSlowestPlannedPath) {
+        point.speed += kSlowestPlannedPath;
+      }
+    }
+    begin();
+    varyFault(goal.path_fault);
+    vary(goal.start_index, goal.number_of_moves, goal.enable_tracking_0, goal.enable_tracking_1,
+         goal.execution, goal.allow_approximation, goal.buffer_mode, goal.max_deviation, goal.check_only);
+    return goal;
+  }
+
   blocks::StopGoal any(const blocks::StopGoal* /*kind*/) { return {}; }
 
   blocks::ChangeLoadGoal any(const blocks::ChangeLoadGoal* /*kind*/) {

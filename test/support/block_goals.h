@@ -1,6 +1,7 @@
 // Good goals of the function blocks, and what the checks say of changed ones.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -91,6 +92,37 @@ inline blocks::PickAndPlaceGoal good() {
   blocks::PickAndPlaceGoal goal;
   goal.steps.push_back(
       {good<blocks::MoveAbsoluteGoal>(), blocks::SetOutputGoal{0, "EndModule", 0, 1}, std::nullopt, 2});
+  return goal;
+}
+
+/// A PTP to joints at the speeds of its kind.
+[[nodiscard]] inline path::PathPoint pathPoint(const std::array<double, 9>& joints_deg) {
+  path::PathPoint point;
+  point.joints = joints_deg;
+  point.speed = 60;
+  point.acceleration = point.deceleration = 120;
+  return point;
+}
+/// A straight way to that pose of the flange.
+[[nodiscard]] inline path::PathPoint pathLine(const arm::ControllerPose& pose) {
+  path::PathPoint point;
+  point.target_type = static_cast<int>(path::TargetType::Cartesian);
+  point.interpolation = static_cast<int>(path::Interpolation::Linear);
+  point.pose = pose;
+  point.speed = 100;
+  point.acceleration = point.deceleration = 500;
+  point.orientation_speed = 60;
+  point.orientation_acceleration = point.orientation_deceleration = 120;
+  return point;
+}
+
+/// Three points at which the robot stops, from joints 0, 0, 90, 0, 90, 0 on.
+template <>
+inline blocks::LoadPathGoal good() {
+  blocks::LoadPathGoal goal;
+  goal.path = {pathPoint({10, 0, 90, 0, 90, 0}), pathPoint({10, 0, 100, 0, 80, 0}),
+               pathPoint({0, 0, 90, 0, 90, 0})};
+  goal.number_of_moves = 3;
   return goal;
 }
 

@@ -13,6 +13,7 @@
 #include "cobot_command/blocks/check_sequence.h"
 #include "cobot_command/blocks/connect.h"
 #include "cobot_command/blocks/exit_listen_node.h"
+#include "cobot_command/blocks/load_path.h"
 #include "cobot_command/blocks/move_absolute.h"
 #include "cobot_command/blocks/move_circle.h"
 #include "cobot_command/blocks/move_relative.h"
@@ -42,7 +43,8 @@ using Goal = std::variant<
     PickAndPlaceGoal,
     ChangeLoadGoal,
     SetOutputGoal,
-    WaitForInputGoal
+    WaitForInputGoal,
+    LoadPathGoal
     >;
 // clang-format on
 

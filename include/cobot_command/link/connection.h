@@ -59,6 +59,8 @@ struct LinkSettings {
   bool auto_reconnect = false;
   /// A robot that still moves when a link is made, from before, is told to stop.
   bool stop_orphaned_motion = true;
+  /// load_path takes goals while the status stream shows the manual mode.
+  bool path_in_manual_mode = false;
 };
 
 }  // namespace cobot_command::link

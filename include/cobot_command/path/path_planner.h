@@ -28,6 +28,8 @@ inline constexpr std::size_t kMostReferences = 3;
 /// 1010 to 1032: what is wrong with a section whoever plans it, the first point first.
 [[nodiscard]] std::optional<PathRefusal> checkSection(const PathSection& section,
                                                       const tables::DataTables& tables);
+/// The same before it is known what is in the tables by then: without 1031 and 1032.
+[[nodiscard]] std::optional<PathRefusal> checkSection(const PathSection& section);
 
 /// A value: a copy can be tried out and thrown away. Sections that are planned behind each other are one
 /// path: points 0..9 as one section, or as two, give the bit-identical trajectory, but that each section

@@ -31,6 +31,8 @@ class RobotWatch {
   [[nodiscard]] bool paused() const { return status_ && status_->project_paused.value_or(false); }
   [[nodiscard]] bool tellsPause() const { return status_ && status_->project_paused; }
   [[nodiscard]] bool emergencyStop() const { return status_ && status_->emergency_stop.value_or(false); }
+  /// Nobody but who holds the pendant may move the robot.
+  [[nodiscard]] bool manualMode() const { return status_ && status_->operating_mode == kManual; }
   /// The controller is in an error that nobody has acknowledged.
   [[nodiscard]] bool inError() const { return showsError() && !error_acknowledged_; }
   [[nodiscard]] bool showsError() const { return status_ && status_->error.value_or(false); }
@@ -52,6 +54,8 @@ class RobotWatch {
   [[nodiscard]] std::optional<std::array<double, 6>> toolInBaseMmDeg() const;
 
  private:
+  static constexpr int kManual = 2;  // of MA_Mode
+
   std::optional<link::RobotStatus> status_;
   Standstill standstill_;
   bool error_acknowledged_ = false;

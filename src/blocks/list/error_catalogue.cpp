@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "cobot_command/blocks/goal.h"
 
@@ -25,7 +28,34 @@ std::vector<ErrorEntry> errorsOf(const std::variant<Kinds...>* /*list*/) {
   return all;
 }
 
+template <class... Kinds>
+std::vector<std::vector<OwnNumber>> ownNumbersOf(const std::variant<Kinds...>* /*list*/) {
+  return {Kinds::errors().ownNumbers()...};
+}
+
 constexpr const Goal* kList = nullptr;
+
+/// In the order in which they decide.
+const std::vector<OwnNumber>& ownNumbersOf(Block block) {
+  static const std::vector<std::vector<OwnNumber>> kNumbers = ownNumbersOf(kList);
+  return kNumbers.at(static_cast<std::size_t>(block));
+}
+
+bool isDecimal(int id) {
+  constexpr int kFirst = 1000;
+  constexpr int kLast = 1999;
+  return id >= kFirst && id <= kLast;
+}
+
+/// Its place among the errors of a block: own numbers of common failures, then those of the book that the
+/// block is from, then this layer's.
+std::tuple<std::size_t, bool, int> placeOf(Block block, int id) {
+  const int own = ownErrorId(block, id);
+  const auto& first = ownNumbersOf(block);
+  const auto found =
+      std::find_if(first.begin(), first.end(), [own](const OwnNumber& number) { return number.own == own; });
+  return {static_cast<std::size_t>(found - first.begin()), !isDecimal(own), own};
+}
 
 }  // namespace
 
@@ -45,6 +75,28 @@ const ErrorEntry* findError(Block block, int id) {
       all.begin(), all.end(), std::pair(block, id),
       [](const ErrorEntry& entry, auto wanted) { return std::pair(entry.block, entry.id) < wanted; });
   return found != all.end() && found->block == block && found->id == id ? &*found : nullptr;
+}
+
+int ownErrorId(Block block, int id) {
+  const auto& numbers = ownNumbersOf(block);
+  const auto found =
+      std::find_if(numbers.begin(), numbers.end(), [id](const OwnNumber& n) { return n.general == id; });
+  return found == numbers.end() ? id : found->own;
+}
+
+int generalErrorId(Block block, int id) {
+  const auto& numbers = ownNumbersOf(block);
+  const auto found =
+      std::find_if(numbers.begin(), numbers.end(), [id](const OwnNumber& n) { return n.own == id; });
+  return found == numbers.end() ? id : found->general;
+}
+
+bool decidesBefore(Block block, int id, int other) {
+  return placeOf(block, id) < placeOf(block, other);
+}
+
+std::string errorNumber(int id) {
+  return isDecimal(id) ? fmt::format("{}", id) : fmt::format("16#{:X}", id);
 }
 
 }  // namespace cobot_command::blocks

@@ -5,6 +5,7 @@
 #include "list/block_kinds.h"
 #include <fmt/format.h>
 
+#include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
 
@@ -64,13 +65,14 @@ void PickAndPlaceRun::commandEnded(CommandKey /*key*/, const Outcome& outcome, I
 void PickAndPlaceRun::endPart(const Outcome& outcome, Instant now) {
   under_way_ = false;
   if (outcome.ending == Ending::Aborted || outcome.ending == Ending::Rejected) {
-    if (outcome.error_id == motion_error::kLinkDropped) {
+    if (isError(blockOfPart(), outcome.error_id, motion_error::kLinkDropped)) {
       fail(failureOf(blockOfPart(), outcome), now);
       return;
     }
     const int id = state_ == State::Setting ? own_error::kOutputFailed : own_error::kStepFailed;
     // Nobody who gave an output has lines to correct: 16#257 has a remedy of its own.
-    const bool refused_output = state_ == State::Setting && outcome.error_id == motion_error::kRejected;
+    const bool refused_output =
+        state_ == State::Setting && isError(blockOfPart(), outcome.error_id, motion_error::kRejected);
     failStep(id, {outcome.error_id, outcome.error_description, ""}, refused_output ? "" : outcome.remedy,
              now);
     return;
@@ -120,8 +122,8 @@ void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::st
                      : state_ == State::Waiting ? "the input of "
                                                 : "";
   fail({error_id,
-        fmt::format("{}step {} of {}, cycle {}: 16#{:X} {}", part, step_ + 1, goal_.steps.size(), cycle_,
-                    step_failure.error_id, step_failure.found),
+        fmt::format("{}step {} of {}, cycle {}: {} {}", part, step_ + 1, goal_.steps.size(), cycle_,
+                    errorNumber(step_failure.error_id), step_failure.found),
         remedy},
        now);
 }

@@ -57,10 +57,11 @@ Failure tooManyWait(std::size_t waiting) {
 }
 
 Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
-  const ErrorEntry& entry = entryOf(block, failure.error_id);
+  const int id = ownErrorId(block, failure.error_id);
+  const ErrorEntry& entry = entryOf(block, id);
   Outcome outcome;
   outcome.ending = ending;
-  outcome.error_id = failure.error_id;
+  outcome.error_id = id;
   outcome.error_description = describe(entry, failure.found);
   outcome.remedy = failure.remedy.empty() ? entry.remedy : failure.remedy;
   outcome.detail = failure.detail;
@@ -71,7 +72,8 @@ Failure failureOf(Block block, const Outcome& outcome) {
   const std::string& text = outcome.error_description;
   const std::string introduction = describe(entryOf(block, outcome.error_id), "") + ": ";
   const bool introduced = text.compare(0, introduction.size(), introduction) == 0;
-  return {outcome.error_id, introduced ? text.substr(introduction.size()) : "", outcome.remedy};
+  return {generalErrorId(block, outcome.error_id), introduced ? text.substr(introduction.size()) : "",
+          outcome.remedy};
 }
 
 Outcome commandAborted(std::string why) {
@@ -81,17 +83,18 @@ Outcome commandAborted(std::string why) {
   return outcome;
 }
 
-void sortByTable(std::vector<Failure>& failures) {
-  std::stable_sort(failures.begin(), failures.end(),
-                   [](const Failure& a, const Failure& b) { return a.error_id < b.error_id; });
+void sortByTable(Block block, std::vector<Failure>& failures) {
+  std::stable_sort(failures.begin(), failures.end(), [block](const Failure& a, const Failure& b) {
+    return decidesBefore(block, a.error_id, b.error_id);
+  });
 }
 
 Outcome toRejection(Block block, const std::vector<Failure>& failures) {
   Outcome outcome = toOutcome(block, Ending::Rejected, failures.front());
   for (std::size_t i = 1; i < failures.size(); ++i) {
-    const int id = failures[i].error_id;
+    const int id = ownErrorId(block, failures[i].error_id);
     outcome.error_description +=
-        fmt::format("; also 16#{:X} {}", id, describe(entryOf(block, id), failures[i].found));
+        fmt::format("; also {} {}", errorNumber(id), describe(entryOf(block, id), failures[i].found));
   }
   return outcome;
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
@@ -18,9 +19,10 @@ SequenceReport blaming(std::size_t step, int error_id, std::string error_descrip
 }
 
 Failure stepRefused(std::size_t step, std::size_t count, const Outcome& own) {
-  return {own_error::kStepRefused,
-          fmt::format("step {} of {}: 16#{:X} {}", step + 1, count, own.error_id, own.error_description),
-          own.remedy, Detail(blaming(step, own.error_id, own.error_description + ". " + own.remedy))};
+  return {
+      own_error::kStepRefused,
+      fmt::format("step {} of {}: {} {}", step + 1, count, errorNumber(own.error_id), own.error_description),
+      own.remedy, Detail(blaming(step, own.error_id, own.error_description + ". " + own.remedy))};
 }
 
 std::string foundSteps(std::size_t count, std::size_t most) {

@@ -243,6 +243,11 @@ ErrorTable& ErrorTable::remedy(int id, const char* remedy) {
   return *this;
 }
 
+ErrorTable& ErrorTable::instead(std::initializer_list<OwnNumber> numbers) {
+  own_numbers_.insert(own_numbers_.end(), numbers);
+  return *this;
+}
+
 ErrorTable& ErrorTable::thesisCommand() {
   return shared({motion_error::kClearBuffer, motion_error::kChecksumLength, motion_error::kFrameBuilding,
                  motion_error::kSend});

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/deadline.h"
 
@@ -151,7 +152,8 @@ void Arbiter::settleStops(Instant now) {
 void Arbiter::settleBeside(Instant now) {
   const char* unanswered = nullptr;
   for (const CommandWindow::Ended& ended : window_.takeEndedBeside()) {
-    const bool got_no_reply = ended.outcome.error_id == blocks::motion_error::kReceiveReply;
+    const bool got_no_reply =
+        isError(ended.block, ended.outcome.error_id, blocks::motion_error::kReceiveReply);
     if (got_no_reply && ended.stops_unanswered) unanswered = toString(ended.block);
     parts_.board.end(ended.block, ended.goal, ended.outcome);
   }

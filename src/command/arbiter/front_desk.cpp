@@ -24,7 +24,8 @@ void FrontDesk::take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
     parts_.board.abortAsItComes(blockOf(goal), id, *why);
     return;
   }
-  const blocks::GoalTraits traits = blocks::GoalRules(goal).traits();
+  blocks::GoalTraits traits = blocks::GoalRules(goal).traits();
+  traits.buffer_mode = turns_.modeOf(blockOf(goal), traits);
   switch (traits.way) {
     case blocks::Way::Link:
       connect(id, goal, now);
@@ -42,7 +43,7 @@ void FrontDesk::take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
       if (traits.check_only) {
         answerByPlan(id, goal, now);
       } else {
-        queueUp(id, goal, turns_.modeOf(blockOf(goal), traits), now);
+        queueUp(id, goal, traits, now);
       }
       return;
   }
@@ -80,7 +81,7 @@ void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant 
   if (!tried_anyway && parts_.robot.emergencyStop()) {
     failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
   }
-  blocks::sortByTable(failures);
+  sortByTable(blockOf(goal), failures);
   if (rejected(id, goal, failures)) return;
   const blocks::Command command = *rules.command();
   parts_.board.accept(command.block, id, command.traits.command_id);
@@ -92,16 +93,17 @@ void FrontDesk::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instan
   if (const auto waiting = desks_.planning.checks(); waiting >= kMostWaiting) {
     failures.push_back(blocks::tooManyWait(waiting));
   }
-  blocks::sortByTable(failures);
+  sortByTable(blockOf(goal), failures);
   if (rejected(id, goal, failures)) return;
   desks_.plans.check(id, goal, now);
 }
 
-void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now) {
+void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, const blocks::GoalTraits& traits,
+                        Instant now) {
   Failures failures = blocks::GoalRules(goal).violations();
-  append(failures, turns_.objectionsToAny(mode));
-  blocks::sortByTable(failures);
-  if (!rejected(id, goal, failures)) enqueue(id, goal, mode, now);
+  append(failures, turns_.objectionsToAny(traits.buffer_mode, traits.needs_automatic));
+  sortByTable(blockOf(goal), failures);
+  if (!rejected(id, goal, failures)) enqueue(id, goal, traits.buffer_mode, now);
 }
 
 void FrontDesk::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now) {

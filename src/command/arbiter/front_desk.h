@@ -25,7 +25,7 @@ class FrontDesk {
   void sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant now);
   /// Planned from where the robot will be, and answered.
   void answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now);
-  void queueUp(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
+  void queueUp(blocks::GoalId id, const blocks::Goal& goal, const blocks::GoalTraits& traits, Instant now);
   void enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::BufferMode mode, Instant now);
   /// True when there are any: then it has ended with them.
   bool rejected(blocks::GoalId id, const blocks::Goal& goal, const std::vector<blocks::Failure>& failures);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
 #include "cobot_command/common/deadline.h"
@@ -14,9 +15,10 @@ namespace cobot_command::command {
 namespace {
 
 /// Nothing is known that speaks against it; it is only not known enough.
-bool couldNotBePlanned(const blocks::Outcome& found) {
-  return found.error_id == blocks::own_error::kStartUnknown ||
-         found.error_id == blocks::own_error::kNoModel || found.error_id == blocks::own_error::kBaseUnknown;
+bool couldNotBePlanned(blocks::Block block, const blocks::Outcome& found) {
+  const int id = generalErrorId(block, found.error_id);
+  return id == blocks::own_error::kStartUnknown || id == blocks::own_error::kNoModel ||
+         id == blocks::own_error::kBaseUnknown;
 }
 
 }  // namespace
@@ -25,8 +27,7 @@ Turns::Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder fra
     : parts_(parts),
       desks_(desks),
       frames_(std::move(frames)),
-      next_(parts.settings, parts.forecast, desks.planning,
-            [this](Instant now) { return originNow(now); }) {}
+      next_(parts.settings, parts.forecast, desks.planning, [this](Instant now) { return originNow(now); }) {}
 
 // --- What is there.
 
@@ -37,12 +38,17 @@ std::optional<blocks::Block> Turns::busyWith() const {
   return std::nullopt;
 }
 
-std::vector<blocks::Failure> Turns::objectionsToAny(blocks::BufferMode mode) const {
+std::vector<blocks::Failure> Turns::objectionsToAny(blocks::BufferMode mode, bool needs_automatic) const {
   Failures failures = parts_.keeper.objectionsToCommands();
   if (failures.empty() && !parts_.keeper.run().ready()) {
     return {{blocks::motion_error::kNotConnected, "the first status frame is still awaited", "Wait for it"}};
   }
-  if (!failures.empty() && failures.front().error_id == blocks::motion_error::kNotConnected) return failures;
+  const bool connected = failures.empty() || failures.front().error_id != blocks::motion_error::kNotConnected;
+  if (!connected) {
+    // It closes the script port, and is then the reason for some blocks.
+    if (parts_.robot.emergencyStop()) failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
+    return failures;
+  }
   const auto busy = busyWith();
   if (mode == blocks::BufferMode::Refuse && busy) {
     failures.push_back({blocks::motion_error::kOtherBlockBusy, toString(*busy), ""});
@@ -52,6 +58,9 @@ std::vector<blocks::Failure> Turns::objectionsToAny(blocks::BufferMode mode) con
   }
   if (parts_.robot.emergencyStop()) failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
   if (parts_.robot.inError()) failures.push_back(blocks::robotError(parts_.robot));
+  if (needs_automatic && parts_.robot.manualMode() && !parts_.settings.path_in_manual_mode) {
+    failures.push_back({blocks::own_error::kManualMode, "", ""});
+  }
   if (mode == blocks::BufferMode::Refuse && desks_.stops.holdsBack() && !desks_.stops.busy()) {
     failures.push_back({blocks::own_error::kOrphanMoves, desks_.stops.heldBackBy(), ""});
   }
@@ -131,19 +140,21 @@ bool Turns::isBeingPlanned(Waiting& first, Instant now) {
 }
 
 Turns::Failures Turns::objectionsTo(const Waiting& next) const {
-  Failures failures = objectionsToAny(blocks::BufferMode::Aborting);
+  const blocks::GoalRules rules(next.goal);
+  Failures failures = objectionsToAny(blocks::BufferMode::Aborting, rules.traits().needs_automatic);
   const bool has_waited = next.told_place > 0;
   if (failures.empty() && has_waited) {
-    if (auto moved = blocks::GoalRules(next.goal).findMovedFrame(frames_)) {
-      failures.push_back(std::move(*moved));
-    }
+    if (auto moved = rules.findMovedFrame(frames_)) failures.push_back(std::move(*moved));
   }
+  sortByTable(blockOf(next.goal), failures);
   return failures;
 }
 
 void Turns::admit(Waiting next, Instant now) {
   const blocks::Outcome found = next.found.value_or(blocks::Outcome());
-  if (found.ending == blocks::Ending::Rejected && !couldNotBePlanned(found)) {
+  const blocks::GoalRules rules(next.goal);
+  const bool may_do_without = !rules.traits().needs_plan && couldNotBePlanned(blockOf(next.goal), found);
+  if (found.ending == blocks::Ending::Rejected && !may_do_without) {
     refuseTurn(next, found);
   } else if (run_) {
     join(std::move(next), found, now);
@@ -229,7 +240,8 @@ bool Turns::continueRun(Instant now) {
 }
 
 std::optional<blocks::Failure> Turns::objectionTo(const blocks::Command& command) const {
-  Failures failures = objectionsToAny(blocks::BufferMode::Aborting);
+  Failures failures = objectionsToAny(blocks::BufferMode::Aborting, command.traits.needs_automatic);
+  sortByTable(command.block, failures);
   if (!failures.empty()) return std::move(failures.front());
   return command.find_moved_frame ? command.find_moved_frame(frames_) : std::nullopt;
 }

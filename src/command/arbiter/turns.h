@@ -37,8 +37,10 @@ class Turns {
   [[nodiscard]] const blocks::Run* run() const { return run_.get(); }
   /// What a command would have to wait for; nothing: it would not.
   [[nodiscard]] std::optional<blocks::Block> busyWith() const;
-  /// Why no command may be taken now, whatever it is; in table order.
-  [[nodiscard]] std::vector<blocks::Failure> objectionsToAny(blocks::BufferMode mode) const;
+  /// Why no command may be taken now, whatever it is; in the order of general ids. `needs_automatic`: as in
+  /// its traits.
+  [[nodiscard]] std::vector<blocks::Failure> objectionsToAny(blocks::BufferMode mode,
+                                                             bool needs_automatic) const;
   /// What a goal of that block does while others are busy: behind another one of its kind it joins its chain.
   [[nodiscard]] blocks::BufferMode modeOf(blocks::Block block, const blocks::GoalTraits& traits) const;
   /// Where the goal with that ticket starts: behind all that is on the wire, and waits with an earlier one;

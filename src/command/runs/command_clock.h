@@ -54,7 +54,7 @@ class CommandClock {
  private:
   [[nodiscard]] bool waits(Instant now) const { return begins_at_ && now < *begins_at_; }
 
-  Instant waits_from_;                ///< later by every hold since
+  Instant waits_from_;                     ///< later by every hold since
   std::optional<Instant> begins_at_;       ///< when the commands in front of it should be done
   std::optional<Instant> executing_from_;  ///< later by every hold since
   std::optional<Instant> deadline_;

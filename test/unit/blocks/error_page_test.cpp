@@ -18,9 +18,10 @@ std::string page() {
       "# Errors\n\n"
       "`error_id` of a result, by action. The thesis writes ids in hexadecimal (16#10 is 0x10 = 16); ids "
       "from 16#200 "
-      "on are\nthis layer's own. The first violated row of a table decides the id; the description names "
-      "what was "
-      "found.\n";
+      "on are\nthis layer's own. Those of `load_path` from 1000 on are of the manual of that instruction, "
+      "and "
+      "decimal as there.\nThe first violated row of a table decides the id (of `load_path` 1000 before 1005, "
+      "and these before 1001 to 1003 and all others);\nthe description names what was found.\n";
   const char* block = "";
   for (const blocks::ErrorEntry& entry : blocks::errorCatalogue()) {
     if (block != std::string(toString(entry.block))) {
@@ -28,8 +29,8 @@ std::string page() {
       text += fmt::format(
           "\n## `{}`\n| id | decimal | description | remedy | raised when |\n|---|---|---|---|---|\n", block);
     }
-    text += fmt::format("| 16#{:X} | {} | {} | {} | {} |\n", entry.id, entry.id, entry.description,
-                        entry.remedy, entry.raised_when);
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", blocks::errorNumber(entry.id), entry.id,
+                        entry.description, entry.remedy, entry.raised_when);
   }
   return text;
 }

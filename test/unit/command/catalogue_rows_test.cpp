@@ -39,6 +39,9 @@ Scenarios allScenarios() {
   all.merge(linkScenarios(good<WaitForInputGoal>()));
   all.merge(turnScenarios(good<WaitForInputGoal>()));
   all.merge(inputScenarios());
+  all.merge(pathScenarios());
+  all.merge(linkScenarios(good<LoadPathGoal>()));
+  all.merge(turnScenarios(good<LoadPathGoal>()));
   all.merge(linkScenarios(good<PickAndPlaceGoal>()));
   all.merge(turnScenarios(good<PickAndPlaceGoal>()));
   all.merge(triedScenarios(StopGoal{}));

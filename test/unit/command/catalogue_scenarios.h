@@ -39,6 +39,8 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios movedFrameScenarios();
 /// The end of a wait for an input.
 [[nodiscard]] Scenarios inputScenarios();
+/// Paths: their points, plans, and ways on the wire.
+[[nodiscard]] Scenarios pathScenarios();
 /// Sequences and cycles of them.
 [[nodiscard]] Scenarios sequenceScenarios();
 

@@ -20,6 +20,11 @@ void connect(CoreRig& rig) {
   rig.status(StatusFrames());
 }
 
+/// Under the block's own number.
+Row rowOf(const Goal& goal, int general) {
+  return {blockOf(goal), ownErrorId(blockOf(goal), general)};
+}
+
 Goal inMode(BufferMode mode, Goal goal) {
   std::visit(
       Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {}, [](CheckSequenceGoal&) {},
@@ -62,7 +67,7 @@ Outcome after(const Goal& goal, const std::function<void(CoreRig&)>& before) {
 }  // namespace
 
 Scenarios triedScenarios(const Goal& goal) {
-  const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
+  const auto row = [&](int id) { return rowOf(goal, id); };
   return {
       {row(motion_error::kNotConnected), [=] { return after(goal, [](CoreRig&) {}); }},
       {row(own_error::kShutDown), [=] { return after(goal, [](CoreRig& rig) { rig.shutDown(); }); }},
@@ -70,7 +75,7 @@ Scenarios triedScenarios(const Goal& goal) {
 }
 
 Scenarios linkScenarios(const Goal& goal) {
-  const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
+  const auto row = [&](int id) { return rowOf(goal, id); };
   Scenarios scenarios = triedScenarios(goal);
   scenarios[row(own_error::kNotListening)] = [=] {
     return after(goal, [](CoreRig& rig) {
@@ -83,7 +88,7 @@ Scenarios linkScenarios(const Goal& goal) {
 }
 
 Scenarios turnScenarios(const Goal& goal) {
-  const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
+  const auto row = [&](int id) { return rowOf(goal, id); };
   return {
       {row(motion_error::kOtherBlockBusy),
        [=] {
@@ -139,7 +144,7 @@ Scenarios turnScenarios(const Goal& goal) {
 }
 
 Scenarios replyScenarios(const Goal& goal) {
-  const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
+  const auto row = [&](int id) { return rowOf(goal, id); };
   const auto communicationError = [=](CommunicationErrorCode code) {
     return until(goal, [=](auto& rig, const auto&) { rig.say(protocol::CommunicationError{code}); });
   };
@@ -156,7 +161,7 @@ Scenarios replyScenarios(const Goal& goal) {
 }
 
 Scenarios motionScenarios(const Goal& goal) {
-  const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
+  const auto row = [&](int id) { return rowOf(goal, id); };
   const auto overdue = [=](const std::function<void(CoreRig&)>& answer) {
     return until(goal, [=](CoreRig& rig, const std::string& id) {
       rig.reply(id);
@@ -227,7 +232,7 @@ Scenarios movedFrameScenarios() {
 }
 
 Scenarios stopScenarios(const Goal& goal) {
-  const auto row = [&](int id) { return Row{static_cast<Block>(goal.index()), id}; };
+  const auto row = [&](int id) { return rowOf(goal, id); };
   return {
       {row(own_error::kStopNotConfirmed),
        [=] {

@@ -101,6 +101,7 @@ inline constexpr int kStopNotConfirmed = 0x225;
 inline constexpr int kNotAtTarget = 0x226;
 inline constexpr int kOrphanMoves = 0x227;
 inline constexpr int kStoppedElsewhere = 0x228;
+inline constexpr int kManualMode = 0x229;  // none under this number yet: load_path has one of its own
 // The layer.
 inline constexpr int kShutDown = 0x230;
 inline constexpr int kBaseUnknown = 0x231;
@@ -129,6 +130,27 @@ inline constexpr int kInputInvalid = 0x263;
 inline constexpr int kWaitRange = 0x264;
 inline constexpr int kInputTimedOut = 0x265;
 inline constexpr int kInputUnknown = 0x266;
+// Paths; 0x273 and 0x276 are of the services for the feedrate.
+inline constexpr int kTrackingOffset = 0x270;
+inline constexpr int kNotInAScript = 0x271;
+inline constexpr int kPvtUnavailable = 0x272;
+inline constexpr int kExecutionUnknown = 0x275;
+inline constexpr int kPvtTooLong = 0x277;
+inline constexpr int kDeviationRange = 0x278;
+inline constexpr int kPathUnreadable = 0x279;
 }  // namespace own_error
+
+/// Rockwell's manual of LoadPath, which is decimal; those of points and plans: path/path_refusal.h.
+namespace load_path_error {
+inline constexpr int kNotRegistered = 1000;
+inline constexpr int kHandlerNotRunning = 1001;
+inline constexpr int kHandlerFaulted = 1002;
+inline constexpr int kHandlerState = 1003;
+inline constexpr int kNotEnergised = 1005;
+inline constexpr int kManualMode = 1006;
+inline constexpr int kInterrupted = 1007;
+inline constexpr int kFirstNotAbsolute = 1019;
+inline constexpr int kOnlyPtp = 1021;
+}  // namespace load_path_error
 
 }  // namespace cobot_command::blocks

@@ -24,6 +24,12 @@ struct ErrorRow {
   const char* raised_when;  ///< when this layer raises it, or why it cannot occur any more
 };
 
+/// An error that other blocks have too, under the number by which this one tells of it.
+struct OwnNumber {
+  int general;
+  int own;
+};
+
 /// The rows of one block, in any order.
 class ErrorTable {
  public:
@@ -37,6 +43,11 @@ class ErrorTable {
   ErrorTable& condition(int id, const char* raised_when);
   /// Another remedy for a row that is there already.
   ErrorTable& remedy(int id, const char* remedy);
+
+  /// The block tells of common failures under numbers of its own, with rows of its own: who finds one names
+  /// it by its general number, as everywhere. Several may have the same own number. In this order they
+  /// decide, before all other rows.
+  ErrorTable& instead(std::initializer_list<OwnNumber> numbers);
 
   /// The steps of the thesis that every one of its command blocks has: build, send, receive.
   ErrorTable& thesisCommand();
@@ -56,9 +67,12 @@ class ErrorTable {
 
   /// Ordered by id.
   [[nodiscard]] std::vector<ErrorRow> rows() const;
+  /// In the order in which they decide.
+  [[nodiscard]] const std::vector<OwnNumber>& ownNumbers() const { return own_numbers_; }
 
  private:
   std::vector<ErrorRow> rows_;
+  std::vector<OwnNumber> own_numbers_;
 };
 
 }  // namespace cobot_command::blocks

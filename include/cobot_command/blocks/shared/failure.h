@@ -22,16 +22,16 @@ struct Failure {
 /// So many wait that one more is refused (16#216).
 [[nodiscard]] Failure tooManyWait(std::size_t waiting);
 
-/// Rejected or Aborted, with the catalogue's texts, and with the failure's detail.
-/// Precondition: the block's catalogue has the id.
+/// Rejected or Aborted, with the catalogue's texts, and with the failure's detail; under the block's own
+/// number where it has one for that failure. Precondition: the block's catalogue has the id.
 [[nodiscard]] Outcome toOutcome(Block block, Ending ending, const Failure& failure);
 
-/// The failure that became that outcome of the block, without its detail; for who passes it on under its own
-/// name. Precondition: as for toOutcome().
+/// The failure that became that outcome of the block, under its general id and without its detail; for who
+/// passes it on under its own name. Precondition: as for toOutcome().
 [[nodiscard]] Failure failureOf(Block block, const Outcome& outcome);
 
-/// As the tables of the blocks have them; those of one id keep their order.
-void sortByTable(std::vector<Failure>& failures);
+/// As they decide in that block: mostly by id. Those of one id keep their order.
+void sortByTable(Block block, std::vector<Failure>& failures);
 
 /// The first failure decides the id; the description lists the others. Precondition: not empty.
 [[nodiscard]] Outcome toRejection(Block block, const std::vector<Failure>& failures);

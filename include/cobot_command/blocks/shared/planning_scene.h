@@ -20,8 +20,8 @@ struct PlanningScene {
   std::optional<planning::ScriptPlanner::Start> start;
   GiveUp give_up;                  ///< may be empty: never
   tables::DataTables tables = {};  ///< as they are when the planning begins
-  Detail chain = {};               ///< of the run that the goal is to join (Run::chain); none: it is the first
-  int number = 1;                  ///< the goal would be so many-th of its block that is accepted
+  Detail chain = {};  ///< of the run that the goal is to join (Run::chain); none: it is the first
+  int number = 1;     ///< the goal would be so many-th of its block that is accepted
 };
 
 }  // namespace cobot_command::blocks

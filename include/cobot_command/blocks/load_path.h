@@ -1,0 +1,85 @@
+// Path loading, the instruction raM_Robot_Opr_LoadPath of Rockwell: points of an array go through a bounded
+// buffer to the robot, several goals one behind the other as if they were one. doc/path.md.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cobot_command/blocks/shared/block_parts.h"
+#include "cobot_command/blocks/shared/run.h"
+#include "cobot_command/blocks/shared/sequence_report.h"
+#include "cobot_command/path/path_point.h"
+
+namespace cobot_command::blocks {
+
+/// How a path is sent. The numbers of the field; a caller may have given any other.
+enum class Execution { Auto = 0, Script = 1, Pvt = 2 };
+[[nodiscard]] const char* toString(Execution execution);
+
+struct LoadPathGoal {
+  static constexpr const char* kName = "load_path";
+  [[nodiscard]] static ErrorTable errors();
+
+  std::vector<path::PathPoint> path;  ///< 1..1000; only those that are loaded are looked at
+  std::string path_fault;             ///< why the points could not be read; empty: they could
+  int start_index = 0;                ///< the first one to load
+  int number_of_moves = 0;            ///< how many
+  bool enable_tracking_0 = false;     ///< see doc/path.md, "Gates"
+  bool enable_tracking_1 = false;
+  int execution = static_cast<int>(Execution::Auto);
+  bool allow_approximation = false;  ///< SCRIPT may round what a script cannot say
+  int buffer_mode = 0;               ///< against other blocks; behind another load_path it joins its chain
+  double max_deviation = 0;          ///< [mm]; 0: none
+  bool check_only = false;
+};
+
+struct LoadedPath;
+
+/// Detail of its end; also where it was refused.
+struct PathReport {
+  int error_index = -1;                   ///< of the point to blame, in the array; -1: none
+  int error_joint = -1;                   ///< 0..8; -1: none
+  int method_id = 0;                      ///< 1, 2, 3 ... in the order of acceptance; 0: it was not accepted
+  Execution execution = Execution::Auto;  ///< that was chosen; AUTO: none was
+  std::string execution_reason;           ///< why
+  std::vector<std::string> approximations;  ///< what a script says otherwise than the goal
+  std::vector<int> blends_lost;             ///< points that were to be blended past, and were stopped at
+  double max_joint_deviation = 0;           ///< measured against planned [deg]
+  double max_path_deviation = 0;            ///< [mm]
+  Duration lag{};                           ///< by which the plan fits the measured motion best
+  std::vector<StepReport> points;           ///< of those that were looked at, in their order
+  std::vector<JointPathPoint> joint_path;   ///< when it was checked, as a whole
+  std::shared_ptr<const LoadedPath> loaded = nullptr;  ///< of a plan, for the run that it becomes
+};
+
+/// Where the points are that a goal loads, in the words of the instruction. All add up to number_of_moves,
+/// active ones included.
+enum class ProgressSource {
+  Plan,    ///< by time
+  Stream,  ///< by the joints of the status stream
+  Tag      ///< all that is told was told by queue tags
+};
+
+/// Detail of its progress.
+struct PathPlace {
+  bool loaded = false;          ///< the last point was handed to the buffer
+  bool active = false;          ///< one of its points moves the robot
+  int method_id = 0;            ///< as in PathReport
+  int active_path_point = -1;   ///< in the array; -1: none
+  int active_move_id = 0;       ///< 0: none
+  int pending_path_points = 0;  ///< not in the buffer yet
+  int queued_path_points = 0;   ///< in the buffer, and not active
+  int done_path_points = 0;
+  ProgressSource source = ProgressSource::Plan;
+};
+
+[[nodiscard]] GoalTraits traitsOf(const LoadPathGoal& goal);
+[[nodiscard]] std::vector<Failure> check(const LoadPathGoal& goal);
+/// All its points, behind the chain in front of it where there is one.
+[[nodiscard]] Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene);
+[[nodiscard]] std::unique_ptr<Run> runOf(const LoadPathGoal& goal, GoalId id, const Outcome& planned,
+                                         Instant now);
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,290 @@
+#include "cobot_command/blocks/load_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "runs/load_path_run.h"
+#include "runs/loaded_path.h"
+#include "shared/parameter_checks.h"
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/path/path_planner.h"
+#include "cobot_command/path/path_script.h"
+#include "cobot_command/path/pvt_block.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+using path::is;
+using path::PathPoint;
+using path::PathRefusal;
+
+constexpr double kMostDeviation = 100000;  // [mm]
+/// Of one PVT. TODO(~pvt_block_points): a parameter of the node.
+constexpr std::size_t kMostBlockPoints = 5000;
+/// Of a path that is checked, at most every 20 ms.
+constexpr std::size_t kMostPathPoints = 5000;
+constexpr Duration kPathPoint = std::chrono::milliseconds(20);
+
+path::PathSection sectionOf(const LoadPathGoal& goal) {
+  return {goal.path, goal.start_index, goal.number_of_moves, 0};
+}
+
+bool isLoaded(const LoadPathGoal& goal, int index) {
+  return index >= goal.start_index && index - goal.start_index < goal.number_of_moves &&
+         index < static_cast<int>(goal.path.size());
+}
+
+PathReport blaming(int index, int joint = -1) {
+  PathReport report;
+  report.error_index = index;
+  report.error_joint = joint;
+  return report;
+}
+
+/// Of the points up to the one to blame.
+StepReport blame(const PathRefusal& refusal) {
+  StepReport report;
+  report.error_id = refusal.error_id;
+  report.error_description = refusal.found;
+  if (refusal.where) report.offending_point = arm::toControllerPose(*refusal.where);
+  return report;
+}
+
+/// "point 3: ..."; the description of an error names the point for who reads only that.
+std::string foundAt(int index, const std::string& found) {
+  return index < 0 ? found : fmt::format("point {}: {}", index, found);
+}
+
+Failure toFailure(const PathRefusal& refusal, std::vector<StepReport> points) {
+  PathReport report = blaming(refusal.index, refusal.joint);
+  report.points = std::move(points);
+  return {refusal.error_id, foundAt(refusal.index, refusal.found), "", Detail(std::move(report))};
+}
+
+/// By itself: of the points in front of it is only known that they are right by themselves.
+Failure toFailure(const LoadPathGoal& goal, const PathRefusal& refusal) {
+  std::vector<StepReport> points;
+  if (refusal.index >= 0) {
+    points.resize(static_cast<std::size_t>(refusal.index - goal.start_index));
+    points.push_back(blame(refusal));
+  }
+  return toFailure(refusal, std::move(points));
+}
+
+std::optional<Failure> checkTracking(const LoadPathGoal& goal) {
+  if (!goal.enable_tracking_0 && !goal.enable_tracking_1) return std::nullopt;
+  for (int index = 0; index < static_cast<int>(goal.path.size()); ++index) {
+    const double position = goal.path[static_cast<std::size_t>(index)].tracking_axis_position;
+    if (!isLoaded(goal, index) || position == 0.0) continue;
+    return Failure{own_error::kTrackingOffset,
+                   fmt::format("point {}: tracking_axis_position is {} mm", index, position), "",
+                   Detail(blaming(index))};
+  }
+  // Until there are tracking objects that could be switched on: it would wait for ever.
+  return Failure{own_error::kTrackingOffset, "enable_tracking is set, and there are no tracking objects yet",
+                 "Enable no tracking"};
+}
+
+/// Without a model, or a place to start from, nothing is planned.
+std::optional<PathRefusal> checkWithoutTransform(const LoadPathGoal& goal) {
+  bool had_pose = false;
+  for (int index = goal.start_index; isLoaded(goal, index); ++index) {
+    const PathPoint& point = goal.path[static_cast<std::size_t>(index)];
+    const bool has_pose = !is(point.target_type, path::TargetType::Joint);
+    if (has_pose && !std::exchange(had_pose, true) && is(point.move_type, path::MoveType::Incremental)) {
+      return PathRefusal{load_path_error::kFirstNotAbsolute, index, -1, "its target is INCREMENTAL"};
+    }
+    if (!is(point.interpolation, path::Interpolation::Ptp)) {
+      return PathRefusal{load_path_error::kOnlyPtp, index, -1,
+                         fmt::format("interpolation_type is {}", point.interpolation)};
+    }
+  }
+  return std::nullopt;
+}
+
+Failure cannotPlan(const LoadPathGoal& goal, bool has_model) {
+  const char* const missing = has_model ? "it is not known where the arm stands" : "no model of the arm";
+  if (auto refusal = checkWithoutTransform(goal)) {
+    refusal->found = fmt::format("{}, and {}", missing, refusal->found);
+    return toFailure(goal, *refusal);
+  }
+  if (is(goal.execution, Execution::Pvt) && !goal.check_only) {
+    return {own_error::kPvtUnavailable, missing, ""};
+  }
+  return {has_model ? own_error::kStartUnknown : own_error::kNoModel, "", ""};
+}
+
+/// Where the world is comes with the goal, once ROS tells it from tf; until then a target in it is 1040.
+path::PathScene sceneOf(const PlanningScene& scene) {
+  return {*scene.arm, *scene.start->joints, scene.tables, std::nullopt};
+}
+
+std::vector<StepReport> reportOf(const path::PathPlan& plan) {
+  std::vector<StepReport> points;
+  for (const path::PlannedPoint& point : plan.points()) {
+    StepReport report;
+    report.start = point.start;
+    report.duration = point.motion->duration();
+    points.push_back(std::move(report));
+  }
+  return points;
+}
+
+/// With what was planned in front of the point to blame.
+Failure refused(const LoadPathGoal& goal, const PathRefusal& refusal, const path::PathScene& scene) {
+  const int in_front = refusal.index - goal.start_index;
+  if (refusal.index < 0 || in_front <= 0) return toFailure(goal, refusal);
+  path::PathSection section = sectionOf(goal);
+  section.number_of_moves = in_front;
+  path::PathPlanner planner(scene);
+  if (planner.append(section)) return toFailure(goal, refusal);  // it is wrong by itself, or to be told apart
+  std::vector<StepReport> points = reportOf(planner.plan());
+  points.push_back(blame(refusal));
+  return toFailure(refusal, std::move(points));
+}
+
+std::optional<Failure> findTooLong(const path::PathPlan& plan) {
+  for (std::size_t first = 0; first < plan.points().size();) {
+    const std::size_t last = path::endOfBlock(plan, first);
+    const Duration time = plan.points()[last].end() - plan.points()[first].start;
+    if (time > motion::kLeastSegment * kMostBlockPoints) {
+      const std::size_t points = path::sampleBlock(plan, first, last).points.size();
+      const int index = plan.points()[last].index;
+      if (points > kMostBlockPoints) {
+        return Failure{own_error::kPvtTooLong,
+                       fmt::format("points {} to {} take {:.1f} s without a stop, {} points of a PVT",
+                                   plan.points()[first].index, index, toSeconds(time), points),
+                       "", Detail(blaming(index))};
+      }
+    }
+    first = last + 1;
+  }
+  return std::nullopt;
+}
+
+std::vector<JointPathPoint> wholeJointPath(const path::PathPlan& plan) {
+  const auto parts = std::clamp<std::size_t>(static_cast<std::size_t>(plan.duration() / kPathPoint) + 1, 1,
+                                             kMostPathPoints - 1);
+  std::vector<JointPathPoint> points;
+  for (std::size_t i = 0; i <= parts; ++i) {
+    const Duration time = plan.duration() * static_cast<Duration::rep>(i) / static_cast<Duration::rep>(parts);
+    const motion::JointState state = plan.at(time);
+    JointPathPoint point;
+    point.time = time;
+    std::copy_n(state.position.data(), point.joints.size(), point.joints.begin());
+    std::copy_n(state.velocity.data(), point.velocities.size(), point.velocities.begin());
+    points.push_back(point);
+  }
+  return points;
+}
+
+/// What a script would say otherwise; refused where it may not.
+std::optional<Failure> chooseScript(const LoadPathGoal& goal, const path::PathPlan& plan,
+                                    const path::PathScene& scene, const PlanningScene& start,
+                                    PathReport& report) {
+  const auto script = path::scriptOf(plan, 0, scene, {start.start->base, start.start->tcp});
+  if (!script) return toFailure(goal, script.error());
+  report.execution = Execution::Script;
+  report.execution_reason = "it was asked for";
+  for (const path::PointScript& point : *script) {
+    report.approximations.insert(report.approximations.end(), point.approximations.begin(),
+                                 point.approximations.end());
+  }
+  if (!report.approximations.empty() && !goal.allow_approximation) {
+    return Failure{own_error::kNotInAScript, fmt::format("{}", fmt::join(report.approximations, "; ")), "",
+                   Detail(report)};
+  }
+  if (goal.check_only) return std::nullopt;
+  // NOT FOR A RELEASE: the run that sends scripts is not there yet.
+  return Failure{own_error::kNotInAScript, "paths are not sent as scripts yet", "Use execution AUTO or PVT",
+                 Detail(report)};
+}
+
+std::optional<Failure> choose(const LoadPathGoal& goal, const path::PathPlan& plan,
+                              const path::PathScene& scene, const PlanningScene& start, PathReport& report) {
+  if (is(goal.execution, Execution::Script)) return chooseScript(goal, plan, scene, start, report);
+  report.execution = Execution::Pvt;
+  report.execution_reason = is(goal.execution, Execution::Pvt)
+                                ? "it was asked for"
+                                : "model and place of the arm are known, and a PVT says all of a path";
+  return findTooLong(plan);
+}
+
+}  // namespace
+
+const char* toString(Execution execution) {
+  switch (execution) {
+    case Execution::Auto:
+      return "AUTO";
+    case Execution::Script:
+      return "SCRIPT";
+    case Execution::Pvt:
+      return "PVT";
+  }
+  return "unknown";
+}
+
+GoalTraits traitsOf(const LoadPathGoal& goal) {
+  GoalTraits traits;
+  traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.check_only = goal.check_only;
+  traits.needs_plan = true;
+  traits.needs_automatic = true;
+  traits.chains = true;
+  return traits;
+}
+
+std::vector<Failure> check(const LoadPathGoal& goal) {
+  ParameterChecks checks;
+  checks.bufferMode(goal.buffer_mode);
+  checks.require(goal.execution >= static_cast<int>(Execution::Auto) &&
+                     goal.execution <= static_cast<int>(Execution::Pvt),
+                 own_error::kExecutionUnknown, fmt::format("execution is {}", goal.execution));
+  checks.require(isWithin(goal.max_deviation, 0, kMostDeviation), own_error::kDeviationRange,
+                 fmt::format("max_deviation is {}", goal.max_deviation));
+  std::vector<Failure> failures = std::move(checks).violations();
+  if (auto tracking = checkTracking(goal)) failures.push_back(std::move(*tracking));
+  if (!goal.path_fault.empty()) {
+    failures.push_back({own_error::kPathUnreadable, goal.path_fault, ""});
+  } else if (const auto refusal = path::checkSection(sectionOf(goal))) {
+    failures.push_back(toFailure(goal, *refusal));
+  }
+  sortByTable(kBlock<LoadPathGoal>, failures);
+  return failures;
+}
+
+Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
+  constexpr Block kThis = kBlock<LoadPathGoal>;
+  const bool is_known = scene.arm != nullptr && scene.start && scene.start->joints;
+  if (!is_known) return toRejection(kThis, {cannotPlan(goal, scene.arm != nullptr)});
+  const path::PathScene path_scene = sceneOf(scene);
+  path::PathPlanner planner(path_scene);
+  if (const auto refusal = planner.append(sectionOf(goal))) {
+    return toRejection(kThis, {refused(goal, *refusal, path_scene)});
+  }
+  const path::PathPlan& plan = planner.plan();
+  PathReport report;
+  report.points = reportOf(plan);
+  for (const path::PlannedPoint& point : plan.points()) {
+    if (&point != &plan.points().back() && point.losesBlend()) report.blends_lost.push_back(point.index);
+  }
+  if (auto failure = choose(goal, plan, path_scene, scene, report)) return toRejection(kThis, {*failure});
+  if (goal.check_only) report.joint_path = wholeJointPath(plan);
+  report.loaded = std::make_shared<const LoadedPath>(LoadedPath{planner, plan});
+  Outcome outcome;
+  outcome.planned = fromSeconds(toSeconds(plan.duration()) / scene.start->speed_override);
+  outcome.detail = Detail(std::move(report));
+  return outcome;
+}
+
+std::unique_ptr<Run> runOf(const LoadPathGoal& goal, GoalId id, const Outcome& planned, Instant now) {
+  return std::make_unique<LoadPathRun>(id, goal, planned, now);
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,208 @@
+// A path from its goal to its end, block by block.
+
+#include "block_goals.h"
+#include "core_rig.h"
+#include "status_frames.h"
+#include <gmock/gmock.h>
+
+namespace cobot_command::testing {
+namespace {
+
+using namespace blocks;
+using namespace command;
+using ::testing::HasSubstr;
+
+class LoadPathTest : public ::testing::Test {
+ protected:
+  LoadPathTest() : rig(*arm::ArmModel::named("tm5-900"), link::LinkSettings{}) {
+    rig.connect();
+    rig.status(StatusFrames());
+  }
+
+  /// The controller executes what was sent, and the robot stands there then.
+  std::string execute(const std::vector<float>& end_deg) {
+    const auto script = rig.takeScript();
+    rig.reply(script.id);
+    rig.status(StatusFrames().moving());
+    rig.tag(rig.latest().open_tags.at(0));
+    rig.stream(StatusFrames().at(end_deg), 3);
+    return script.script;
+  }
+  [[nodiscard]] const PathReport& reportOf(GoalId id) const {
+    return rig.outcome(id)->detail.as<PathReport>();
+  }
+
+  CoreRig rig;
+};
+
+constexpr std::size_t kPoints = 3;
+
+TEST_F(LoadPathTest, sendsOnePvtFromStopToStop) {
+  const GoalId id = rig.submit(good<LoadPathGoal>());
+  EXPECT_TRUE(rig.accepted(id));
+  const std::string first = execute({10, 0, 90, 0, 90, 0});
+  EXPECT_EQ(first.find("PVTEnter(0)"), 0u) << first;
+  EXPECT_THAT(first, HasSubstr("PVTExit()\r\nQueueTag("));
+  EXPECT_EQ(rig.outcome(id), nullptr);
+  execute({10, 0, 100, 0, 80, 0});
+  execute({0, 0, 90, 0, 90, 0});
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::Done) << rig.outcome(id)->error_description;
+  EXPECT_EQ(reportOf(id).points.size(), kPoints);
+  EXPECT_EQ(reportOf(id).execution, Execution::Pvt);
+  EXPECT_EQ(reportOf(id).error_index, -1);
+  EXPECT_TRUE(rig.outcome(id)->planned && rig.outcome(id)->actual && rig.outcome(id)->final_joints_deg);
+}
+
+TEST_F(LoadPathTest, sendsPointsThatBlendTogether) {
+  const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      g.path[i].termination_type = static_cast<int>(path::Termination::Blend);
+      g.path[i].command_tolerance = 30;
+    }
+  }));
+  execute({0, 0, 90, 0, 90, 0});
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::Done) << rig.outcome(id)->error_description;
+}
+
+/// At any time: done + active + queued + pending = number_of_moves.
+TEST_F(LoadPathTest, tellsWhereItsPointsAre) {
+  const GoalId id = rig.submit(good<LoadPathGoal>());
+  execute({10, 0, 90, 0, 90, 0});
+  execute({10, 0, 100, 0, 80, 0});
+  execute({0, 0, 90, 0, 90, 0});
+  int last = -1;
+  for (const Progress& progress : rig.progress(id)) {
+    const auto* const place = progress.detail.find<PathPlace>();
+    if (place == nullptr) continue;
+    EXPECT_EQ(place->done_path_points + 1 + place->queued_path_points + place->pending_path_points, 3);
+    EXPECT_GE(place->active_path_point, last);
+    last = place->active_path_point;
+  }
+  EXPECT_EQ(last, 2);
+}
+
+TEST_F(LoadPathTest, toWhereTheRobotStandsIsDoneAtOnce) {
+  const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) {
+    g.path = {pathPoint({0, 0, 90, 0, 90, 0})};
+    g.number_of_moves = 1;
+  }));
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::Done);
+  EXPECT_EQ(*rig.outcome(id)->planned, Duration::zero());
+}
+
+TEST_F(LoadPathTest, endsWithItsCancel) {
+  const GoalId id = rig.submit(good<LoadPathGoal>());
+  rig.reply(rig.takeScript().id);
+  rig.cancel(id);
+  rig.reply(rig.takeScript().id);
+  rig.stream(StatusFrames());
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
+  EXPECT_EQ(rig.outcome(id)->error_id, 0);
+}
+
+TEST_F(LoadPathTest, isInterruptedByAStopUntilItsLastPointIsLoaded) {
+  const GoalId id = rig.submit(good<LoadPathGoal>());
+  execute({10, 0, 90, 0, 90, 0});
+  rig.reply(rig.takeScript().id);
+  rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  rig.stream(StatusFrames());
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->error_id, 1007);
+  EXPECT_EQ(reportOf(id).error_index, 2) << "the first that was not loaded";
+}
+
+TEST_F(LoadPathTest, isPreemptedByAStopBehindThat) {
+  const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) { g.number_of_moves = 1; }));
+  rig.reply(rig.takeScript().id);
+  rig.submit(StopGoal{});
+  rig.reply(rig.takeScript().id);
+  rig.stream(StatusFrames());
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
+}
+
+/// It takes nothing with it: whoever interrupts it comes behind it.
+TEST_F(LoadPathTest, letsTheGoalRunThatInterruptsIt) {
+  const GoalId id = rig.submit(good<LoadPathGoal>());
+  rig.reply(rig.takeScript().id);
+  auto move = CoreRig::move();
+  move.buffer_mode = static_cast<int>(BufferMode::Aborting);
+  const GoalId next = rig.submit(move);
+  rig.reply(rig.takeScript().id);
+  rig.stream(StatusFrames());
+  EXPECT_EQ(rig.outcome(id)->error_id, 1007);
+  EXPECT_EQ(rig.outcome(next), nullptr);
+  rig.takeScript();
+  EXPECT_TRUE(rig.accepted(next));
+}
+
+TEST_F(LoadPathTest, tellsThePointOfALostLink) {
+  const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) {
+    g.path.insert(g.path.begin(), g.path[1]);  // is not loaded
+    g.start_index = 1;
+  }));
+  execute({10, 0, 90, 0, 90, 0});
+  rig.reply(rig.takeScript().id);
+  rig.status(StatusFrames().at({10, 0, 90, 0, 90, 0}).moving());
+  rig.close("gone");
+  rig.pass(500ms);
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->error_id, 1002);
+  EXPECT_EQ(reportOf(id).error_index, 2);
+}
+
+/// An emergency stop closes the script port; it is the reason then.
+TEST_F(LoadPathTest, isRefusedForTheEmergencyStopThatClosedTheScriptPort) {
+  rig.core.cancel(1, rig.now, 1);
+  rig.pump();
+  rig.submit(CoreRig::robot());
+  rig.failOpen(link::OpenFailure::Kind::Refused);
+  rig.open(link::Channel::Status);
+  rig.status(StatusFrames().emergencyStop());
+  const GoalId path = rig.submit(good<LoadPathGoal>());
+  EXPECT_EQ(rig.outcome(path)->error_id, 1005);
+  const GoalId move = rig.submit(CoreRig::move());
+  EXPECT_EQ(rig.outcome(move)->error_id, 0x10);
+}
+
+/// Also behind a robot that moves, when it is not planned yet.
+TEST_F(LoadPathTest, refusesWrongPointsAsTheyCome) {
+  rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id);
+  const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) {
+    g.buffer_mode = static_cast<int>(BufferMode::Buffered);
+    g.path[2].profile_type = 7;
+  }));
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->error_id, 1025);
+  EXPECT_EQ(reportOf(id).error_index, 2);
+}
+
+TEST_F(LoadPathTest, goesInManualModeWhereThatIsAllowed) {
+  link::LinkSettings settings;
+  settings.path_in_manual_mode = true;
+  CoreRig manual(*arm::ArmModel::named("tm5-900"), settings);
+  manual.connect();
+  manual.status(StatusFrames().with(protocol::item::ofInt("MA_Mode", 2)));
+  EXPECT_TRUE(manual.accepted(manual.submit(good<LoadPathGoal>())));
+  manual.takeScript();
+}
+
+TEST_F(LoadPathTest, isCheckedWithoutALink) {
+  CoreRig alone(*arm::ArmModel::named("tm5-900"), link::LinkSettings{});
+  const GoalId id = alone.submit(with<LoadPathGoal>([](auto& g) { g.check_only = true; }));
+  EXPECT_EQ(alone.outcome(id)->error_id, own_error::kStartUnknown);
+  const GoalId known = rig.submit(with<LoadPathGoal>([](auto& g) { g.check_only = true; }));
+  ASSERT_NE(rig.outcome(known), nullptr);
+  EXPECT_EQ(rig.outcome(known)->ending, Ending::Done) << rig.outcome(known)->error_description;
+  EXPECT_FALSE(reportOf(known).joint_path.empty());
+  EXPECT_TRUE(rig.nothingSent());
+}
+
+}  // namespace
+}  // namespace cobot_command::testing
