@@ -4,22 +4,20 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "kinds/pvt_motion.h"
 #include "paths/input_check.h"
-#include "paths/path_check.h"
 #include "profiles/cubic.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/motion/pvt.h"
 
 namespace cobot_command::motion {
 namespace {
-
-/// What is said in a PVT is rounded: a joint at its limit is not beyond it [rad].
-constexpr double kRounding = 1e-6;
 
 struct Segment {
   double begin;
@@ -71,64 +69,59 @@ Extremes extremes(const Segment& segment, Eigen::Index joint) {
   return {{within(q / a), within(c / q), segment.duration}, {within(-b / a), segment.duration}};
 }
 
-class Check {
- public:
-  Check(const arm::ArmModel& arm, const Setting& setting, double duration)
-      : arm_(arm), setting_(setting), duration_(duration) {}
-
-  [[nodiscard]] std::optional<Refusal> find(const Segment& segment) const {
-    for (std::size_t i = 0; i < arm::kJointCount; ++i) {
-      const auto joint = static_cast<Eigen::Index>(i);
-      const arm::JointLimit& limit = arm_.limits()[i];
-      const Extremes at = extremes(segment, joint);
-      for (const double time : at.of_position) {
-        const double found = segment.cubic.at(time)[joint];
-        if (found < limit.lower - kRounding || found > limit.upper + kRounding) {
-          return outside(segment, time, joint, found);
-        }
-      }
-      for (const double time : at.of_velocity) {
-        const double needed = std::abs(segment.cubic.slopeAt(time)[joint]);
-        if (needed > limit.max_velocity * (1.0 + kSpeedTolerance)) {
-          return tooFast(segment, time, joint, needed);
-        }
+/// Of one segment.
+std::optional<PvtOffence> offenceIn(const arm::ArmModel& arm, const Segment& segment, const PvtRoom& room) {
+  const arm::JointVector from = segment.cubic.at(0.0);
+  for (std::size_t i = 0; i < arm::kJointCount; ++i) {
+    const auto joint = static_cast<Eigen::Index>(i);
+    const arm::JointLimit& limit = arm.limits()[i];
+    const double lower = std::min(limit.lower, from[joint]) - room.position;
+    const double upper = std::max(limit.upper, from[joint]) + room.position;
+    const Extremes at = extremes(segment, joint);
+    const auto offence = [&](Refusal::Reason reason, double time, double found) {
+      return PvtOffence{reason, static_cast<int>(i), time, found, segment.cubic.at(time)};
+    };
+    for (const double time : at.of_position) {
+      const double found = segment.cubic.at(time)[joint];
+      if (found < lower || found > upper) return offence(Refusal::Reason::JointLimit, time, found);
+    }
+    for (const double time : at.of_velocity) {
+      const double needed = std::abs(segment.cubic.slopeAt(time)[joint]);
+      if (needed > limit.max_velocity * (1.0 + room.speed)) {
+        return offence(Refusal::Reason::JointSpeed, time, needed);
       }
     }
-    return std::nullopt;
   }
+  return std::nullopt;
+}
 
- private:
-  [[nodiscard]] Refusal refusal(Refusal::Reason reason, const Segment& segment, double time,
-                                Eigen::Index joint, std::string what) const {
-    const arm::JointVector there = segment.cubic.at(time);
-    return {
-        reason, (segment.begin + time) / duration_, static_cast<int>(joint),
-        setting_.base.inverse() * arm::forwardKinematics(arm_, there) * setting_.tcp,
-        fmt::format("{:.3f} s behind the start of the PVT J{} {}", segment.begin + time, joint + 1, what)};
+std::string textOf(const PvtOffence& offence, const arm::JointLimit& limit) {
+  if (offence.reason == Refusal::Reason::JointLimit) {
+    return fmt::format(
+        "would reach {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose other points or velocities",
+        radToDeg(offence.found), radToDeg(limit.lower), radToDeg(limit.upper));
   }
-  [[nodiscard]] Refusal outside(const Segment& segment, double time, Eigen::Index joint, double found) const {
-    const arm::JointLimit& limit = arm_.limits()[static_cast<std::size_t>(joint)];
-    return refusal(
-        Refusal::Reason::JointLimit, segment, time, joint,
-        fmt::format("would reach {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose other points or velocities",
-                    radToDeg(found), radToDeg(limit.lower), radToDeg(limit.upper)));
-  }
-  [[nodiscard]] Refusal tooFast(const Segment& segment, double time, Eigen::Index joint,
-                                double needed) const {
-    const double rated = arm_.limits()[static_cast<std::size_t>(joint)].max_velocity;
-    return refusal(
-        Refusal::Reason::JointSpeed, segment, time, joint,
-        fmt::format(
-            "would need {:.1f} deg/s, rated {:.1f} deg/s: give the point more time or another velocity",
-            radToDeg(needed), radToDeg(rated)));
-  }
+  return fmt::format(
+      "would need {:.1f} deg/s, rated {:.1f} deg/s: give the point more time or another velocity",
+      radToDeg(offence.found), radToDeg(limit.max_velocity));
+}
 
-  const arm::ArmModel& arm_;
-  const Setting& setting_;
-  double duration_;
-};
+Refusal toRefusal(const arm::ArmModel& arm, const PvtOffence& offence, double begin, double duration,
+                  const Setting& setting) {
+  const arm::JointLimit& limit = arm.limits()[static_cast<std::size_t>(offence.joint)];
+  return {offence.reason, (begin + offence.time) / duration, offence.joint,
+          setting.base.inverse() * arm::forwardKinematics(arm, offence.joints) * setting.tcp,
+          fmt::format("{:.3f} s behind the start of the PVT J{} {}", begin + offence.time, offence.joint + 1,
+                      textOf(offence, limit))};
+}
 
 }  // namespace
+
+std::optional<PvtOffence> checkPvtSegment(const arm::ArmModel& arm, const JointState& from,
+                                          const PvtJointPoint& to, const PvtRoom& room) {
+  return offenceIn(
+      arm, {0.0, to.duration, {to.duration, from.position, from.velocity, to.position, to.velocity}}, room);
+}
 
 Result<TrajectoryPtr, Refusal> planJointPvt(const arm::ArmModel& arm, const arm::JointVector& start,
                                             const std::vector<PvtJointPoint>& points,
@@ -146,9 +139,10 @@ Result<TrajectoryPtr, Refusal> planJointPvt(const arm::ArmModel& arm, const arm:
     end += duration;
   }
   if (auto too_long = checkDuration(end)) return refuse(std::move(*too_long));
-  const Check check(arm, setting, end);
   for (const Segment& segment : segments) {
-    if (auto found = check.find(segment)) return refuse(std::move(*found));
+    if (const auto found = offenceIn(arm, segment, PvtRoom())) {
+      return refuse(toRefusal(arm, *found, segment.begin, end, setting));
+    }
   }
   return TrajectoryPtr(std::make_shared<PvtTrajectory>(std::move(segments), position));
 }

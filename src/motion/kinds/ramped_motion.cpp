@@ -22,6 +22,8 @@ namespace {
 
 /// Below this [m and rad] there is nothing to move.
 constexpr double kNoWay = 1e-9;
+/// A joint at its rated speed is not above it.
+constexpr double kRounding = 1e-9;
 /// The same of joints, 1e-6 degrees [rad].
 constexpr double kNoJointWay = degToRad(1e-6);
 
@@ -64,7 +66,7 @@ Refusal tooFast(const arm::ArmModel& arm, const arm::JointVector& way, double sp
   return {
       Refusal::Reason::JointSpeed, 1.0, joint,
       setting.base.inverse() * arm::forwardKinematics(arm, target) * setting.tcp,
-      fmt::format("J{} would need {:.1f} deg/s, rated {:.1f} deg/s; at most {:.1f} deg/s of the joint with "
+      fmt::format("J{} would need {:.2f} deg/s, rated {:.1f} deg/s; at most {:.1f} deg/s of the joint with "
                   "the longest way would do: choose a lower speed",
                   joint + 1, radToDeg(speed * std::abs(way[joint]) / longest), radToDeg(rated),
                   std::floor(10.0 * radToDeg(usable / setting.speed_override) + 1e-6) / 10.0)};
@@ -109,7 +111,7 @@ Result<TrajectoryPtr, Refusal> planJointMove(const arm::ArmModel& arm, const arm
   const double top = profile->duration() > 0.0 ? longest / profile->travel() : 0.0;
   for (std::size_t i = 0; i < arm::kJointCount; ++i) {
     const double needed = top * std::abs(way[static_cast<Eigen::Index>(i)]) / longest;
-    if (needed > arm.limits()[i].max_velocity * (1.0 + kSpeedTolerance)) {
+    if (needed > arm.limits()[i].max_velocity * (1.0 + kRounding)) {
       return refuse(tooFast(arm, way, top, setting, move.target));
     }
   }

@@ -1,3 +1,5 @@
+#include "cobot_command/motion/pvt.h"
+
 #include <cmath>
 #include <vector>
 
@@ -74,6 +76,36 @@ TEST(PvtOfJoints, isRefusedWhereAJointLeavesItsRangeBetweenThePoints) {
   EXPECT_EQ(result.error().reason, Refusal::Reason::JointLimit);
   EXPECT_EQ(result.error().joint, 2);
   EXPECT_GT(result.error().at, 1.0 / 3.0);
+}
+
+TEST(PvtOfJoints, bringsAJointBackThatIsOutsideItsLimits) {
+  // J3 of a TM5-900: 155 deg.
+  const arm::JointVector start = degrees(0, 0, 158, 0, 90, 0);
+  const auto to = [](double j3, double speed) {
+    return PvtJointPoint{degrees(0, 0, j3, 0, 90, 0), degrees(0, 0, speed, 0, 0, 0), 0.5};
+  };
+  const auto back = plan(model(), start, Pvt{std::vector{to(157, -4), to(150, 0)}}, {});
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_NEAR(radToDeg((*back)->end().position[2]), 150.0, 1e-9);
+  // It may stop half-way, as a PTP may, but go no further out, nor out again.
+  EXPECT_TRUE(plan(model(), start, Pvt{std::vector{to(157, 0)}}, {}));
+  EXPECT_FALSE(plan(model(), start, Pvt{std::vector{to(159, 0), to(150, 0)}}, {}));
+  EXPECT_FALSE(plan(model(), start, Pvt{std::vector{to(157, 0), to(157.5, 0)}}, {}));
+  const auto out = plan(model(), start, Pvt{std::vector{to(150, 0), to(156, 0)}}, {});
+  ASSERT_FALSE(out);
+  EXPECT_EQ(out.error().reason, Refusal::Reason::JointLimit);
+}
+
+TEST(PvtOfJoints, areCheckedSegmentBySegmentAsTheWhole) {
+  const JointState from{workingPosture(), arm::JointVector::Zero()};
+  const PvtJointPoint fast{offset(130), degrees(0, 0, 0, 0, 0, 0), 1.0};
+  const auto offence = checkPvtSegment(model(), from, fast);
+  ASSERT_TRUE(offence);
+  EXPECT_EQ(offence->reason, Refusal::Reason::JointSpeed);
+  EXPECT_EQ(offence->joint, 0);
+  EXPECT_NEAR(offence->time, 0.5, 1e-9);
+  EXPECT_NEAR(radToDeg(offence->found), 195.0, 1e-9);
+  EXPECT_FALSE(checkPvtSegment(model(), from, fast, {1e-6, 0.1}));
 }
 
 TEST(PvtOfJoints, isRefusedWithoutPointsOrTimeOrRestAtItsEnd) {

@@ -72,6 +72,17 @@ TEST_F(RampedMoves, ofJointsAboveTheirRatedSpeedAreRefusedAndToldWhatWouldDo) {
   EXPECT_THAT(refused.error().message, HasSubstr("at most 180.0 deg/s"));
 }
 
+TEST_F(RampedMoves, ofJointsAreRatedToTheLastDigit) {
+  const auto at = [&](double speed) {
+    return plan(model(), start,
+                JointMove{start + degrees(150, 0, 0, 0, 0, 0), ofJoints(speed, 20 * speed), {}}, {});
+  };
+  EXPECT_TRUE(at(180));
+  const auto refused = at(180.1);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("180.07 deg/s, rated 180.0 deg/s; at most 180.0 deg/s"));
+}
+
 TEST_F(RampedMoves, thatAreTooShortForTheirSpeedMayAskForAnySpeed) {
   EXPECT_TRUE(make(JointMove{degrees(5, 0, 90, 0, 90, 0), ofJoints(400, 100), {}}));
 }
