@@ -1,9 +1,11 @@
 // What planning a path costs. 1,000 points must be checked in at most 1/1,000 of the time that they take; the
-// counter moved_per_planned shows the inverse. And what it costs to make the lines of its PVT.
+// counter moved_per_planned shows the inverse. With the pieces that are sent for it, each checked as its PVT;
+// in one goal, and as a chain. And what it costs to make the lines of its PVT.
 #include <benchmark/benchmark.h>
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/path/path_pieces.h"
 #include "cobot_command/path/path_planner.h"
 #include "cobot_command/path/pvt_block.h"
 
@@ -51,6 +53,45 @@ void planThousandPoints(benchmark::State& state) {
   state.counters["moved_per_planned"] = benchmark::Counter(moved, benchmark::Counter::kIsRate);
 }
 BENCHMARK(planThousandPoints)->Unit(benchmark::kMillisecond);
+
+/// Up to what is sent: planned, sampled, and the PVT planned as whoever makes it does.
+void planThousandPointsInPieces(benchmark::State& state) {
+  const PathSection section = thousandPoints();
+  double moved = 0.0;
+  for (auto _ : state) {
+    PathPlanner planner(scene());
+    if (const auto refusal = planner.append(section)) state.SkipWithError(refusal->found.c_str());
+    const auto pieces = piecesOf(planner.plan(), scene(), {motion::kLeastSegment, 20000});
+    if (!pieces) state.SkipWithError(pieces.error().found.c_str());
+    moved += toSeconds(planner.plan().duration());
+  }
+  state.counters["moved_per_planned"] = benchmark::Counter(moved, benchmark::Counter::kIsRate);
+}
+BENCHMARK(planThousandPointsInPieces)->Unit(benchmark::kMillisecond);
+
+/// Goals of 10 points, of which the last one stops; each is tried in a copy, as a run does.
+void planThousandPointsAsAChain(benchmark::State& state) {
+  PathSection section = thousandPoints();
+  for (std::size_t i = 9; i < kMostPoints; i += 10) {
+    section.points[i].termination_type = static_cast<int>(Termination::Stop);
+  }
+  section.number_of_moves = 10;
+  double moved = 0.0;
+  for (auto _ : state) {
+    PathPlanner planner(scene());
+    for (section.start_index = 0; section.start_index < static_cast<int>(kMostPoints);
+         section.start_index += section.number_of_moves) {
+      PathPlanner tried = planner;
+      if (const auto refusal = tried.append(section)) state.SkipWithError(refusal->found.c_str());
+      const PathPlan rested = tried.takeRested();
+      if (!piecesOf(rested, scene())) state.SkipWithError("refused");
+      moved += toSeconds(rested.duration());
+      planner = tried;
+    }
+  }
+  state.counters["moved_per_planned"] = benchmark::Counter(moved, benchmark::Counter::kIsRate);
+}
+BENCHMARK(planThousandPointsAsAChain)->Unit(benchmark::kMillisecond);
 
 void writeThousandPoints(benchmark::State& state) {
   PathPlanner planner(scene());

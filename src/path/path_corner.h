@@ -12,4 +12,7 @@ namespace cobot_command::path {
 [[nodiscard]] Duration overlapBetween(const PlannedPoint& before, const PlannedPoint& next,
                                       const PathScene& scene);
 
+/// The next one to try where that cannot be sent: half of it, or none.
+[[nodiscard]] Duration shorterOverlap(Duration overlap);
+
 }  // namespace cobot_command::path

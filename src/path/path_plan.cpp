@@ -13,6 +13,21 @@ void PathPlan::append(PlannedPoint point, Duration overlap) {
   points_.push_back(std::move(point));
 }
 
+PathPlan PathPlan::part(std::size_t first, std::size_t behind) const {
+  if (first == behind) return PathPlan(first < points_.size() ? beginOf(first) : at(duration()).position);
+  PathPlan part(beginOf(first));
+  part.points_.assign(points_.begin() + static_cast<std::ptrdiff_t>(first),
+                      points_.begin() + static_cast<std::ptrdiff_t>(behind));
+  const Duration begin = points_[first].start;
+  for (PlannedPoint& point : part.points_) point.start -= begin;
+  part.points_.back().overlap = Duration::zero();
+  return part;
+}
+
+arm::JointVector PathPlan::beginOf(std::size_t point) const {
+  return points_[point].motion->at(Duration::zero()).position;
+}
+
 std::size_t PathPlan::begunAt(Duration time) const {
   const auto behind = std::upper_bound(points_.begin(), points_.end(), time,
                                        [](Duration at, const PlannedPoint& one) { return at < one.start; });

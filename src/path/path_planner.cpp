@@ -7,6 +7,7 @@
 #include "path_corner.h"
 #include "point_checks.h"
 #include "point_motion.h"
+#include "pvt/pvt_points.h"
 #include "target.h"
 #include <fmt/format.h>
 
@@ -68,13 +69,31 @@ std::optional<PathRefusal> forEachPoint(const PathSection& section, const Visit&
   return std::nullopt;
 }
 
-std::optional<PathRefusal> checkAgainst(const tables::DataTables* tables, const PathSection& section) {
-  if (auto refusal = checkIndices(section)) return refusal;
+/// Of each point, in order, where nothing is wrong with the section (checkSection()).
+Result<std::vector<Dynamics>, PathRefusal> dynamicsOf(const PathSection& section,
+                                                      const tables::DataTables* tables) {
+  if (auto refusal = checkIndices(section)) return refuse(std::move(*refusal));
   DynamicsOfGoal dynamics;
-  return forEachPoint(section, [&](const PathPoint& point, int index) {
-    auto refusal = dynamics.take(point, index);
-    return refusal ? refusal : checkPoint(point, index, tables);
+  std::vector<Dynamics> found;
+  auto refusal = forEachPoint(section, [&](const PathPoint& point, int index) {
+    auto wrong = dynamics.take(point, index);
+    if (!wrong) wrong = checkPoint(point, index, tables);
+    if (!wrong) found.push_back(dynamics.current());
+    return wrong;
   });
+  if (refusal) return refuse(std::move(*refusal));
+  return found;
+}
+
+/// Whatever comes behind it: nothing blends with a tolerance of 0, nor with a move without a way.
+bool endsAtRest(const PlannedPoint& point) {
+  return !is(point.point.termination_type, Termination::Blend) || point.point.command_tolerance <= 0.0 ||
+         point.motion->duration() == Duration::zero();
+}
+
+std::optional<PathRefusal> checkAgainst(const tables::DataTables* tables, const PathSection& section) {
+  auto dynamics = dynamicsOf(section, tables);
+  return dynamics ? std::nullopt : std::optional(std::move(dynamics.error()));
 }
 
 }  // namespace
@@ -90,40 +109,60 @@ std::optional<PathRefusal> checkSection(const PathSection& section) {
 /// One section, behind what is planned already.
 class PathPlanner::Appending {
  public:
-  Appending(const PathScene& scene, const PathPlan& plan, const std::optional<Previous::Written>& written)
-      : scene_(scene), plan_(plan), previous_{plan.at(plan.duration()).position, written} {}
+  Appending(const PathScene& scene, const PathPlan& plan, bool closed,
+            const std::optional<Previous::Written>& written)
+      : scene_(scene), plan_(plan), closed_(closed), previous_{plan.at(plan.duration()).position, written} {}
 
-  [[nodiscard]] std::optional<PathRefusal> append(const PathPoint& point, int index, int goal) {
-    auto refusal = dynamics_.take(point, index);
-    if (!refusal) refusal = checkTarget(point, index);
+  [[nodiscard]] std::optional<PathRefusal> append(const PathPoint& point, int index, int goal,
+                                                  const Dynamics& dynamics) {
+    auto refusal = checkTarget(point, index);
     if (!refusal) refusal = references_.take(point, index);
     if (refusal) return refusal;
     auto target = targetOf(point, index, previous_, scene_);
     if (!target) return std::move(target.error());
-    auto made = planPoint(point, index, *target, dynamics_.current(), previous_.joints, scene_);
+    auto made = planPoint(point, index, *target, dynamics, previous_.joints, scene_);
     if (!made) return std::move(made.error());
     if (plan_.duration() + made->motion->duration() > kLongest) return tooLong(index);
+    auto refused = take(
+        {goal, index, point, dynamics, scene_.feedrate, target->moved_frame, made->command, made->motion});
     previous_ = {made->motion->end().position, target->written};
-    const double feedrate = scene_.feedrate;
-    take({goal, index, point, dynamics_.current(), feedrate, target->moved_frame, made->command,
-          made->motion});
-    return std::nullopt;
+    return refused;
   }
 
   [[nodiscard]] const PathPlan& plan() const { return plan_; }
   [[nodiscard]] const std::optional<Previous::Written>& written() const { return previous_.written; }
 
  private:
-  void take(PlannedPoint point) {
+  /// With the longest overlap that a PVT can say, too. A corner is never looked at again: without an overlap
+  /// all that is in front of it is as it was when its last point was planned.
+  std::optional<PathRefusal> take(PlannedPoint point) {
     const auto& points = plan_.points();
-    const Duration overlap = points.empty() ? Duration::zero() : overlapBetween(points.back(), point, scene_);
+    const bool from_rest = points.empty() || closed_;
+    Duration overlap = from_rest ? Duration::zero() : overlapBetween(points.back(), point, scene_);
+    while (overlap > Duration::zero() && !canPass(point, overlap)) overlap = shorterOverlap(overlap);
+    if (overlap == Duration::zero()) {
+      PathPlan alone(previous_.joints);
+      alone.append(point, Duration::zero());
+      if (auto refusal = checkAsPvt(alone, 0, 0, scene_.arm)) return refusal;
+    }
     plan_.append(std::move(point), overlap);
+    closed_ = false;
+    return std::nullopt;
+  }
+  [[nodiscard]] bool canPass(const PlannedPoint& point, Duration overlap) const {
+    // Of what is in front the cubics follow from the last two points (pvt_phases.h).
+    const std::size_t count = plan_.points().size();
+    std::size_t first = count - 1;
+    while (first > 0 && count - first < 3 && plan_.points()[first - 1].overlap > Duration::zero()) --first;
+    PathPlan tail = plan_.part(first, count);
+    tail.append(point, overlap);
+    return !checkAsPvt(tail, 0, count - 1 - first, scene_.arm);
   }
 
   const PathScene& scene_;
   PathPlan plan_;
+  bool closed_;
   Previous previous_;
-  DynamicsOfGoal dynamics_;
   References references_;
 };
 
@@ -135,15 +174,33 @@ PathPlanner::PathPlanner(PathScene scene)
     : scene_(std::make_shared<const PathScene>(std::move(scene))), plan_(scene_->start) {}
 
 std::optional<PathRefusal> PathPlanner::append(const PathSection& section) {
-  if (auto refusal = checkSection(section, scene_->tables)) return refusal;
-  Appending appending(*scene_, plan_, written_ ? written_->last : std::nullopt);
+  const auto dynamics = dynamicsOf(section, &scene_->tables);
+  if (!dynamics) return dynamics.error();
+  Appending appending(*scene_, plan_, closed_, written_ ? written_->last : std::nullopt);
+  auto next = dynamics->begin();
   auto refusal = forEachPoint(section, [&](const PathPoint& point, int index) {
-    return appending.append(point, index, section.goal);
+    return appending.append(point, index, section.goal, *next++);
   });
   if (refusal) return refusal;
   plan_ = appending.plan();
+  closed_ = false;
   written_ = std::make_shared<const Written>(Written{appending.written()});
   return std::nullopt;
+}
+
+std::size_t PathPlanner::restedPoints() const {
+  const auto& points = plan_.points();
+  std::size_t count = points.size();
+  if (count > 0 && !closed_ && !endsAtRest(points.back())) --count;
+  while (count > 0 && count < points.size() && points[count - 1].overlap > Duration::zero()) --count;
+  return count;
+}
+
+PathPlan PathPlanner::takeRested() {
+  const std::size_t count = restedPoints();
+  PathPlan rested = plan_.part(0, count);
+  plan_ = plan_.part(count, plan_.points().size());
+  return rested;
 }
 
 void PathPlanner::setScene(PathScene scene) {

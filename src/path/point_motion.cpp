@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "motion_refusal.h"
 #include "target_joints.h"
 #include <fmt/format.h>
 
@@ -106,7 +107,7 @@ class PointPlanner {
         joint);
   }
   [[nodiscard]] PathRefusal toRefusal(motion::Refusal why) const {
-    PathRefusal made = refusal(idOf(why.reason), std::move(why.message), why.joint);
+    PathRefusal made = refusal(errorIdOf(why.reason), std::move(why.message), why.joint);
     if (made.error_id != path_error::kNotPlannable && made.error_id != path_error::kTargetPose) {
       made.where = why.point;
     }
@@ -114,28 +115,6 @@ class PointPlanner {
       made.found += fmt::format("; these are speeds at the feedrate of {:.6g} %", 100.0 * scene_.feedrate);
     }
     return made;
-  }
-  [[nodiscard]] static int idOf(motion::Refusal::Reason reason) {
-    using Reason = motion::Refusal::Reason;
-    switch (reason) {
-      case Reason::NotFinite:
-      case Reason::DegenerateCircle:
-        return path_error::kTargetPose;
-      case Reason::Unreachable:
-        return path_error::kReach;
-      case Reason::PoseBits:
-        return path_error::kOtherConfiguration;
-      case Reason::JointLimit:
-        return path_error::kJointLimit;
-      case Reason::JointSpeed:
-        return path_error::kJointSpeed;
-      case Reason::Singular:
-        return path_error::kSingular;
-      case Reason::AmbiguousTurn:
-      case Reason::BadParameter:
-        break;
-    }
-    return path_error::kNotPlannable;
   }
 
   const PathPoint& point_;

@@ -67,8 +67,12 @@ class PathPlan {
 
   /// Behind the last point, `overlap` before that one's end.
   void append(PlannedPoint point, Duration overlap);
+  /// Points `first` to those in front of `behind`, as a path of its own: it begins with the first one, at
+  /// time 0, and ends where the last one does.
+  [[nodiscard]] PathPlan part(std::size_t first, std::size_t behind) const;
 
  private:
+  [[nodiscard]] arm::JointVector beginOf(std::size_t point) const;
   /// The last that has begun.
   [[nodiscard]] std::size_t begunAt(Duration time) const;
 

@@ -33,7 +33,8 @@ inline constexpr std::size_t kMostReferences = 3;
 
 /// A value: a copy can be tried out and thrown away. Sections that are planned behind each other are one
 /// path: points 0..9 as one section, or as two, give the bit-identical trajectory, but that each section
-/// states its own dynamics.
+/// states its own dynamics. What rests can be taken out, so that a chain without an end is planned by one
+/// that stays small.
 class PathPlanner {
  public:
   explicit PathPlanner(PathScene scene);
@@ -41,17 +42,29 @@ class PathPlanner {
   /// Plans a section behind all before it. Refused: it is not appended.
   [[nodiscard]] std::optional<PathRefusal> append(const PathSection& section);
 
+  /// The arm rests on the last point, whatever that says; what is planned behind it begins from there.
+  void closeEnd() { closed_ = true; }
+  /// Takes out all up to the last point on which the arm certainly rests: a stop, a blend that is lost, a
+  /// move without a way, a closed end. What stays are the points that blend on, or may blend with the next
+  /// section. Both are paths from time 0.
+  [[nodiscard]] PathPlan takeRested();
+
+  /// What is not taken out.
   [[nodiscard]] const PathPlan& plan() const { return plan_; }
   [[nodiscard]] const PathScene& scene() const { return *scene_; }
-  /// What the feedrate, tables and world are from the next section on.
+  /// What the feedrate, tables and world are from the next section on; its start is not looked at, as the
+  /// path goes on from its end.
   void setScene(PathScene scene);
 
  private:
   struct Written;
   class Appending;
 
+  [[nodiscard]] std::size_t restedPoints() const;
+
   std::shared_ptr<const PathScene> scene_;
   PathPlan plan_;
+  bool closed_ = false;                     ///< the last point, or the start where there is none
   std::shared_ptr<const Written> written_;  ///< the last pose as it was given: increments add to its numbers
 };
 

@@ -47,6 +47,7 @@ inline constexpr int kDisabledJoint = 1058;
 inline constexpr int kJointSpeed = 0x204;
 inline constexpr int kNotPlannable = 0x206;
 inline constexpr int kNotInAScript = 0x271;
+inline constexpr int kTooLong = 0x277;
 }  // namespace path_error
 
 struct PathRefusal {

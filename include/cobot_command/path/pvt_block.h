@@ -25,8 +25,8 @@ struct PvtBlock {
 [[nodiscard]] std::size_t endOfBlock(const PathPlan& plan, std::size_t first);
 
 /// The plan in segments of whole milliseconds, at least `segment` long; ramps and overlaps begin and end with
-/// one, but for those that are nearer together. Joints and speeds are those of the plan, rounded as they are
-/// sent.
+/// one. Of those that are nearer together the ones count with which the cubics miss the plan the least.
+/// Joints and speeds are those of the plan, rounded as they are sent.
 [[nodiscard]] PvtBlock sampleBlock(const PathPlan& plan, std::size_t first, std::size_t last,
                                    Duration segment = motion::kLeastSegment);
 

@@ -8,6 +8,7 @@
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/path/deviation_watch.h"
+#include "cobot_command/path/path_pieces.h"
 #include "cobot_command/path/path_planner.h"
 #include "cobot_command/path/path_script.h"
 #include "cobot_command/path/pvt_block.h"
@@ -63,6 +64,16 @@ class PathRun : public ::testing::Test {
     }
   }
 
+  void send(const path::PathPiece& piece) {
+    if (piece.block.points.empty()) return;
+    const std::size_t last = piece.block.last;
+    robot.script(client, "1", script::toText(path::scriptOf(piece.block, {{last, 1 + sent_++ % 15}})));
+    ASSERT_EQ(robot.heard(client), ok("1"));
+    expectFollowed(piece.plan, Duration::zero(), piece.plan.duration());
+    robot.waitUntilIdle();
+    static_cast<void>(robot.heard(client));
+  }
+
   /// Sends the whole, and looks at the arm as often as a status stream does. `late`: how much longer it
   /// takes.
   [[nodiscard]] path::Deviation deviationOf(const path::PathPlan& plan, Duration late) {
@@ -81,23 +92,54 @@ class PathRun : public ::testing::Test {
   SimulatedRobot robot;
   ClientId client = robot.connect();
   path::PathScene scene{*arm::ArmModel::named("tm5-700"), robot.state().joints};
+
+ private:
+  int sent_ = 0;
 };
 
 TEST_F(PathRun, isAsPlannedToAHundredthOfAMillimetre) {
   const path::PathPlan plan = planned(meander(4, 8, 10));
-  std::size_t first = 0;
-  int blocks = 0;
-  while (first < plan.points().size()) {
-    const std::size_t last = path::endOfBlock(plan, first);
-    const auto block = path::sampleBlock(plan, first, last);
-    first = last + 1;
-    if (block.points.empty()) continue;
-    robot.script(client, "1", script::toText(path::scriptOf(block, {{last, 1 + blocks++ % 15}})));
-    ASSERT_EQ(robot.heard(client), ok("1"));
-    expectFollowed(plan, block.start, plan.points()[last].end());
-    robot.waitUntilIdle();
+  const auto pieces = path::piecesOf(plan, scene);
+  ASSERT_TRUE(pieces) << pieces.error().found;
+  EXPECT_EQ(pieces->size(), 2U) << "all of it blends, but for the first point, where the arm is";
+  for (const path::PathPiece& piece : *pieces) send(piece);
+}
+
+TEST_F(PathRun, isAChainOfGoalsOfWhichWhatRestsIsSent) {
+  path::PathSection section = meander(4, 8, 10);
+  for (const std::size_t stop : {5U, 17U, 18U}) section.points[stop].termination_type = 0;
+  path::PathPlanner planner(scene);
+  section.number_of_moves = 4;
+  std::size_t sent = 0;
+  for (; section.start_index < 32; section.start_index += 4) {
+    ASSERT_FALSE(planner.append(section));
+    if (section.start_index == 28) planner.closeEnd();
+    const auto pieces = path::piecesOf(planner.takeRested(), scene);
+    ASSERT_TRUE(pieces) << pieces.error().found;
+    for (const path::PathPiece& piece : *pieces) {
+      send(piece);
+      sent += piece.plan.points().size();
+    }
   }
-  EXPECT_EQ(blocks, 1) << "all of it blends";
+  EXPECT_EQ(sent, 32U);
+}
+
+TEST_F(PathRun, bringsBackAnArmThatStandsOutsideItsLimits) {
+  Settings settings;
+  settings.start_posture[2] = degToRad(-158);
+  robot = SimulatedRobot(settings);
+  client = robot.connect();
+  scene.start = robot.state().joints;
+  PathPoint back;
+  back.joints = {10, 0, -90, 0, 90, 0};
+  back.speed = 60;
+  back.acceleration = back.deceleration = 200;
+  path::PathSection section;
+  section.points = {back};
+  section.number_of_moves = 1;
+  const auto pieces = path::piecesOf(planned(section), scene);
+  ASSERT_TRUE(pieces) << pieces.error().found;
+  send(pieces->front());
 }
 
 TEST_F(PathRun, tellsItsPointsByTheirTags) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "path_support.h"
 #include <gmock/gmock.h>
@@ -52,6 +53,40 @@ TEST_F(PvtBlocks, missThePlanByLessThanAMicrometre) {
           << toSeconds(time);
     }
   }
+}
+
+TEST_F(PvtBlocks, missThePlanByAFewHundredthsOfAMillimetreWhereRampsAndOverlapsEndCloseTogether) {
+  std::mt19937 engine(20270311);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
+  double most = 0.0;
+  for (int run = 0; run < 150; ++run) {
+    std::vector<PathPoint> points;
+    for (int i = 0; i < 6; ++i) {
+      PathPoint point = incremental(toPose({uniform(-30, 30), uniform(-30, 30), uniform(-30, 30), 0, 0, 0}));
+      point.speed = uniform(50, 500);
+      point.acceleration = uniform(1000, 2000);
+      point.deceleration = uniform(1000, 2000);
+      points.push_back(blending(point, uniform(0.5, 30)));
+    }
+    PathPlanner planner(scene);
+    if (planner.append(sectionOf(points))) continue;
+    const PathPlan& plan = planner.plan();
+    for (std::size_t first = 0; first < points.size(); first = endOfBlock(plan, first) + 1) {
+      const std::size_t last = endOfBlock(plan, first);
+      const auto pvt = motion::plan(scene.arm, plan.at(plan.points()[first].start).position,
+                                    motion::Pvt{sampleBlock(plan, first, last).points}, {});
+      ASSERT_TRUE(pvt) << pvt.error().message;
+      const Duration begin = plan.points()[first].start;
+      for (Duration time{}; time <= (*pvt)->duration(); time += milliseconds(1)) {
+        const Eigen::Vector3d there = place((*pvt)->at(time).position);
+        most = std::max(most, (there - place(plan.at(begin + time).position)).norm());
+      }
+    }
+  }
+  EXPECT_LT(mToMm(most), 0.025);
+  EXPECT_GT(mToMm(most), 0.001) << "no such place was found";
 }
 
 TEST_F(PvtBlocks, haveSegmentsOfWholeMillisecondsNoneShorterThanAsked) {

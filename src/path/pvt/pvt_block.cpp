@@ -1,0 +1,72 @@
+#include "cobot_command/path/pvt_block.h"
+
+#include "pvt/pvt_phases.h"
+#include "pvt/pvt_points.h"
+
+#include "cobot_command/arm/controller_pose.h"
+
+namespace cobot_command::path {
+
+std::size_t endOfBlock(const PathPlan& plan, std::size_t first) {
+  std::size_t last = first;
+  while (plan.points()[last].overlap > Duration::zero()) ++last;
+  return last;
+}
+
+PvtBlock sampleBlock(const PathPlan& plan, std::size_t first, std::size_t last, Duration segment) {
+  PvtBlock block;
+  block.first = first;
+  block.last = last;
+  block.start = plan.points()[first].start;
+  const Duration end = plan.points()[last].end();
+  if (end == block.start) {
+    for (std::size_t point = first; point <= last; ++point) block.ends[point] = 0;
+    return block;
+  }
+  Duration before = block.start;
+  std::size_t done = first;
+  for (const PvtPhase& phase : phasesOf(plan, first, last, segment)) {
+    for (const Duration time : segmentsOf(phase, segment)) {
+      block.points.push_back(pvtPointAt(plan, before, time));
+      before = time;
+      while (done <= last && plan.points()[done].end() <= time) block.ends[done++] = block.points.size();
+    }
+  }
+  block.points.back().velocity.setZero();  // within rounding it is
+  return block;
+}
+
+std::vector<std::size_t> taggedPoints(std::size_t first, std::size_t last, std::size_t most) {
+  const std::size_t count = last - first + 1;
+  const std::size_t step = (count + most - 1) / most;
+  std::vector<std::size_t> tagged;
+  for (std::size_t point = first + step - 1; point < last; point += step) tagged.push_back(point);
+  tagged.push_back(last);
+  return tagged;
+}
+
+std::vector<script::ScriptCommand> scriptOf(const PvtBlock& block, const std::map<std::size_t, int>& tags) {
+  std::vector<script::ScriptCommand> lines;
+  lines.reserve(block.points.size() + tags.size() + 2);
+  auto tag = tags.begin();
+  const auto add_tags = [&](std::size_t done) {
+    for (; tag != tags.end() && block.ends.at(tag->first) <= done; ++tag) {
+      lines.emplace_back(script::QueueTag{tag->second, false});
+    }
+  };
+  if (block.points.empty()) {
+    add_tags(0);
+    return lines;
+  }
+  lines.emplace_back(script::PvtEnter{});
+  for (std::size_t i = 0; i < block.points.size(); ++i) {
+    const motion::PvtJointPoint& point = block.points[i];
+    lines.emplace_back(script::PvtPoint{arm::toControllerJoints(point.position),
+                                        arm::toControllerJoints(point.velocity), point.duration});
+    add_tags(i + 1);
+  }
+  lines.emplace_back(script::PvtExit{});
+  return lines;
+}
+
+}  // namespace cobot_command::path
