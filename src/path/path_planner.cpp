@@ -24,12 +24,13 @@ std::optional<PathRefusal> checkIndices(const PathSection& section) {
     return PathRefusal{
         path_error::kMovesExceedArray, -1, -1,
         fmt::format("{} moves from point {} on, of a path of {} points; allowed: 1 to as many as "
-                    "there are from there on, of at most {} points",
+                    "there are from there on, of at most {} points: choose fewer moves, or an earlier start",
                     count, start, section.points.size(), kMostPoints)};
   }
   if (!starts_inside) {
-    return PathRefusal{path_error::kStartIndex, -1, -1,
-                       fmt::format("start_index is {}, allowed: 0 to {}", start, size - 1)};
+    return PathRefusal{
+        path_error::kStartIndex, -1, -1,
+        fmt::format("start_index is {}, allowed: 0 to {}: choose one in this range", start, size - 1)};
   }
   return std::nullopt;
 }
@@ -204,6 +205,11 @@ PathPlan PathPlanner::takeRested() {
 }
 
 void PathPlanner::setScene(PathScene scene) {
+  const auto matrix = [](const PathScene& one) {
+    return one.world ? one.world->matrix() : Eigen::Matrix4d::Zero().eval();
+  };
+  const bool same_world = matrix(scene) == matrix(*scene_);
+  if (!same_world && written_ && written_->last && isInWorld(*written_->last)) written_.reset();
   scene_ = std::make_shared<const PathScene>(std::move(scene));
 }
 

@@ -17,9 +17,7 @@ namespace {
 /// The times to top speed that a script may ask for [ms] (thesis table 5.3.2.3).
 constexpr int kShortestRamp = 150;
 constexpr int kLongestRamp = 9999;
-/// The highest speed of a TCP in the same table [mm/s], and a radius that no arm of the family has room for
-/// [mm].
-constexpr double kMostSpeed = 4500;
+/// A radius that no arm of the family has room for [mm].
 constexpr double kMostRadius = 9999;
 constexpr double kWholeNumber = 1e-9;
 
@@ -179,7 +177,7 @@ class PointWriter {
     line.format.blending = script::DataFormat::Blending::Radius;
     line.target = endPose();
     tellTurn();
-    line.options = options(whole(speed(), kMostSpeed, "mm/s"), radius());
+    line.options = options(whole(speed(), mToMm(motion::kMaxTcpSpeed), "mm/s"), radius());
     if (line.options.blending == 0) line.format.blending = script::DataFormat::Blending::Percent;
     return line;
   }
@@ -191,7 +189,7 @@ class PointWriter {
     circle.via = arm::toControllerPose(arc.via);
     circle.end = endPose();
     tellTurn();
-    circle.options = options(whole(speed(), kMostSpeed, "mm/s"), blendShare());
+    circle.options = options(whole(speed(), mToMm(motion::kMaxTcpSpeed), "mm/s"), blendShare());
     return circle;
   }
 

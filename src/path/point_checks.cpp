@@ -7,6 +7,7 @@
 #include "target.h"
 #include <fmt/format.h>
 
+#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/units.h"
 
 namespace cobot_command::path {
@@ -21,7 +22,8 @@ PathRefusal refusal(int error_id, int index, std::string found, int joint = -1) 
 /// One of 0..last.
 Finding checkNumber(int error_id, int index, const char* field, int found, int last, const char* meaning) {
   if (found >= 0 && found <= last) return std::nullopt;
-  return refusal(error_id, index, fmt::format("{} is {}, allowed: {}", field, found, meaning));
+  return refusal(error_id, index,
+                 fmt::format("{} is {}, allowed: {}: choose one of these", field, found, meaning));
 }
 
 Finding checkTolerance(const PathPoint& point, int index) {
@@ -46,7 +48,8 @@ Finding checkTermination(const PathPoint& point, int index) {
     return std::nullopt;
   }
   return refusal(path_error::kTermination, index,
-                 fmt::format("termination_type is {}, allowed: STOP 0, BLEND 6", point.termination_type));
+                 fmt::format("termination_type is {}, allowed: STOP 0, BLEND 6: choose one of these",
+                             point.termination_type));
 }
 
 Finding checkPoseType(const PathPoint& point, int index) {
@@ -54,8 +57,9 @@ Finding checkPoseType(const PathPoint& point, int index) {
       is(point.pose_type, MovedFrame::Tool)) {
     return std::nullopt;
   }
-  return refusal(path_error::kPoseType, index,
-                 fmt::format("pose_type is {}, allowed: FLANGE 2, TOOL 3", point.pose_type));
+  return refusal(
+      path_error::kPoseType, index,
+      fmt::format("pose_type is {}, allowed: FLANGE 2, TOOL 3: choose one of these", point.pose_type));
 }
 
 Finding checkReference(const PathPoint& point, int index) {
@@ -63,14 +67,15 @@ Finding checkReference(const PathPoint& point, int index) {
       is(point.ref_frame_type, Reference::Robot) || is(point.ref_frame_type, Reference::User)) {
     return std::nullopt;
   }
-  return refusal(
-      path_error::kReference, index,
-      fmt::format("ref_frame_type is {}, allowed: WORLD 0, ROBOT 1, USER 4", point.ref_frame_type));
+  return refusal(path_error::kReference, index,
+                 fmt::format("ref_frame_type is {}, allowed: WORLD 0, ROBOT 1, USER 4: choose one of these",
+                             point.ref_frame_type));
 }
 
 Finding checkIndex(int error_id, int index, const char* field, int found) {
   if (tables::isIndex(found)) return std::nullopt;
-  return refusal(error_id, index, fmt::format("{} is {}, allowed: 0 to 15", field, found));
+  return refusal(error_id, index,
+                 fmt::format("{} is {}, allowed: 0 to 15: choose one in this range", field, found));
 }
 
 Finding checkConfigured(int error_id, int index, const Result<arm::Pose, tables::Gap>& entry,
@@ -106,11 +111,12 @@ Finding checkEntries(const PathPoint& point, int index, const tables::DataTables
 }
 
 Finding checkNumbers(int index, const char* field, const double* numbers, std::size_t count) {
-  constexpr double kMost = 100000.0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (std::abs(numbers[i]) <= kMost) continue;
-    return refusal(path_error::kTargetPose, index,
-                   fmt::format("{}[{}] is {}, allowed: finite numbers up to +-100000", field, i, numbers[i]));
+    if (std::abs(numbers[i]) <= arm::kMaxCoordinate) continue;
+    return refusal(
+        path_error::kTargetPose, index,
+        fmt::format("{}[{}] is {}, allowed: finite numbers up to +-{:.0f}: choose one in this range", field,
+                    i, numbers[i], arm::kMaxCoordinate));
   }
   return std::nullopt;
 }
@@ -120,10 +126,10 @@ Finding checkDisabledJoints(const PathPoint& point, int index) {
   for (int joint = 6; joint < 9; ++joint) {
     const double found = point.joints[static_cast<std::size_t>(joint)];
     if (found == 0.0) continue;
-    return refusal(
-        path_error::kDisabledJoint, index,
-        fmt::format("joints[{}] is {}: this robot has six joints, the others must be 0", joint, found),
-        joint);
+    return refusal(path_error::kDisabledJoint, index,
+                   fmt::format("joints[{}] is {}: this robot has six joints, the others must be 0: make it 0",
+                               joint, found),
+                   joint);
   }
   return std::nullopt;
 }

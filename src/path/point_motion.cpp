@@ -99,11 +99,12 @@ class PointPlanner {
   // --- Refusals.
 
   [[nodiscard]] PathRefusal startOutside(int joint) const {
+    const arm::JointLimit& limit = scene_.arm.limits()[static_cast<std::size_t>(joint)];
     return refusal(
         path_error::kStartJoints,
-        fmt::format("the move starts with J{} at {:.2f} deg, outside its limits: go back inside by a "
-                    "PTP first",
-                    joint + 1, radToDeg(start_[joint])),
+        fmt::format("the move starts with J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: go back inside by "
+                    "a PTP first",
+                    joint + 1, radToDeg(start_[joint]), radToDeg(limit.lower), radToDeg(limit.upper)),
         joint);
   }
   [[nodiscard]] PathRefusal toRefusal(motion::Refusal why) const {

@@ -31,12 +31,14 @@ Result<arm::Pose, PathRefusal> reference(const PathPoint& point, int index, cons
                             "base: publish it, or give the target in ROBOT or USER"});
 }
 
+constexpr int kInWorld = 1;
+
 /// Equal where the same is meant: tool 0 is the flange, user frame 0 the robot base.
 std::array<int, 4> framesOf(const PathPoint& point) {
   const bool has_tool = is(point.pose_type, MovedFrame::Tool) && point.pose_id != 0;
   const bool has_frame = is(point.ref_frame_type, Reference::User) && point.ref_frame_id != 0;
   const bool in_world = is(point.ref_frame_type, Reference::World);
-  return {has_tool ? 1 : 0, has_tool ? point.pose_id : 0, has_frame ? 2 : (in_world ? 1 : 0),
+  return {has_tool ? 1 : 0, has_tool ? point.pose_id : 0, has_frame ? 2 : (in_world ? kInWorld : 0),
           has_frame ? point.ref_frame_id : 0};
 }
 
@@ -93,6 +95,10 @@ Result<Target, PathRefusal> targetOf(const PathPoint& point, int index, const Pr
   const arm::ControllerPose via = sum(point.via_pose, before);
   target.via = *from * Eigen::Vector3d(mmToM(via[0]), mmToM(via[1]), mmToM(via[2]));
   return target;
+}
+
+bool isInWorld(const Previous::Written& written) {
+  return written.frames[2] == kInWorld;
 }
 
 std::optional<arm::PoseBits> askedBits(const PathPoint& point) {

@@ -44,6 +44,9 @@ struct Target {
 [[nodiscard]] Result<Target, PathRefusal> targetOf(const PathPoint& point, int index,
                                                    const Previous& previous, const PathScene& scene);
 
+/// Its numbers mean another place when the world is elsewhere.
+[[nodiscard]] bool isInWorld(const Previous::Written& written);
+
 /// The posture that the point asks for; nothing: that of the target before it.
 [[nodiscard]] std::optional<arm::PoseBits> askedBits(const PathPoint& point);
 /// 1026: a hybrid target whose flip does not go with the sign of its J5 [rad].

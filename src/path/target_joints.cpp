@@ -50,8 +50,8 @@ class TargetJoints {
     const arm::JointLimit& limit = scene_.arm.limits()[static_cast<std::size_t>(joint)];
     PathRefusal made =
         refusal(path_error::kJointTarget,
-                fmt::format("the target has J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose a "
-                            "target inside the limits",
+                fmt::format("the target has J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose "
+                            "another target",
                             joint + 1, radToDeg(joints[joint]), radToDeg(limit.lower), radToDeg(limit.upper)),
                 joint);
     made.where = arm::forwardKinematics(scene_.arm, joints) * target_.moved_frame;

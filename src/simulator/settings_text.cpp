@@ -6,15 +6,13 @@
 #include <arpa/inet.h>
 #include <fmt/format.h>
 
+#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/given.h"
 #include "cobot_command/protocol/item_content.h"
 
 namespace cobot_command::simulator {
 
 namespace {
-
-/// Largest coordinate [mm, deg] that is taken for one.
-constexpr double kMaxCoordinate = 100000;
 
 /// As the system writes it; nothing when it is none. Clients of IPv4 are known by that.
 std::optional<std::string> addressIn(const std::string& text) {
@@ -69,9 +67,9 @@ Result<NamedNumbers, std::string> parseNamedNumbers(const std::string& text) {
   }
   const auto& found = std::get<std::vector<double>>(*value);
   // Written so that NaN is refused as well.
-  const auto is_sane = [](double number) { return std::abs(number) <= kMaxCoordinate; };
+  const auto is_sane = [](double number) { return std::abs(number) <= arm::kMaxCoordinate; };
   if (!std::all_of(found.begin(), found.end(), is_sane)) {
-    return refused(fmt::format("a number is beyond {}", kMaxCoordinate));
+    return refused(fmt::format("a number is beyond {}", arm::kMaxCoordinate));
   }
   std::copy(found.begin(), found.end(), numbers.begin());
   return NamedNumbers(std::move(name), numbers);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/project_name.h"
 #include "cobot_command/common/units.h"
@@ -11,8 +12,6 @@
 namespace cobot_command::tables {
 namespace {
 
-/// Largest coordinate [mm, deg] that is taken for one.
-constexpr double kMaxCoordinate = 100000;
 /// [kg mm^2], as the tool of change_tcp.
 constexpr double kMaxInertia = 1e9;
 constexpr double kMm2PerM2 = 1e6;
@@ -75,7 +74,7 @@ std::optional<Refusal> EntryCheck::pose(const char* what, const arm::Pose& pose)
                    kSixNumbers, "Give six finite numbers");
   }
   const double farthest = pose.translation().cwiseAbs().maxCoeff();
-  if (farthest <= mmToM(kMaxCoordinate)) return std::nullopt;
+  if (farthest <= mmToM(arm::kMaxCoordinate)) return std::nullopt;
   return refused(table_error::kCoordinateRange, fmt::format("{} is {} mm away", what, mToMm(farthest)),
                  kSixNumbers, "Give coordinates that an arm could mean");
 }
@@ -172,7 +171,7 @@ std::optional<Refusal> EntryCheck::toolsThatWeighIt() const {
 Result<arm::Pose, NumberFault> poseIn(const arm::ControllerPose& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const double number = numbers[i];
-    if (std::abs(number) <= kMaxCoordinate) continue;
+    if (std::abs(number) <= arm::kMaxCoordinate) continue;
     return refuse(NumberFault{std::isfinite(number) ? table_error::kCoordinateRange : table_error::kNotFinite,
                               fmt::format("coordinate {} of the pose is {}", i + 1, number), kSixNumbers});
   }

@@ -14,6 +14,8 @@ namespace cobot_command::arm {
 using ControllerPose = std::array<double, 6>;
 /// J1..J6 [deg].
 using ControllerJoints = std::array<double, 6>;
+/// The largest coordinate [mm, deg] that is taken for one.
+inline constexpr double kMaxCoordinate = 100000;
 
 [[nodiscard]] Pose toPose(const ControllerPose& pose_mm_deg);
 [[nodiscard]] ControllerPose toControllerPose(const Pose& pose);

@@ -27,6 +27,9 @@ struct Ptp {
   Duration time_to_top_speed{};
 };
 
+/// The highest speed of a TCP that a script can ask for [m/s] (thesis table 5.3.2.3).
+inline constexpr double kMaxTcpSpeed = 4.5;
+
 /// Speed of a TCP along its path: as a ratio (0, 1] of the model's typical maximum, or in m/s.
 struct SpeedRatio {
   double value = 1.0;

@@ -9,8 +9,8 @@
 
 namespace cobot_command::protocol {
 
-/// Upper limit of DATA that is accepted or sent [bytes]. The controller documents only int32; a trajectory in
-/// one frame has some 100 kB, so this leaves room and still bounds what a peer can make us store.
+/// Upper limit of DATA that is accepted or sent [bytes]. The controller documents only int32; a path in one
+/// frame has up to 750 kB, so this leaves room and still bounds what a peer can make us store.
 inline constexpr std::size_t kMaxDataLength = std::size_t{16} * 1024 * 1024;
 
 namespace header {

@@ -54,7 +54,7 @@ void checkPose(ParameterChecks& checks, const char* field, const FramedPose& pos
   checks.require(unit, own_error::kQuaternion, fmt::format("that of {} has length {}", field, length));
   if (!frame_known || !unit) return;
   const double furthest = mToMm(inRobotBase(pose).translation().cwiseAbs().maxCoeff());
-  checks.require(isWithin(furthest, 0, kMaxCoordinate), own_error::kCoordinateRange,
+  checks.require(isWithin(furthest, 0, arm::kMaxCoordinate), own_error::kCoordinateRange,
                  fmt::format("{} is {} mm from the robot base", field, furthest));
 }
 

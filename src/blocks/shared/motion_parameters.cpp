@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/units.h"
+#include "cobot_command/motion/command.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -13,7 +15,7 @@ namespace {
 using script::DataFormat;
 
 constexpr double kMaxSpeedPercent = 100;
-constexpr double kMaxSpeedMmPerSecond = 4500;
+constexpr double kMaxSpeedMmPerSecond = mToMm(motion::kMaxTcpSpeed);
 constexpr double kMinAccelTime = 150;
 constexpr double kMaxAccelTime = 9999;
 constexpr double kMaxBlendingPercent = 100;

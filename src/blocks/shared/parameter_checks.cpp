@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/script/script_command.h"
@@ -38,8 +39,9 @@ void ParameterChecks::bufferMode(int buffer_mode) {
 }
 
 void ParameterChecks::sixValues(const char* field, const SixValues& values) {
-  const auto bad = std::find_if(values.begin(), values.end(),
-                                [](double v) { return !isWithin(v, -kMaxCoordinate, kMaxCoordinate); });
+  const auto bad = std::find_if(values.begin(), values.end(), [](double v) {
+    return !isWithin(v, -arm::kMaxCoordinate, arm::kMaxCoordinate);
+  });
   if (bad == values.end()) return;
   const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
   require(false, finite ? own_error::kCoordinateRange : own_error::kNotFinite,

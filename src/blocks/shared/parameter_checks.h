@@ -40,7 +40,4 @@ class ParameterChecks {
   std::vector<Failure> failures_;
 };
 
-/// Largest coordinate [mm, deg] that is taken for one.
-inline constexpr double kMaxCoordinate = 100000;
-
 }  // namespace cobot_command::blocks

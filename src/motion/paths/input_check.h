@@ -8,8 +8,6 @@
 
 namespace cobot_command::motion {
 
-/// The highest TCP speed that can be asked for [m/s] (thesis table 5.3.2.3).
-inline constexpr double kMaxTcpSpeed = 4.5;
 /// Largest arc angle, either way [rad].
 inline constexpr double kMaxArcAngle = 2.0 * 3.14159265358979323846;
 /// No motion takes longer [s]. The slowest PTP of the family, J1 from end to end at 1 % and a project speed

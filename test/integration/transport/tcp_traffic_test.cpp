@@ -169,6 +169,43 @@ TEST_F(TcpTrafficTest, dropsAPeerThatNeverReadsInsteadOfGrowingForEver) {
   EXPECT_EQ(server.tcp.backlog(), 0u);
 }
 
+TEST_F(TcpTrafficTest, carriesTwoPvtsOfAPathAndAStopToAPeerThatReadsLate) {
+  Server server(context);
+  auto peer = rawPeer(context, server.port);
+  ASSERT_TRUE(runUntil([&] { return server.clients.size() == 1; }));
+  const ClientId id = server.clients.front();
+  std::string sent;
+  const auto send = [&](const std::string& bytes) {
+    server.tcp.send(id, bytes);
+    sent += bytes;
+  };
+  // What the system takes is not to count.
+  while (server.tcp.backlog() == 0) send(std::string(20'000, 'x'));
+  const std::string line =
+      "PVTPoint(-179.99999,-179.99999,-154.99999,-179.99999,-179.99999,-269.99999,"
+      "-179.99999,-179.99999,-179.99999,-224.99999,-224.99999,-224.99999,0.025)\r\n";
+  ASSERT_LE(line.size(), 150U);
+  std::string block;
+  for (int i = 0; i < 5000; ++i) block += line;
+  send(block);
+  send(block);
+  send("$TMSCT,21,9,StopAndClearBuffer(),*00\r\n");
+  EXPECT_GT(server.tcp.backlog(), 2 * block.size());
+  settle(context);
+  EXPECT_TRUE(server.disconnected.empty()) << server.disconnected.begin()->second;
+
+  peer.non_blocking(true);
+  std::string received;
+  std::string piece(20'000, ' ');
+  ASSERT_TRUE(runUntil([&] {
+    boost::system::error_code code;
+    received.append(piece, 0, peer.read_some(boost::asio::buffer(piece), code));
+    return received.size() >= sent.size();
+  }));
+  EXPECT_TRUE(received == sent);
+  EXPECT_TRUE(server.disconnected.empty());
+}
+
 TEST_F(TcpTrafficTest, keepsAPeerThatReadsSlowlyButReads) {
   Server server(context);
   auto peer = rawPeer(context, server.port);

@@ -194,6 +194,26 @@ TEST_F(PathChains, addIncrementsToWhatWasTakenOut) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found.at(i), pose.at(i), 1e-6);
 }
 
+TEST_F(PathChains, addIncrementsToWhereTheArmIsWhenTheWorldHasMoved) {
+  scene.world = arm::Pose::Identity();
+  PathPlanner planner(scene);
+  arm::ControllerPose pose = flangeAt(scene.start);
+  pose[1] += 30;
+  const auto in_world = [](PathPoint point) {
+    point.ref_frame_type = number(Reference::World);
+    return point;
+  };
+  ASSERT_FALSE(planner.append(sectionOf({in_world(toPose(pose))})));
+  PathScene moved = scene;
+  moved.world = arm::toPose({0, 500, 0, 0, 0, 0});
+  planner.setScene(moved);
+  const auto refusal = planner.append(sectionOf({in_world(incremental(toPose({0, 0, -20, 0, 0, 0})))}));
+  ASSERT_FALSE(refusal) << refusal->found;
+  pose[2] -= 20;
+  const arm::ControllerPose found = flangeAt(endOf(planner.plan()));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found.at(i), pose.at(i), 1e-6);
+}
+
 TEST_F(PathChains, takeTheSceneOfEachSection) {
   PathPlanner planner(scene);
   PathPoint to = incremental(toPose({0, 100, 0, 0, 0, 0}));
