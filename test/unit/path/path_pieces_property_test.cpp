@@ -80,6 +80,7 @@ class PathPieces : public Paths {
  protected:
   void check(int count, Seen& seen) const {
     std::vector<PathPoint> points;
+    points.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) points.push_back(anyPoint());
     PathPlanner planner(scene);
     if (const auto refusal = planner.append(sectionOf(points))) {
