@@ -21,6 +21,7 @@ DECLARATION = re.compile(r"(?P<type>[\w/]+)(?P<array>\[\d*\])?\s+(?P<name>\w+)(=
 NUMBER = re.compile(r"u?int\d+|float\d+")
 UNIT_OR_RANGE = re.compile(r"\d\.\.\d|\[[^\]]+\]")
 ENDS = re.compile(r"((?:(?:SUCCEEDED|REJECTED|ABORTED|PREEMPTED|RECALLED)(?:, )?)+):\s*")
+ERROR_ROW = re.compile(r"\| (16#[0-9A-F]+|\d+) \| \d+ \|")
 NO_MORE = "cannot occur any more"
 
 
@@ -111,7 +112,7 @@ def read_errors(path):
     for line in path.read_text(encoding="utf-8").splitlines():
         if line.startswith("## "):
             rows = errors.setdefault(line[3:].strip("`"), [])
-        elif line.startswith("| 16#"):
+        elif ERROR_ROW.match(line):
             rows.append(line)
     return errors
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "command/pick_and_place_file.h"
+#include "files/pick_and_place_file.h"
 #include "require.h"
 
 #include "cobot_command/common/foreign_text.h"

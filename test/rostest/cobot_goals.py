@@ -1,7 +1,7 @@
 """A good goal of each block, and how to change it. The arm starts at HOME; none of these leaves its reach."""
-from cobot_command.msg import (ChangeBaseGoal, ChangeLoadGoal, ChangeTCPGoal, CheckSequenceGoal, ExitListenNodeGoal, MomentOfInertia,
-                               MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, OutputAction, PickAndPlaceGoal,
-                               PickAndPlaceStep, ProgramControlGoal, RunScriptGoal, SequenceStep, SetOutputGoal, StopGoal,
+from cobot_command.msg import (ChangeBaseGoal, ChangeLoadGoal, ChangeTCPGoal, CheckSequenceGoal, ExitListenNodeGoal, LoadPathGoal,
+                               MomentOfInertia, MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, OutputAction, PathPoint,
+                               PickAndPlaceGoal, PickAndPlaceStep, ProgramControlGoal, RunScriptGoal, SequenceStep, SetOutputGoal, StopGoal,
                                Transformation, WaitForInputGoal)
 
 HOME = (0, 0, 90, 0, 90, 0)
@@ -84,6 +84,25 @@ def step(move, output=None, dwell=0.0, awaited=None):
     return PickAndPlaceStep(move=move, output=output or OutputAction(), input=awaited or WaitForInputGoal(), dwell=dwell)
 
 
+def path(*points, **changes):
+    """Loads them all."""
+    return with_changes(LoadPathGoal(path=list(points), number_of_moves=len(points)), changes)
+
+
+def path_to_joints(*degrees, **changes):
+    """A PTP to a point of a path; quick, so that it takes long only where `changes` say so."""
+    return with_changes(PathPoint(joints=[*degrees, 0, 0, 0], speed=90, acceleration=400, deceleration=400), changes)
+
+
+def path_line(*pose, **changes):
+    """A straight way of the flange."""
+    return with_changes(
+        PathPoint(interpolation_type=PathPoint.CP_LINEAR, target_point_type=PathPoint.CARTESIAN, pose=six(pose),
+                  pose_type=PathPoint.FLANGE, ref_frame_type=PathPoint.ROBOT, speed=200, acceleration=1000, deceleration=1000,
+                  orientation_speed=90, orientation_acceleration=400, orientation_deceleration=400),
+        changes)
+
+
 def output(number=0, value=1, **changes):
     return with_changes(SetOutputGoal(module="EndModule", output=number, value=value), changes)
 
@@ -123,7 +142,7 @@ def queued(**changes):
             circle((450, 0, 500, 180, 0, 90), POSE, **changes), base(20, 30, 10, 0, 0, 90, **changes),
             tcp(0, 0, 150, 0, 0, 90, **changes), ChangeLoadGoal(weight=1, **changes), output(**changes),
             wait_for(value=False, **changes), ExitListenNodeGoal(**changes), script("ChangeLoad(1)", **changes),
-            cycle(step(to_joints(*HOME)), **changes)]
+            cycle(step(to_joints(*HOME)), **changes), path(path_to_joints(*HOME), **changes)]
 
 
 def commands():

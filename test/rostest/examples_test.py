@@ -20,7 +20,7 @@ CLIENT_DEADLINE = 120  # [s]
 CLIENTS = (["pick_and_place.py", "--cycles", "0"], ["tour.py"], ["tour"])
 PACKAGE = pathlib.Path(rospkg.RosPack().get_path("cobot_command"))
 # ```sh example [state [error id]]; the state is SUCCEEDED when it is not given
-EXAMPLE = re.compile(r"^```sh example *(?P<state>\w*) *(?:16#(?P<error_id>\w+))?\n(?P<command>.*?)^```$", re.M | re.S)
+EXAMPLE = re.compile(r"^```sh example *(?P<state>\w*) *(?:16#(?P<error_id>\w+)|(?P<decimal>\d+))?\n(?P<command>.*?)^```$", re.M | re.S)
 TARGET = re.compile(r"rostopic pub -1 /(?P<action>\w+)/(?:goal|cancel) ")
 
 
@@ -116,7 +116,7 @@ class Examples(MotionTestCase):
             # Results of this test's own goals may still come in.
             end = results.wait_for(lambda m: rospy.get_name() not in m.status.goal_id.id, "the result")
         self.assertEqual(end.status.status, getattr(GoalStatus, example["state"] or "SUCCEEDED"), end)
-        self.assertEqual(hex(end.result.error_id), hex(int(example["error_id"] or "0", 16)), end)
+        self.assertEqual(hex(end.result.error_id), hex(int(example["decimal"] or 0) or int(example["error_id"] or "0", 16)), end)
 
 
 @contextlib.contextmanager

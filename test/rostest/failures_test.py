@@ -6,17 +6,23 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import ChangeLoadGoal, ExitListenNodeGoal, ProgramControlGoal, StopGoal
-from cobot_goals import (HOME, base, cycle, motions, move_script, output, relative, script, step, tcp, to_joints, turn,
-                         wait_for)
+from cobot_goals import (ELSEWHERE, HOME, base, cycle, motions, move_script, output, path, path_to_joints, relative, script, step, tcp,
+                         to_joints, turn, wait_for)
 from cobot_test import CobotTestCase
+from provoked_errors import own_number
 
 SLOWLY = {"speed": 5}
+
+
+def all_motions(**changes):
+    return [*motions(**changes), path(path_to_joints(*ELSEWHERE, **changes))]
 
 
 def scripts():
     """One goal of each block that is one script; the motions are short."""
     return [to_joints(*HOME), relative(0, 0, 1, 0, 0, 0), motions()[2], base(20, 30, 10, 0, 0, 90), tcp(0, 0, 150),
-            ChangeLoadGoal(weight=1), output(), ExitListenNodeGoal(), script("ChangeLoad(1)"), ProgramControlGoal(command=ProgramControlGoal.RESUME)]
+            ChangeLoadGoal(weight=1), output(), ExitListenNodeGoal(), script("ChangeLoad(1)"), ProgramControlGoal(command=ProgramControlGoal.RESUME),
+            path(path_to_joints(1, 0, 90, 0, 90, 0), path_to_joints(*HOME))]
 
 
 class Failures(CobotTestCase):
@@ -47,7 +53,7 @@ class Failures(CobotTestCase):
         for goal in scripts():
             with self.subTest(type(goal).__name__):
                 self.robot.fault("cperr_script", count=1, text="F1")
-                self.assert_aborted(self.robot.run(goal), 0x220)
+                self.assert_aborted(self.robot.run(goal), own_number(goal, 0x220))
                 self.robot.close()  # whether it is in the Listen node is known anew with a new link
                 self.robot.establish()
 
@@ -57,20 +63,20 @@ class Failures(CobotTestCase):
                 self.robot.fault("silence")
                 sent = self.robot.send(goal).wait_until_active()
                 self.robot.operate("drop_connections")
-                self.assert_aborted(sent.finish(), 0x99)
+                self.assert_aborted(sent.finish(), own_number(goal, 0x99))
                 self.robot.reset()
                 self.robot.establish()
 
     # --- The motion.
     def test_of_motions_that_the_controller_reports_as_not_completed(self):
-        for goal in motions():
+        for goal in all_motions():
             with self.subTest(type(goal).__name__):
                 self.robot.fault("false_tag", count=1)
                 self.assert_aborted(self.robot.run(goal), 0x110, "false")
                 self.return_home()
 
     def test_of_overdue_motions_that_the_controller_does_not_know(self):
-        for goal in motions():
+        for goal in all_motions():
             with self.subTest(type(goal).__name__):
                 self.robot.fault("drop_tag", count=1)
                 self.robot.fault("query_none", count=1)
@@ -83,7 +89,7 @@ class Failures(CobotTestCase):
         self.assert_aborted(self.robot.run(motions()[0]), 0x110, "stands")
 
     def test_of_overdue_motions_whose_tag_cannot_be_asked_for(self):
-        for goal in motions():
+        for goal in all_motions():
             with self.subTest(type(goal).__name__):
                 self.robot.fault("drop_tag", count=1)
                 self.robot.fault("drop_tag_answer", count=1)
@@ -91,7 +97,7 @@ class Failures(CobotTestCase):
                 self.return_home()
 
     def test_of_cancelled_motions_whose_stop_is_refused(self):
-        for goal in motions(**SLOWLY):
+        for goal in all_motions(**SLOWLY):
             with self.subTest(type(goal).__name__):
                 sent = self.robot.start_slowly(goal)
                 self.robot.fault("refuse_stop", count=1)
@@ -116,11 +122,11 @@ class Failures(CobotTestCase):
         self.assert_aborted(sent.finish(), 0x222, "0x14058: no posture")
 
     def test_of_motions_tells_the_error_though_their_tag_comes_before_it(self):
-        for goal in motions(**SLOWLY):
+        for goal in all_motions(**SLOWLY):
             with self.subTest(type(goal).__name__):
                 sent = self.robot.start_slowly(goal)
                 self.robot.operate("raise_error", 0x14058, "joint 3")
-                self.assert_aborted(sent.finish(), 0x222, "0x14058: no posture")
+                self.assert_aborted(sent.finish(), own_number(goal, 0x222), "0x14058: no posture")
                 self.assert_done(self.robot.run(StopGoal()))  # acknowledges it
                 self.assert_aborted(self.robot.run(to_joints(*HOME)), 0x222, "0x14058: no posture")  # it stands
                 self.assert_done(self.robot.run(StopGoal()))
@@ -128,7 +134,7 @@ class Failures(CobotTestCase):
                 self.return_home()
 
     def test_of_motions_whose_tag_comes_before_the_robot_is_there(self):
-        for goal in motions(**SLOWLY):
+        for goal in all_motions(**SLOWLY):
             with self.subTest(type(goal).__name__):
                 self.robot.fault("early_tag", count=1)
                 self.assert_aborted(self.robot.run(goal), 0x226, "from its target")

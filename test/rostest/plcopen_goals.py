@@ -5,7 +5,7 @@ import math
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import (MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, PickAndPlaceGoal, RunScriptGoal,
+from cobot_command.msg import (LoadPathGoal, MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, PickAndPlaceGoal, RunScriptGoal,
                                StopGoal)
 from load_watch import first_at_or_after
 from motion_checks import AS_REPORTED
@@ -13,10 +13,10 @@ from plcopen_status import QUEUED_BLOCKS
 
 LOOKED_UP = " while a frame or a file was looked up for it, or for one in front of it"
 CANCELLED_EARLY = ("cancelled by its id before it came", "cancelled before it came")  # the action server says so
-TOO_MANY = 0x216  # wait, for their turn or for frames and files
+TOO_MANY = {0x216, 1000}  # wait, for their turn or for frames and files
 MOVES = (MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal)
 # For the state of the layer or the robot, not for what the goal says.
-NOT_READY = {0x10, 0x11, 0x208, 0x216, 0x220, 0x221, 0x222, 0x225, 0x227, 0x231, 0x242}
+NOT_READY = {0x10, 0x11, 0x208, 0x216, 0x220, 0x221, 0x222, 0x225, 0x227, 0x231, 0x242, 1000, 1001, 1002, 1003, 1005, 1006}
 FAILED = (GoalStatus.REJECTED, GoalStatus.ABORTED)
 WITHDRAWN = (GoalStatus.RECALLED, GoalStatus.PREEMPTED)
 QUEUED = 1  # phase
@@ -123,7 +123,7 @@ def shown_faults(records, status):
     for record in sorted(records, key=lambda r: r.end[0]):
         result = record.end[2]
         description = result.error_description
-        if description.endswith(LOOKED_UP) or description.startswith(CANCELLED_EARLY) or result.error_id == TOO_MANY:
+        if description.endswith(LOOKED_UP) or description.startswith(CANCELLED_EARLY) or result.error_id in TOO_MANY:
             continue  # it has not come to its block, or perhaps not
         last[record.block] = record
     for outputs in status.blocks:
@@ -220,7 +220,7 @@ def _stands(goal, state):
         return False
     if isinstance(goal, MOVES):
         return state == GoalStatus.PREEMPTED or (state == GoalStatus.SUCCEEDED and not goal.blending_enable)
-    if isinstance(goal, PickAndPlaceGoal):
+    if isinstance(goal, (LoadPathGoal, PickAndPlaceGoal)):
         return state in (GoalStatus.SUCCEEDED, GoalStatus.PREEMPTED)
     return isinstance(goal, RunScriptGoal) and goal.await_motion and state == GoalStatus.SUCCEEDED
 
@@ -228,6 +228,8 @@ def _stands(goal, state):
 def _joint_target(goal):
     if isinstance(goal, MoveAbsoluteGoal) and goal.data_format == MoveAbsoluteGoal.JPP:
         return _six(goal.target_position)
+    if isinstance(goal, LoadPathGoal) and goal.path and not goal.path[-1].interpolation_type:
+        return list(goal.path[-1].joints[:6])
     if isinstance(goal, PickAndPlaceGoal) and goal.steps:
         return _joint_target(goal.steps[-1].move)
     return None

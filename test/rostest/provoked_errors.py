@@ -25,6 +25,14 @@ def block_of(message):
     return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
 
 
+# By which load_path tells of what any block may have to tell of.
+OF_LOAD_PATH = {0x10: 1001, 0x99: 1002, 0x216: 1000, 0x220: 1003, 0x221: 1005, 0x222: 1002}
+
+
+def own_number(goal, error_id):
+    return OF_LOAD_PATH.get(error_id, error_id) if block_of(goal) == "load_path" else error_id
+
+
 def note(block, error_id):
     if _notes:
         print(block, hex(error_id), file=_notes, flush=True)

@@ -6,7 +6,7 @@ import random
 from cobot_command.msg import (ChangeLoadGoal, ConnectGoal, ExitListenNodeGoal, MoveAbsoluteGoal, MoveRelativeGoal,
                                OutputAction, PickAndPlaceGoal, ProgramControlGoal, RobotPose, SetOutputGoal, StopGoal,
                                WaitForInputGoal)
-from cobot_goals import (HOME, base, circle, cycle, line_to, ptp_to, relative, script, sequence, step, tcp, to_joints,
+from cobot_goals import (HOME, base, circle, cycle, line_to, path, path_line, path_to_joints, ptp_to, relative, script, sequence, step, tcp, to_joints,
                          turn, with_changes)
 from tf_frames import pose_in
 import wrong_goals
@@ -19,7 +19,7 @@ follow_up: a goal that its sender owes the others, as the resume behind a pause.
 # How often a goal is of this action.
 WEIGHTS = {"move_absolute": 26, "move_relative": 14, "move_circle": 8, "change_base": 7, "change_tcp": 6,
            "change_load": 3, "set_output": 5, "wait_for_input": 4,
-           "run_script": 12, "pick_and_place": 8, "check_sequence": 5, "program_control": 6, "exit_listen_node": 3,
+           "run_script": 12, "pick_and_place": 8, "load_path": 8, "check_sequence": 5, "program_control": 6, "exit_listen_node": 3,
            "stop": 3, "connect": 2}
 WRONG = 0.2  # of the goals
 WAITED_FOR = (1, 2)  # cycles that end by themselves before anybody's patience does
@@ -175,6 +175,24 @@ class RandomGoals:
         output = OutputAction(*r.choice((("EndModule", 0), ("EndModule", 3), ("ControlBox", 15))), r.random() < 0.5)
         return step(to_joints(*self._joints(), **self._percent()), output if r.random() < 0.3 else None,
                     r.choice((0, 0, 0, 0.05)))
+
+    def load_path(self):
+        """Lines may not be possible from where the arm is then."""
+        r = self._random
+        points = [path_to_joints(*r.choice((HOME, self._joints())), **self._end_of_point(percent=True))
+                  for _ in range(r.choice((1, 1, 2, 4)))]
+        if r.random() < 0.3:
+            points += [path_line(*self._pose(), **self._end_of_point(percent=False)) for _ in range(r.choice((1, 2)))]
+        start = r.choice((0, 0, len(points) - 1))
+        return path(*points, start_index=start, number_of_moves=len(points) - start, execution=r.choice((0, 0, 2)),
+                    buffer_mode=self._common()["buffer_mode"], check_only=r.random() < 0.1, max_deviation=r.choice((0, 100)))
+
+    def _end_of_point(self, percent):
+        r = self._random
+        ramps = {"profile_type": r.randint(0, 3), "acceleration_jerk": r.choice((0, 50, 100)), "move_id": r.randint(0, 99)}
+        if r.random() < 0.5:
+            return ramps
+        return {**ramps, "termination_type": 6, "command_tolerance": r.choice((0, 10, 100 if percent else 1e4))}
 
     def check_sequence(self):
         r = self._random

@@ -3,10 +3,11 @@
 import rospy
 
 from cobot_command.msg import CommandStatus, ProgramControlGoal, RobotStatus, StopGoal
-from cobot_goals import (BUFFERED, HOME, commands, cycle, motions, queued, script, sequence, step, to_joints, turn,
+from cobot_goals import (BUFFERED, HOME, commands, cycle, motions, path, path_to_joints, queued, script, sequence, step, to_joints, turn,
                          with_changes)
 from cobot_test import CobotTestCase, Latest
 from listen_node import ListenNode
+from provoked_errors import own_number
 
 MOST_THAT_WAIT = 64
 
@@ -15,7 +16,7 @@ class Refusals(CobotTestCase):
     def assert_all_rejected(self, goals, error_id, words=""):
         for goal in goals:
             with self.subTest(type(goal).__name__):
-                self.assert_rejected(self.robot.run(goal), error_id, words)
+                self.assert_rejected(self.robot.run(goal), own_number(goal, error_id), words)
 
     def test_of_all_commands_without_a_connection(self):
         self.assert_all_rejected(commands(), 0x10)
@@ -117,14 +118,14 @@ class Refusals(CobotTestCase):
 
     def test_of_checks_that_do_not_know_the_start(self):
         checks = [*motions(check_only=True)[:3], cycle(step(to_joints(*HOME)), check_only=True),
-                  sequence(to_joints(*HOME), start_joints=[])]
+                  sequence(to_joints(*HOME), start_joints=[]), path(path_to_joints(*HOME), check_only=True)]
         self.assert_all_rejected(checks, 0x208)
         self.assert_all_rejected([sequence(to_joints(*HOME), start_joints=[0, 0, 90]),
                                   sequence(to_joints(*HOME), start_joints=[0, 0, float("nan"), 0, 0, 0])], 0x208)
 
     def test_of_checks_without_a_model_of_the_arm(self):
         goals = [*motions(check_only=True)[:3], cycle(step(to_joints(*HOME)), check_only=True),
-                 sequence(to_joints(*HOME))]
+                 sequence(to_joints(*HOME)), path(path_to_joints(*HOME), check_only=True)]
         connect = self.robot.send(self.robot.connect_goal(), "unmodelled/")
         Latest("unmodelled/command_status", CommandStatus).wait_for(
             lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a ready link")

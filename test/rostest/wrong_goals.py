@@ -3,8 +3,9 @@ import copy
 import math
 
 from cobot_command.msg import (ConnectGoal, MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, OutputAction,
-                               PickAndPlaceGoal, RobotPose)
-from cobot_goals import HOME, POSE, base, circle, cycle, line_to, ptp_to, script, sequence, step, tcp, to_joints, turn
+                               LoadPathGoal, PathPoint, PickAndPlaceGoal, RobotPose)
+from cobot_goals import (HOME, POSE, base, circle, cycle, line_to, path, path_line, path_to_joints, ptp_to, script, sequence, step,
+                         tcp, to_joints, turn)
 from tf_frames import pose_in
 
 INT_MAX, INT_MIN = 2**31 - 1, -2**31
@@ -93,6 +94,11 @@ def _blended(radius, *values):
     return lambda r: line_to(*POSE, blending_enable=True, blending_value=r.choice(values), **changes)
 
 
+def _point(error, **fields):
+    """Behind a good one, a point with one wrong field."""
+    return _of(error, lambda r: path(path_to_joints(*HOME), path_to_joints(*HOME, **{n: r.choice(v) for n, v in fields.items()})))
+
+
 _SHARED = (_field(0x28, "command_id", -1, 1, 10, 16, INT_MAX, INT_MIN),
            _field(0x215, "buffer_mode", 3, *TINY_AND_HUGE, fits=lambda good: not getattr(good, "at_once", False)),
            _field(0x27, "accel_time", 149, 10000, 0, *TINY_AND_HUGE))
@@ -160,6 +166,19 @@ _ROWS = {
         _of(0x256, lambda r: PickAndPlaceGoal(steps_file=r.choice(_NO_FILES), cycles=1)),
         _of(0x258, lambda r: cycle(step(to_joints(*HOME, blending_enable=True), dwell=0.1))),
         _of(0x259, lambda r: cycle(step(to_joints(*HOME, exit_node=True)), cycles=0))),
+    "load_path": (
+        _of(1010, lambda r: path(path_to_joints(*HOME), number_of_moves=r.choice((0, 2, *TINY_AND_HUGE))), lambda r: LoadPathGoal(),
+            lambda r: path(*[PathPoint()] * 1001)),
+        _of(1012, lambda r: path(path_to_joints(*HOME), start_index=r.choice((1, *TINY_AND_HUGE)))),
+        _point(1013, speed=(-1, *NOT_FINITE)), _point(1014, acceleration_jerk=(-0.1, 100.1, *NOT_FINITE)),
+        _point(1017, move_type=(2, 255)), _point(1018, target_point_type=(3, 255)), _point(1024, termination_type=(1, 255)),
+        _point(1025, profile_type=(4, 255)), _point(1026, robot_configuration=(16, 255)),
+        _of(1022, lambda r: path(path_to_joints(*HOME, termination_type=6, command_tolerance=r.choice((-0.1, *NOT_FINITE))))),
+        _of(1023, lambda r: path(path_to_joints(*HOME, termination_type=6, command_tolerance=100.1))),
+        _of(1015, lambda r: path(path_line(*POSE, orientation_speed=0))),
+        _of((1033, 1037), lambda r: path(path_to_joints(*HOME), path_to_joints(r.choice((300, *NOT_FINITE, *TOO_FAR)), 0, 90, 0, 90, 0))),
+        _field(0x275, "execution", 3, 255), _field(0x278, "max_deviation", -0.1, 1e308, *NOT_FINITE),
+        _of(0x279, lambda r: LoadPathGoal(path_file=r.choice(_NO_FILES), number_of_moves=1))),
     "check_sequence": (
         _of(0x208, lambda r: sequence(to_joints(*HOME), start_joints=r.choice(([0, 0, 90], [0] * 7, [math.nan] * 6)))),
         _of(0x250, lambda r: sequence(), lambda r: sequence(*[to_joints(*HOME)] * 201)),

@@ -131,8 +131,10 @@ GoalIntake::Core CommandNode::intakeCore() {
 }
 
 FileSource CommandNode::fileSource() {
-  return {[this](blocks::GoalId id, const std::string& location) { return steps_files_.find(id, location); },
-          [this](blocks::GoalId id) { steps_files_.forget(id); }};
+  return {[this](blocks::GoalId id, FileKind kind, const std::string& location) {
+            return goal_files_.find(id, kind, location);
+          },
+          [this](blocks::GoalId id) { goal_files_.forget(id); }};
 }
 
 std::unique_ptr<TableServices> CommandNode::tableServices(const ros::NodeHandle& node,

@@ -142,6 +142,8 @@ SettingTable behaviourTable(CommandParameters& p) {
        "a robot that still moves when a link is made, or that a pause or a safeguard holds, is stopped, also "
        "one that another command node moves: to start a second node stops the robot of the first. False: it "
        "is left alone, and nothing is sent before it stands; for several clients of one controller"},
+      {"path_in_manual_mode", flag(p.link.path_in_manual_mode),
+       "load_path takes goals also while the status stream shows the manual mode, which its manual refuses"},
       {"simulated_controller", text(p.simulated_controller, orEmpty(nodeName())),
        "node whose `~listening` ports are used, for ports that it was free to choose"},
       {"diagnostic_period", real(p.diagnostic_period, 0.1, 3600, "s"), "of `/diagnostics`"},

@@ -82,12 +82,20 @@ GoalIntake::Reading GoalIntake::readNow(blocks::GoalId id, const GoalReader& rea
     reading.has_frames = reading.has_frames && place.in_robot_base.has_value();
     return place;
   };
-  const auto find_file = [&](const std::string& location) {
-    auto answer = files_.find(id, location);
+  const auto find_file = [&](FileKind kind, const std::string& location) {
+    auto answer = files_.find(id, kind, location);
     reading.has_file = answer.has_value();
     return answer;
   };
-  reading.goal = read({find_frame, find_file});
+  const auto find_steps = [&](const std::string& location) -> std::optional<StepsAnswer> {
+    auto answer = find_file(FileKind::Steps, location);
+    return answer ? std::make_optional(std::get<StepsAnswer>(std::move(*answer))) : std::nullopt;
+  };
+  const auto find_points = [&](const std::string& location) -> std::optional<PointsAnswer> {
+    auto answer = find_file(FileKind::Points, location);
+    return answer ? std::make_optional(std::get<PointsAnswer>(std::move(*answer))) : std::nullopt;
+  };
+  reading.goal = read({find_frame, find_steps, find_points});
   return reading;
 }
 

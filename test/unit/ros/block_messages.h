@@ -9,6 +9,7 @@
 #include "cobot_command/CheckSequenceAction.h"
 #include "cobot_command/ConnectAction.h"
 #include "cobot_command/ExitListenNodeAction.h"
+#include "cobot_command/LoadPathAction.h"
 #include "cobot_command/MoveAbsoluteAction.h"
 #include "cobot_command/MoveCircleAction.h"
 #include "cobot_command/MoveRelativeAction.h"
@@ -28,7 +29,10 @@ blocks::ExitListenNodeGoal toGoal(const cobot_command::ExitListenNodeGoal& messa
 blocks::RunScriptGoal toGoal(const cobot_command::RunScriptGoal& message, const Lookups& lookups);
 blocks::CheckSequenceGoal toGoal(const cobot_command::CheckSequenceGoal& message, const Lookups& lookups);
 blocks::PickAndPlaceGoal toGoal(const cobot_command::PickAndPlaceGoal& message, const Lookups& lookups);
+blocks::LoadPathGoal toGoal(const cobot_command::LoadPathGoal& message, const Lookups& lookups);
 
+void fill(cobot_command::LoadPathResult& message, const blocks::Outcome& outcome, const FillSite& site);
+void fill(cobot_command::LoadPathFeedback& message, const blocks::Progress& progress, const FillSite& site);
 void fill(cobot_command::ConnectResult& message, const blocks::Outcome& outcome, const FillSite& site);
 void fill(cobot_command::MoveAbsoluteResult& message, const blocks::Outcome& outcome, const FillSite& site);
 void fill(cobot_command::MoveRelativeResult& message, const blocks::Outcome& outcome, const FillSite& site);

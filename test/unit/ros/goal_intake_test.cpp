@@ -43,6 +43,16 @@ class Intake : public ::testing::Test {
         },
         Instant(at));
   }
+  void path(blocks::GoalId id, const std::string& file, milliseconds at = milliseconds(0)) {
+    intake.submit(
+        id,
+        [file](const Lookups& lookups) -> blocks::Goal {
+          cobot_command::LoadPathGoal message;
+          message.path_file = file;
+          return toGoal(message, lookups);
+        },
+        Instant(at));
+  }
   template <class Goal>
   void give(blocks::GoalId id, Goal goal, milliseconds at = milliseconds(0)) {
     intake.submit(
@@ -77,8 +87,9 @@ class Intake : public ::testing::Test {
         return {arm::Pose::Identity(), ""};
       },
       [this] { return patience; },
-      {[this](blocks::GoalId, const std::string& location) -> std::optional<StepsAnswer> {
+      {[this](blocks::GoalId, FileKind kind, const std::string& location) -> std::optional<FileAnswer> {
          if (read.count(location) == 0) return std::nullopt;
+         if (kind == FileKind::Points) return PointsAnswer();
          return StepsAnswer();
        },
        [this](blocks::GoalId id) { forgotten.insert(id); }},
@@ -92,6 +103,15 @@ TEST_F(Intake, handsOnAGoalWithoutAFrameAtOnce) {
   move(1, "");
   EXPECT_THAT(told, ElementsAre("submit 1"));
   EXPECT_FALSE(intake.isWaiting());
+}
+
+TEST_F(Intake, waitsForTheFileOfAPath) {
+  path(1, "/path.yaml");
+  EXPECT_TRUE(intake.isWaiting());
+  read = {"/path.yaml"};
+  intake.advance(Instant(milliseconds(10)));
+  EXPECT_THAT(told, ElementsAre("submit 1"));
+  EXPECT_EQ(forgotten.count(1), 1U);
 }
 
 TEST_F(Intake, handsOnAGoalWhoseFrameIsKnownAtOnce) {

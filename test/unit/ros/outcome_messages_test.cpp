@@ -151,6 +151,81 @@ TEST(OutcomeMessages, noStepFailedIsMinusOne) {
   EXPECT_THAT(check.steps, IsEmpty());
 }
 
+TEST(OutcomeMessages, aPathTellsWhichPointIsToBlame) {
+  blocks::Outcome outcome = anError();
+  blocks::PathReport report;
+  report.error_index = 3;
+  report.error_joint = 4;
+  report.method_id = 5;
+  report.execution = blocks::Execution::Pvt;
+  report.execution_reason = "it was asked for";
+  report.approximations = {"point 1: profile"};
+  report.blends_lost = {6, 7};
+  report.max_joint_deviation = 0.25;
+  report.max_path_deviation = 0.5;
+  report.lag = milliseconds(50);
+  report.points.resize(2);
+  report.points[1].error_id = 1046;
+  report.joint_path.resize(3);
+  outcome.detail = blocks::Detail(report);
+  outcome.planned = milliseconds(2000);
+  outcome.actual = milliseconds(3000);
+  outcome.final_joints_deg = {1, 2, 3, 4, 5, 6};
+  cobot_command::LoadPathResult message;
+  fill(message, outcome, kSite);
+  expectTheError(message);
+  EXPECT_EQ(message.error_index, 3);
+  EXPECT_EQ(message.error_joint, 4);
+  EXPECT_EQ(message.method_id, 5);
+  EXPECT_EQ(message.execution, cobot_command::LoadPathGoal::PVT);
+  EXPECT_EQ(message.execution_reason, "it was asked for");
+  EXPECT_THAT(message.approximations, ElementsAre("point 1: profile"));
+  EXPECT_THAT(message.blends_lost, ElementsAre(6, 7));
+  EXPECT_EQ(message.max_joint_deviation, 0.25);
+  EXPECT_EQ(message.max_path_deviation, 0.5);
+  EXPECT_EQ(message.lag.toSec(), 0.05);
+  ASSERT_EQ(message.points.size(), 2U);
+  EXPECT_EQ(message.points[1].error_id, 1046);
+  EXPECT_EQ(message.joint_path.points.size(), 3U);
+  EXPECT_EQ(message.planned_duration.toSec(), 2);
+  EXPECT_EQ(message.actual_duration.toSec(), 3);
+  EXPECT_TRUE(message.final_joints_valid);
+  EXPECT_EQ(message.final_joints[5], 6);
+  EXPECT_FALSE(message.final_pose_valid);
+}
+
+TEST(OutcomeMessages, aPathWithoutAReportBlamesNoPoint) {
+  cobot_command::LoadPathResult message;
+  fill(message, blocks::Outcome{}, kSite);
+  EXPECT_EQ(message.error_index, -1);
+  EXPECT_EQ(message.error_joint, -1);
+  EXPECT_EQ(message.execution, cobot_command::LoadPathGoal::AUTO);
+  EXPECT_FALSE(message.final_joints_valid);
+}
+
+TEST(FeedbackMessages, aPathTellsWhereItsPointsAre) {
+  blocks::Progress progress;
+  progress.phase = blocks::Phase::Active;
+  progress.fraction = 0.5;
+  progress.detail =
+      blocks::Detail(blocks::PathPlace{true, true, 2, 3, 4, 5, 6, 7, blocks::ProgressSource::Stream});
+  cobot_command::LoadPathFeedback message;
+  fill(message, progress, kSite);
+  EXPECT_EQ(message.phase, cobot_command::LoadPathFeedback::ACTIVE);
+  EXPECT_TRUE(message.loaded && message.active);
+  EXPECT_EQ(message.method_id, 2);
+  EXPECT_EQ(message.active_path_point, 3);
+  EXPECT_EQ(message.active_move_id, 4);
+  EXPECT_EQ(message.pending_path_points, 5);
+  EXPECT_EQ(message.queued_path_points, 6);
+  EXPECT_EQ(message.done_path_points, 7);
+  EXPECT_EQ(message.progress_source, cobot_command::LoadPathFeedback::STREAM);
+  EXPECT_EQ(message.progress, 0.5);
+  fill(message, blocks::Progress{}, kSite);
+  EXPECT_EQ(message.active_path_point, -1);
+  EXPECT_EQ(message.progress_source, cobot_command::LoadPathFeedback::PLAN);
+}
+
 TEST(FeedbackMessages, aMoveTellsItsPhasePlaceAndProgress) {
   blocks::Progress progress;
   progress.phase = blocks::Phase::Held;

@@ -1,4 +1,4 @@
-#include "command/pick_and_place_file.h"
+#include "files/pick_and_place_file.h"
 
 #include <filesystem>
 #include <fstream>

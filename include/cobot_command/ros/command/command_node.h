@@ -19,9 +19,9 @@
 #include "cobot_command/ros/command/action_bridge.h"
 #include "cobot_command/ros/command/command_parameters.h"
 #include "cobot_command/ros/command/diagnostics.h"
+#include "cobot_command/ros/command/goal_files.h"
 #include "cobot_command/ros/command/goal_intake.h"
 #include "cobot_command/ros/command/status_publisher.h"
-#include "cobot_command/ros/command/steps_files.h"
 #include "cobot_command/ros/command/tf_frames.h"
 #include "cobot_command/runtime/command/command_runtime.h"
 
@@ -70,7 +70,7 @@ class CommandNode {
   StatusPublisher publisher_;
   Diagnostics diagnostics_;
   TfFrames frames_;
-  StepsFiles steps_files_;
+  GoalFiles goal_files_;
   GoalIntake intake_;
   std::vector<std::unique_ptr<GoalListener>> servers_;  ///< by their blocks
   std::unique_ptr<runtime::CommandRuntime> runtime_;

@@ -29,9 +29,9 @@ using FramePatience = std::function<Duration()>;
 /// their package at the same time, on two cores with cold disks, which was seen to take 1.4 s.
 inline constexpr Duration kFilePatience = std::chrono::seconds(5);
 
-/// The files of goals; see StepsFiles.
+/// The files of goals; see GoalFiles.
 struct FileSource {
-  std::function<std::optional<StepsAnswer>(blocks::GoalId, const std::string& location)> find;
+  std::function<std::optional<FileAnswer>(blocks::GoalId, FileKind, const std::string& location)> find;
   std::function<void(blocks::GoalId)> forget;
 };
 

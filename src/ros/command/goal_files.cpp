@@ -1,4 +1,4 @@
-#include "cobot_command/ros/command/steps_files.h"
+#include "cobot_command/ros/command/goal_files.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -8,7 +8,8 @@
 #include <thread>
 #include <utility>
 
-#include "command/pick_and_place_file.h"
+#include "files/path_file.h"
+#include "files/pick_and_place_file.h"
 #include <fmt/format.h>
 
 #include "cobot_command/common/foreign_text.h"
@@ -20,20 +21,31 @@ namespace {
 /// How long the end of the node waits for files that are being read.
 constexpr Duration kPatience = std::chrono::milliseconds(50);
 
-StepsAnswer readGuarded(const StepsFiles::Read& read, const std::string& location) {
+/// There is none, for that reason.
+FileAnswer noAnswer(FileKind kind, std::string why) {
+  if (kind == FileKind::Steps) return StepsAnswer(refuse(std::move(why)));
+  return PointsAnswer(refuse(std::move(why)));
+}
+
+FileAnswer readFromDisk(FileKind kind, const std::string& location) {
+  if (kind == FileKind::Steps) return readPickAndPlaceFile(location);
+  return readPathFile(location);
+}
+
+FileAnswer readGuarded(const GoalFiles::Read& read, FileKind kind, const std::string& location) {
   try {
-    return read(location);
+    return read(kind, location);
   } catch (
       const std::exception& failure) {  // of a library, on a file that nobody foresaw: it ends this goal only
-    return refuse(
-        fmt::format("{}: it cannot be read: {}", foreignText(location), foreignText(failure.what())));
+    return noAnswer(
+        kind, fmt::format("{}: it cannot be read: {}", foreignText(location), foreignText(failure.what())));
   }
 }
 
 }  // namespace
 
 /// Outlives the object: a reading that hangs cannot be waited for.
-class StepsFiles::Desk {
+class GoalFiles::Desk {
  public:
   explicit Desk(Read read) : read_(std::move(read)) {}
 
@@ -49,13 +61,13 @@ class StepsFiles::Desk {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_.erase(std::remove(waiting_.begin(), waiting_.end(), job), waiting_.end());
   }
-  std::optional<StepsAnswer> answerOf(const Job& job) {
+  std::optional<FileAnswer> answerOf(const Job& job) {
     const std::lock_guard<std::mutex> lock(mutex_);
     return job.answer;
   }
   /// Reads what is asked for, until the desk is closed.
   void serve() {
-    while (const auto job = next()) finish(*job, readGuarded(read_, job->location));
+    while (const auto job = next()) finish(*job, readGuarded(read_, job->kind, job->location));
   }
   /// What is being read may come to its end.
   void close(Duration patience) {
@@ -75,7 +87,7 @@ class StepsFiles::Desk {
     ++reading_;
     return job;
   }
-  void finish(Job& job, StepsAnswer answer) {
+  void finish(Job& job, FileAnswer answer) {
     const std::lock_guard<std::mutex> lock(mutex_);
     job.answer = std::move(answer);
     --reading_;
@@ -90,29 +102,30 @@ class StepsFiles::Desk {
   bool open_ = true;
 };
 
-StepsFiles::StepsFiles() : StepsFiles(readPickAndPlaceFile) {}
+GoalFiles::GoalFiles() : GoalFiles(readFromDisk) {}
 
-StepsFiles::StepsFiles(Read read) : desk_(std::make_shared<Desk>(std::move(read))) {
+GoalFiles::GoalFiles(Read read) : desk_(std::make_shared<Desk>(std::move(read))) {
   for (int i = 0; i < kReaders; ++i) std::thread([desk = desk_] { desk->serve(); }).detach();
 }
 
-StepsFiles::~StepsFiles() {
+GoalFiles::~GoalFiles() {
   desk_->close(kPatience);
 }
 
-std::optional<StepsAnswer> StepsFiles::find(blocks::GoalId id, const std::string& location) {
+std::optional<FileAnswer> GoalFiles::find(blocks::GoalId id, FileKind kind, const std::string& location) {
   auto& job = jobs_[id];
   if (!job) {
-    job = std::make_shared<Job>(Job{location, std::nullopt});
+    job = std::make_shared<Job>(Job{kind, location, std::nullopt});
     if (!desk_->ask(job)) {
-      job->answer = refuse(fmt::format("{}: {} files wait to be read already; send the goal again later",
-                                       foreignText(location), kMostWaiting));
+      job->answer =
+          noAnswer(kind, fmt::format("{}: {} files wait to be read already; send the goal again later",
+                                     foreignText(location), kMostWaiting));
     }
   }
   return desk_->answerOf(*job);
 }
 
-void StepsFiles::forget(blocks::GoalId id) {
+void GoalFiles::forget(blocks::GoalId id) {
   const auto found = jobs_.find(id);
   if (found == jobs_.end()) return;
   desk_->forget(found->second);

@@ -1,0 +1,122 @@
+#include "runs/loaded_path.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "cobot_command/common/units.h"
+#include "cobot_command/path/path_pieces.h"
+#include "cobot_command/path/pvt_block.h"
+#include "cobot_command/script/script_command.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+using path::PathPlan;
+using path::PathRefusal;
+using Loaded = Result<std::shared_ptr<const LoadedPath>, PathRefusal>;
+using Pieces = Result<std::vector<LoadedPiecePtr>, PathRefusal>;
+
+/// Two PVTs are at the controller, and it has fifteen tags; one of each is for its end.
+constexpr std::size_t kMostMarks = 6;
+
+/// Points of the piece behind which a mark stands: those that end a goal, and others for how far it is.
+std::vector<std::size_t> markedPoints(const PathPlan& plan) {
+  const auto& points = plan.points();
+  std::set<std::size_t> marked;
+  for (std::size_t i = 0; i + 1 < points.size() && marked.size() < kMostMarks; ++i) {
+    if (points[i].goal != points[i + 1].goal) marked.insert(i);
+  }
+  for (const std::size_t point : path::taggedPoints(0, points.size() - 1, kMostMarks + 1)) {
+    if (point + 1 < points.size() && marked.size() < kMostMarks) marked.insert(point);
+  }
+  return {marked.begin(), marked.end()};
+}
+
+/// Behind the line that enters, and as many points as it is done behind.
+std::size_t lineBehind(const path::PvtBlock& block, std::size_t point) {
+  return 1 + block.ends.at(point);
+}
+
+LoadedPiecePtr toLoaded(path::PathPiece piece) {
+  LoadedPiece loaded{std::move(piece.plan), {}, {}};
+  const auto commands = path::scriptOf(piece.block, {});
+  loaded.order.moves = !commands.empty();
+  loaded.order.lines.reserve(commands.size());
+  for (const script::ScriptCommand& command : commands) {
+    loaded.order.lines.push_back(script::toText(command));
+  }
+  loaded.order.commands = commands;
+  if (loaded.order.moves) {
+    loaded.marked = markedPoints(loaded.plan);
+    for (const std::size_t point : loaded.marked) {
+      loaded.order.marks.push_back(lineBehind(piece.block, point));
+    }
+  }
+  return std::make_shared<const LoadedPiece>(std::move(loaded));
+}
+
+Pieces toLoaded(const PathPlan& plan, const path::PathScene& scene, const link::LinkSettings& settings) {
+  auto pieces = path::piecesOf(plan, scene,
+                               {settings.pvt_segment, static_cast<std::size_t>(settings.pvt_block_points)});
+  if (!pieces) return refuse(pieces.error());
+  std::vector<LoadedPiecePtr> loaded;
+  loaded.reserve(pieces->size());
+  for (path::PathPiece& piece : *pieces) loaded.push_back(toLoaded(std::move(piece)));
+  return loaded;
+}
+
+void report(LoadedPath& loaded) {
+  const auto& points = loaded.plan.points();
+  const Duration start = points[loaded.first].start;
+  for (std::size_t i = loaded.first; i < points.size(); ++i) {
+    StepReport step;
+    step.start = points[i].start - start;
+    step.duration = points[i].motion->duration();
+    loaded.report.push_back(std::move(step));
+    loaded.move_ids.push_back(points[i].point.move_id != 0 ? points[i].point.move_id : loaded.method_id);
+  }
+  loaded.planned = loaded.plan.duration() - start;
+}
+
+}  // namespace
+
+path::PathPlanner plannerFor(const PlanningScene& scene) {
+  const ChainEnd& chain = scene.chain.as<ChainToJoin>().end;
+  // Where the world is comes with the goal, once ROS tells it from tf; until then a target in it is 1040.
+  const path::PathScene here{*scene.arm, chain ? chain->scene().start : *scene.start->joints, scene.tables,
+                             std::nullopt};
+  if (!chain) return path::PathPlanner(here);
+  path::PathPlanner planner = *chain;
+  planner.setScene(here);
+  return planner;
+}
+
+Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
+  path::PathPlanner planner = plannerFor(scene);
+  const std::size_t in_front = planner.plan().points().size();
+  if (auto refusal = planner.append({goal.path, goal.start_index, goal.number_of_moves, scene.number})) {
+    return refuse(*std::move(refusal));
+  }
+  auto loaded = std::make_shared<LoadedPath>(planner.plan());
+  loaded->behind = scene.chain.as<ChainToJoin>().end;
+  loaded->first = in_front;
+  loaded->method_id = scene.number;
+  loaded->start_index = goal.start_index;
+  loaded->max_deviation = mmToM(goal.max_deviation);
+  loaded->settings = scene.settings;
+  report(*loaded);
+
+  auto pieces = toLoaded(planner.takeRested(), planner.scene(), scene.settings);
+  if (!pieces) return refuse(pieces.error());
+  loaded->pieces = std::move(*pieces);
+  loaded->end = std::make_shared<const path::PathPlanner>(planner);
+  planner.closeEnd();
+  auto open_end = toLoaded(planner.takeRested(), planner.scene(), scene.settings);
+  if (!open_end) return refuse(open_end.error());
+  if (!open_end->empty()) loaded->open_end = open_end->front();
+  loaded->closed_end = std::make_shared<const path::PathPlanner>(std::move(planner));
+  return std::shared_ptr<const LoadedPath>(std::move(loaded));
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,162 @@
+#include "runs/path_chain.h"
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+#include <utility>
+
+namespace cobot_command::blocks {
+namespace {
+
+/// How far it is on its way is told so often, as long as nothing else changes.
+constexpr Duration kTellEvery = std::chrono::milliseconds(100);
+
+auto asTuple(const PathPlace& p) {
+  return std::tie(p.loaded, p.active, p.active_path_point, p.pending_path_points, p.queued_path_points,
+                  p.done_path_points);
+}
+
+}  // namespace
+
+void PathChain::Member::pointDone(std::size_t point, Instant now) {
+  if (began) report.points[point - first].done = now - *began;
+}
+
+bool PathChain::Member::isNews(const PathPlace& place, Instant now) {
+  const bool is_other = !told_at || asTuple(place) != asTuple(told);
+  const bool is_due = place.active && told_at && now - *told_at >= kTellEvery;
+  if (!is_other && !is_due) return false;
+  told = place;
+  told_at = now;
+  return true;
+}
+
+void PathChain::add(GoalId goal, const PathReport& planned) {
+  assert(members_.empty() || planned.loaded->behind == end());
+  const std::size_t first = members_.empty() ? 0 : members_.back().behind();
+  Member member;
+  member.goal = goal;
+  member.first = first;
+  member.loaded = planned.loaded;
+  member.report = planned;
+  member.report.loaded = nullptr;
+  member.report.method_id = planned.loaded->method_id;
+  member.report.blends_lost.clear();
+  members_.push_back(std::move(member));
+  ++next_key_;
+  advance();
+}
+
+ChainEnd PathChain::end() const {
+  const LoadedPath& last = *members_.back().loaded;
+  return isOpenEndSent() ? last.closed_end : last.end;
+}
+
+bool PathChain::isOpenEndSent() const {
+  return open_end_sent_ && cursor_.member + 1 == members_.size();
+}
+
+std::optional<std::size_t> PathChain::memberOf(GoalId goal) const {
+  const auto found =
+      std::find_if(members_.begin(), members_.end(), [goal](const Member& m) { return m.goal == goal; });
+  if (found == members_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - members_.begin());
+}
+
+std::size_t PathChain::memberAt(std::size_t point) const {
+  const auto found =
+      std::find_if(members_.begin(), members_.end(), [point](const Member& m) { return point < m.behind(); });
+  return static_cast<std::size_t>(std::min(found, members_.end() - 1) - members_.begin());
+}
+
+bool PathChain::isUntouched(std::size_t member) const {
+  return sent_points_ <= members_[member].first;
+}
+
+void PathChain::dropFrom(std::size_t member) {
+  assert(member > 0 && isUntouched(member));
+  const bool behind_sent = members_[member].loaded->behind == members_[member - 1].loaded->closed_end;
+  members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(member), members_.end());
+  ++next_key_;
+  if (cursor_.member < member) return;
+  cursor_ = {member - 1, members_.back().loaded->pieces.size()};
+  open_end_sent_ = behind_sent;
+}
+
+void PathChain::dropFirst() {
+  assert(members_.size() > 1 && cursor_.member > 0);
+  members_.pop_front();
+  --cursor_.member;
+}
+
+/// Past the end of a member to the next one: what its open end has, that one's first piece begins with.
+void PathChain::advance() {
+  while (cursor_.piece == members_[cursor_.member].loaded->pieces.size() &&
+         cursor_.member + 1 < members_.size()) {
+    cursor_ = {cursor_.member + 1, 0};
+    open_end_sent_ = false;
+  }
+}
+
+LoadedPiecePtr PathChain::next() const {
+  const LoadedPath& loaded = *members_[cursor_.member].loaded;
+  if (cursor_.piece < loaded.pieces.size()) return loaded.pieces[cursor_.piece];
+  return open_end_sent_ ? nullptr : loaded.open_end;
+}
+
+bool PathChain::isNextOpen() const {
+  const LoadedPath& loaded = *members_[cursor_.member].loaded;
+  return cursor_.piece == loaded.pieces.size() && loaded.open_end && !open_end_sent_;
+}
+
+void PathChain::sendNext() {
+  const bool is_open = isNextOpen();
+  sent_.push_back({next_key_++, next(), sent_points_});
+  tellLostBlends(sent_.back());
+  sent_points_ = sent_.back().behind();
+  if (is_open) {
+    open_end_sent_ = true;
+  } else {
+    ++cursor_.piece;
+    advance();
+  }
+}
+
+PathChain::Sent PathChain::take(CommandKey key) {
+  const auto found =
+      std::find_if(sent_.begin(), sent_.end(), [key](const Sent& sent) { return sent.key == key; });
+  Sent taken = *found;
+  sent_.erase(found);
+  return taken;
+}
+
+void PathChain::tellLostBlends(const Sent& sent) {
+  const auto& points = sent.piece->plan.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].losesBlend()) continue;
+    members_[memberAt(sent.first + i)].report.blends_lost.push_back(points[i].index);
+  }
+}
+
+PathPlace PathChain::placeOf(const Member& member, const Place& place) const {
+  const auto inside = [&](std::size_t begin, std::size_t behind) {
+    const auto first = std::clamp(begin, member.first, member.behind());
+    return static_cast<int>(std::clamp(behind, first, member.behind()) - first);
+  };
+  const auto buffer = static_cast<std::size_t>(member.loaded->settings.path_buffer);
+  PathPlace told;
+  told.method_id = member.loaded->method_id;
+  told.done_path_points = inside(0, place.done);
+  told.active = inside(place.done, place.behind_active) > 0;
+  told.queued_path_points = inside(place.behind_active, place.behind_active + buffer);
+  told.pending_path_points = inside(place.behind_active + buffer, member.behind());
+  told.loaded = told.pending_path_points == 0;
+  if (told.active) {
+    const std::size_t active = std::max(place.done, member.first) - member.first;
+    told.active_path_point = member.loaded->start_index + static_cast<int>(active);
+    told.active_move_id = member.loaded->move_ids[active];
+  }
+  return told;
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,105 @@
+// The goals of a chain and what they load, in their order: which piece is to be sent next, and where each
+// goal's points are on their way.
+//
+// Points are counted from the first one of the chain on, whatever goal they are of.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "runs/loaded_path.h"
+
+#include "cobot_command/blocks/shared/command.h"
+#include "cobot_command/blocks/shared/goal_values.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::blocks {
+
+class PathChain {
+ public:
+  struct Member {
+    GoalId goal = 0;
+    std::shared_ptr<const LoadedPath> loaded;
+    std::size_t first = 0;         ///< of its points
+    PathReport report;             ///< as planned, and as it went until now
+    std::optional<Instant> began;  ///< its first point
+    PathPlace told;                ///< last
+    std::optional<Instant> told_at;
+
+    [[nodiscard]] std::size_t count() const { return loaded->move_ids.size(); }
+    [[nodiscard]] std::size_t behind() const { return first + count(); }
+    void pointDone(std::size_t point, Instant now);
+    /// It is to be told: it is another one, or was told a while ago. Then it counts as told.
+    [[nodiscard]] bool isNews(const PathPlace& place, Instant now);
+  };
+  struct Sent {
+    CommandKey key = 0;
+    LoadedPiecePtr piece;
+    std::size_t first = 0;  ///< of its points
+    [[nodiscard]] std::size_t behind() const { return first + piece->plan.points().size(); }
+  };
+  /// Points in front of `done` are done; those from there to `behind_active` move the robot.
+  struct Place {
+    std::size_t done = 0;
+    std::size_t behind_active = 0;
+  };
+
+  /// `planned`: with what is loaded.
+  PathChain(GoalId goal, const PathReport& planned) { add(goal, planned); }
+
+  // --- Goals.
+  /// Precondition: it was planned behind end().
+  void add(GoalId goal, const PathReport& planned);
+  /// That a goal which joins it has to be planned behind.
+  [[nodiscard]] ChainEnd end() const;
+  [[nodiscard]] const std::deque<Member>& members() const { return members_; }
+  [[nodiscard]] std::deque<Member>& members() { return members_; }
+  /// Nothing: it is none of its goals.
+  [[nodiscard]] std::optional<std::size_t> memberOf(GoalId goal) const;
+  [[nodiscard]] std::size_t memberAt(std::size_t point) const;
+  /// Nothing of it is in a piece that was sent.
+  [[nodiscard]] bool isUntouched(std::size_t member) const;
+  /// With all behind it. Precondition: it is untouched, and not the first one.
+  void dropFrom(std::size_t member);
+  /// The first one has ended. Precondition: there are others.
+  void dropFirst();
+
+  // --- Pieces.
+  /// Nothing: all are sent.
+  [[nodiscard]] LoadedPiecePtr next() const;
+  /// Another one for each piece that could be next.
+  [[nodiscard]] CommandKey nextKey() const { return next_key_; }
+  /// What is next could blend with what comes.
+  [[nodiscard]] bool isNextOpen() const;
+  void sendNext();
+  /// That are at the controller, in their order.
+  [[nodiscard]] const std::deque<Sent>& sent() const { return sent_; }
+  [[nodiscard]] bool isFirst(CommandKey key) const { return !sent_.empty() && sent_.front().key == key; }
+  /// That one has ended, however. Precondition: it is at the controller.
+  Sent take(CommandKey key);
+
+  // --- Counts, in the words of the instruction.
+  /// Of one goal: what the buffer holds beside the active point, and what waits in front of it.
+  [[nodiscard]] PathPlace placeOf(const Member& member, const Place& place) const;
+
+ private:
+  /// Of next(): a piece of that member; behind its pieces its open end.
+  struct Cursor {
+    std::size_t member = 0;
+    std::size_t piece = 0;
+  };
+  [[nodiscard]] bool isOpenEndSent() const;
+  void advance();
+  void tellLostBlends(const Sent& sent);
+
+  std::deque<Member> members_;
+  std::deque<Sent> sent_;
+  Cursor cursor_;
+  CommandKey next_key_ = 1;
+  bool open_end_sent_ = false;  ///< of the member that the cursor is at
+  std::size_t sent_points_ = 0;
+};
+
+}  // namespace cobot_command::blocks

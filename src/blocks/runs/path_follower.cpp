@@ -1,0 +1,84 @@
+#include "runs/path_follower.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace cobot_command::blocks {
+namespace {
+
+/// The stream tells of an arm that may be so far behind the clock, or a little in front of it.
+constexpr Duration kBehind = std::chrono::milliseconds(500);
+constexpr Duration kInFront = std::chrono::milliseconds(50);
+/// On its way into a hold, and out of it.
+constexpr Duration kInHold = std::chrono::milliseconds(500);
+constexpr Duration kStep = std::chrono::milliseconds(5);
+
+}  // namespace
+
+PathFollower::PathFollower(const arm::ArmModel& arm, LoadedPiecePtr piece, double rate, Instant now)
+    : piece_(std::move(piece)), watch_(arm, piece_->plan), rate_(rate), began_(now) {}
+
+void PathFollower::hold(Instant now) {
+  if (!held_since_) held_since_ = now;
+}
+
+void PathFollower::letGo(Instant now) {
+  if (!held_since_) return;
+  began_ += now - *std::exchange(held_since_, std::nullopt);
+  setClock(now);
+  picks_up_until_ = now + kInHold;
+}
+
+void PathFollower::setClock(Instant now) {
+  if (source_ == ProgressSource::Stream) began_ = now - fromSeconds(toSeconds(*seen_) / rate_);
+}
+
+void PathFollower::pass(std::size_t point) {
+  const path::PlannedPoint& passed = piece_->plan.points()[point];
+  seen_ = std::max(seen_.value_or(Duration::zero()), passed.end());
+  source_ = ProgressSource::Tag;
+}
+
+void PathFollower::see(const arm::JointVector& joints, Instant now) {
+  const bool is_steady = !held_since_ && !picks_up_until_;
+  const Duration clock = byClock(now);
+  if (is_steady) watch_.add(clock, joints);
+  const Duration from = std::max(seen_.value_or(Duration::zero()), clock - kBehind);
+  const Duration until = std::min(clock + (is_steady ? kInFront : kInHold), piece_->plan.duration());
+  seen_ = from < until ? nearest(joints, from, until) : from;
+  source_ = ProgressSource::Stream;
+  if (picks_up_until_ && now >= *picks_up_until_) {
+    picks_up_until_.reset();
+    setClock(now);
+  }
+}
+
+Duration PathFollower::nearest(const arm::JointVector& joints, Duration from, Duration until) const {
+  Duration best = from;
+  double least = std::numeric_limits<double>::infinity();
+  for (Duration time = from; time <= until; time += kStep) {
+    const double gap = (piece_->plan.at(time).position - joints).cwiseAbs().maxCoeff();
+    if (gap >= least) continue;
+    least = gap;
+    best = time;
+  }
+  return best;
+}
+
+Duration PathFollower::byClock(Instant now) const {
+  return fromSeconds(toSeconds(held_since_.value_or(now) - began_) * rate_);
+}
+
+Duration PathFollower::time(Instant now) const {
+  const Duration seen = seen_.value_or(Duration::zero());
+  const Duration found = source_ == ProgressSource::Stream ? seen : std::max(byClock(now), seen);
+  return std::clamp(found, Duration::zero(), piece_->plan.duration());
+}
+
+Duration PathFollower::remaining(Instant now) const {
+  const Duration left = std::max(Duration::zero(), piece_->plan.duration() - byClock(now));
+  return fromSeconds(toSeconds(left) / rate_);
+}
+
+}  // namespace cobot_command::blocks

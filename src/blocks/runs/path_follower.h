@@ -1,0 +1,54 @@
+// Where the arm is on the piece of a path that is under way: by marks, by the joints of the status stream, or
+// else by time; and how far it is from where it should be.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "runs/loaded_path.h"
+
+#include "cobot_command/common/time.h"
+#include "cobot_command/path/deviation_watch.h"
+
+namespace cobot_command::blocks {
+
+class PathFollower {
+ public:
+  /// `rate`: so much faster than planned the controller's time runs (its project speed), above 0.
+  PathFollower(const arm::ArmModel& arm, LoadedPiecePtr piece, double rate, Instant now);
+
+  /// Until it is let go, time stands still. Where the arm comes to rest, and how it gets up to its speed
+  /// again, is no deviation.
+  void hold(Instant now);
+  void letGo(Instant now);
+  /// That point is done, and all in front of it.
+  void pass(std::size_t point);
+  /// A status frame of now.
+  void see(const arm::JointVector& joints, Instant now);
+
+  /// Since the piece began, by its plan; never less than before, nor more than the piece takes.
+  [[nodiscard]] Duration time(Instant now) const;
+  [[nodiscard]] path::PathPlan::Place placeAt(Duration time) const { return piece_->plan.placeAt(time); }
+  [[nodiscard]] ProgressSource source() const { return source_; }
+  /// What is left by the clock.
+  [[nodiscard]] Duration remaining(Instant now) const;
+  [[nodiscard]] path::Deviation deviation() const { return watch_.deviation(); }
+  [[nodiscard]] double offThePath() const { return watch_.offThePath(); }
+
+ private:
+  [[nodiscard]] Duration byClock(Instant now) const;
+  /// The clock goes on from where the arm was seen.
+  void setClock(Instant now);
+  [[nodiscard]] Duration nearest(const arm::JointVector& joints, Duration from, Duration until) const;
+
+  LoadedPiecePtr piece_;
+  path::DeviationWatch watch_;
+  double rate_;
+  Instant began_;  ///< later by every hold since
+  std::optional<Instant> held_since_;
+  std::optional<Instant> picks_up_until_;  ///< its speed, behind a hold
+  std::optional<Duration> seen_;  ///< by the stream, or by a mark
+  ProgressSource source_ = ProgressSource::Plan;
+};
+
+}  // namespace cobot_command::blocks

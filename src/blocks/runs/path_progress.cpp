@@ -1,0 +1,66 @@
+#include "runs/path_progress.h"
+
+#include <algorithm>
+
+namespace cobot_command::blocks {
+namespace {
+
+path::Deviation largest(const path::Deviation& a, const path::Deviation& b) {
+  return {std::max(a.joint, b.joint), std::max(a.path, b.path), std::max(a.lag, b.lag)};
+}
+
+}  // namespace
+
+void PathProgress::begin(const PathChain::Sent& sent, double rate, Instant now) {
+  end();
+  follower_.emplace(arm_, sent.piece, rate, now);
+  first_ = sent.first;
+}
+
+void PathProgress::hold(bool held, Instant now) {
+  if (!follower_) return;
+  if (held) {
+    follower_->hold(now);
+  } else {
+    follower_->letGo(now);
+  }
+}
+
+void PathProgress::see(const arm::JointVector& joints, Instant now) {
+  if (follower_) follower_->see(joints, now);
+}
+
+void PathProgress::done(std::size_t points) {
+  done_ = std::max(done_, points);
+  if (follower_ && points > first_) follower_->pass(points - 1 - first_);
+}
+
+void PathProgress::end() {
+  if (!follower_) return;
+  ended_ = deviation();
+  follower_.reset();
+  share_ = 0;
+}
+
+PathChain::Place PathProgress::placeAt(Instant now) {
+  if (!follower_) return {done_, done_};
+  const auto place = follower_->placeAt(follower_->time(now));
+  const bool is_ahead = first_ + place.point >= done_;
+  done_ = std::max(done_, first_ + place.point);
+  share_ = is_ahead ? place.share : 0;
+  return {done_, done_ + (is_ahead && place.blends ? 2 : 1)};
+}
+
+ProgressSource PathProgress::source() const {
+  return follower_ ? follower_->source() : ProgressSource::Tag;
+}
+
+Duration PathProgress::remaining(Instant now) const {
+  return follower_ ? follower_->remaining(now) : Duration::zero();
+}
+
+path::Deviation PathProgress::deviation() const {
+  return follower_ ? largest(ended_, follower_->deviation()) : ended_;
+}
+
+}  // namespace cobot_command::blocks

@@ -1,0 +1,46 @@
+// How far a chain is on its way, piece after piece.
+#pragma once
+
+#include <optional>
+
+#include "runs/path_chain.h"
+#include "runs/path_follower.h"
+
+namespace cobot_command::blocks {
+
+class PathProgress {
+ public:
+  explicit PathProgress(const arm::ArmModel& arm) : arm_(arm) {}
+
+  /// That piece moves the robot from now on. `rate`: see PathFollower.
+  void begin(const PathChain::Sent& sent, double rate, Instant now);
+  [[nodiscard]] bool isUnderWay() const { return follower_.has_value(); }
+  void hold(bool held, Instant now);
+  void see(const arm::JointVector& joints, Instant now);
+  /// By a tag: the points in front of that one are done.
+  void done(std::size_t points);
+  /// The piece under way is over: done, or not.
+  void end();
+
+  /// By all that is known until now. Points are not done by it that no tag has told of, at the end of a
+  /// piece.
+  [[nodiscard]] PathChain::Place placeAt(Instant now);
+  /// Of the way of the active point, 0..1.
+  [[nodiscard]] double share() const { return share_; }
+  [[nodiscard]] ProgressSource source() const;
+  [[nodiscard]] Duration remaining(Instant now) const;
+  /// Of all pieces until now.
+  [[nodiscard]] path::Deviation deviation() const;
+  /// By the last frame [m].
+  [[nodiscard]] double offThePath() const { return follower_ ? follower_->offThePath() : 0; }
+
+ private:
+  arm::ArmModel arm_;
+  std::optional<PathFollower> follower_;
+  std::size_t first_ = 0;  ///< point of the piece under way
+  std::size_t done_ = 0;
+  double share_ = 0;
+  path::Deviation ended_;  ///< of the pieces that are over
+};
+
+}  // namespace cobot_command::blocks

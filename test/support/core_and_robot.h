@@ -1,0 +1,86 @@
+// A command core and a simulated controller on one wire, in invented time: what the layer makes of goals from
+// their coming to their end, without sockets, threads and waiting.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cobot_command/command/command_core.h"
+#include "cobot_command/simulator/simulated_controller.h"
+
+namespace cobot_command::testing {
+
+class CoreAndRobot {
+ public:
+  explicit CoreAndRobot(const std::string& model = "tm5-900", simulator::Settings settings = {},
+                        link::LinkSettings link = {});
+
+  /// Until the core is ready for commands.
+  blocks::GoalId connect();
+  blocks::GoalId submit(const blocks::Goal& goal);
+  void cancel(blocks::GoalId goal);
+  void operate(const simulator::OperatorAction& action);
+  /// As if the network were gone: both sides learn of it at once.
+  void dropConnections();
+
+  void pass(Duration duration);
+  /// False when that did not come within `most`.
+  bool passUntil(const std::function<bool()>& done, Duration most = std::chrono::minutes(10));
+  /// Until it has ended.
+  const blocks::Outcome& endOf(blocks::GoalId goal);
+
+  [[nodiscard]] bool accepted(blocks::GoalId goal) const { return accepted_.count(goal) != 0; }
+  /// nullptr: it has not ended.
+  [[nodiscard]] const blocks::Outcome* outcome(blocks::GoalId goal) const;
+  [[nodiscard]] const std::vector<blocks::Progress>& progress(blocks::GoalId goal) { return progress_[goal]; }
+  /// The scripts that were sent since the connection was made, ids left out.
+  [[nodiscard]] const std::vector<std::string>& scripts() const { return scripts_; }
+  [[nodiscard]] const command::CommandStatus& status() const { return status_; }
+  [[nodiscard]] simulator::RobotState robot() const { return controller_.state(); }
+  [[nodiscard]] Instant now() const { return now_; }
+
+ private:
+  struct Wire {
+    simulator::Port port;
+    simulator::ClientId client;
+  };
+
+  void settle();
+  bool takeActions();
+  bool takeOutputs();
+  [[nodiscard]] Instant nextEvent() const;
+  void advanceTo(Instant instant);
+  void take(const command::OpenConnection& action);
+  void take(const command::CloseConnection& action);
+  void take(const command::SendBytes& action);
+  void take(const command::GoalAccepted& action) { accepted_[action.goal] = true; }
+  void take(const command::GoalProgressed& action) { progress_[action.goal].push_back(action.progress); }
+  void take(const command::GoalEnded& action);
+  void take(const command::StatusChanged& action) { status_ = action.status; }
+  void take(const command::FrameTraced& action);
+  template <class Other>
+  void take(const Other& /*action*/) {}
+  void take(const simulator::Send& output);
+  void take(const simulator::CloseClient& output);
+  void take(const simulator::OpenPort& output) { open_[output.port] = true; }
+  void take(const simulator::ClosePort& output) { open_[output.port] = false; }
+  void take(const simulator::LogLine& /*output*/) {}
+  void forget(link::ConnectionId id, const std::string& reason);
+
+  Instant now_{std::chrono::seconds(1000)};
+  command::CommandCore core_;
+  simulator::SimulatedController controller_;
+  std::map<link::ConnectionId, Wire> wires_;
+  std::map<simulator::Port, bool> open_;
+  simulator::ClientId clients_ = 0;
+  blocks::GoalId goals_ = 0;
+  std::map<blocks::GoalId, bool> accepted_;
+  std::map<blocks::GoalId, std::vector<blocks::Progress>> progress_;
+  std::map<blocks::GoalId, blocks::Outcome> ended_;
+  std::vector<std::string> scripts_;
+  command::CommandStatus status_;
+};
+
+}  // namespace cobot_command::testing
