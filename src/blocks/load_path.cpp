@@ -15,7 +15,6 @@
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/path/path_planner.h"
 #include "cobot_command/path/path_script.h"
-#include "cobot_command/path/pvt_block.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -25,8 +24,6 @@ using path::PathPoint;
 using path::PathRefusal;
 
 constexpr double kMostDeviation = 100000;  // [mm]
-/// Of one PVT. TODO(~pvt_block_points): a parameter of the node.
-constexpr std::size_t kMostBlockPoints = 5000;
 /// Of a path that is checked, at most every 20 ms.
 constexpr std::size_t kMostPathPoints = 5000;
 constexpr Duration kPathPoint = std::chrono::milliseconds(20);
@@ -120,52 +117,16 @@ Failure cannotPlan(const LoadPathGoal& goal, bool has_model) {
   return {has_model ? own_error::kStartUnknown : own_error::kNoModel, "", ""};
 }
 
-/// Where the world is comes with the goal, once ROS tells it from tf; until then a target in it is 1040.
-path::PathScene sceneOf(const PlanningScene& scene) {
-  return {*scene.arm, *scene.start->joints, scene.tables, std::nullopt};
-}
-
-std::vector<StepReport> reportOf(const path::PathPlan& plan) {
-  std::vector<StepReport> points;
-  for (const path::PlannedPoint& point : plan.points()) {
-    StepReport report;
-    report.start = point.start;
-    report.duration = point.motion->duration();
-    points.push_back(std::move(report));
-  }
-  return points;
-}
-
 /// With what was planned in front of the point to blame.
-Failure refused(const LoadPathGoal& goal, const PathRefusal& refusal, const path::PathScene& scene) {
-  const int in_front = refusal.index - goal.start_index;
-  if (refusal.index < 0 || in_front <= 0) return toFailure(goal, refusal);
-  path::PathSection section = sectionOf(goal);
-  section.number_of_moves = in_front;
-  path::PathPlanner planner(scene);
-  if (planner.append(section)) return toFailure(goal, refusal);  // it is wrong by itself, or to be told apart
-  std::vector<StepReport> points = reportOf(planner.plan());
+Failure refused(const LoadPathGoal& goal, const PathRefusal& refusal, const PlanningScene& scene) {
+  if (refusal.index <= goal.start_index) return toFailure(goal, refusal);
+  LoadPathGoal in_front = goal;
+  in_front.number_of_moves = refusal.index - goal.start_index;
+  const auto loaded = loadPath(in_front, scene);
+  if (!loaded) return toFailure(goal, refusal);  // it is wrong by itself, or to be told apart
+  std::vector<StepReport> points = (*loaded)->report;
   points.push_back(blame(refusal));
   return toFailure(refusal, std::move(points));
-}
-
-std::optional<Failure> findTooLong(const path::PathPlan& plan) {
-  for (std::size_t first = 0; first < plan.points().size();) {
-    const std::size_t last = path::endOfBlock(plan, first);
-    const Duration time = plan.points()[last].end() - plan.points()[first].start;
-    if (time > motion::kLeastSegment * kMostBlockPoints) {
-      const std::size_t points = path::sampleBlock(plan, first, last).points.size();
-      const int index = plan.points()[last].index;
-      if (points > kMostBlockPoints) {
-        return Failure{own_error::kPvtTooLong,
-                       fmt::format("points {} to {} take {:.1f} s without a stop, {} points of a PVT",
-                                   plan.points()[first].index, index, toSeconds(time), points),
-                       "", Detail(blaming(index))};
-      }
-    }
-    first = last + 1;
-  }
-  return std::nullopt;
 }
 
 std::vector<JointPathPoint> wholeJointPath(const path::PathPlan& plan) {
@@ -185,10 +146,11 @@ std::vector<JointPathPoint> wholeJointPath(const path::PathPlan& plan) {
 }
 
 /// What a script would say otherwise; refused where it may not.
-std::optional<Failure> chooseScript(const LoadPathGoal& goal, const path::PathPlan& plan,
-                                    const path::PathScene& scene, const PlanningScene& start,
-                                    PathReport& report) {
-  const auto script = path::scriptOf(plan, 0, scene, {start.start->base, start.start->tcp});
+std::optional<Failure> chooseScript(const LoadPathGoal& goal, const LoadedPath& loaded,
+                                    const PlanningScene& scene, PathReport& report) {
+  const auto script = path::scriptOf(
+      loaded.plan, loaded.first, loaded.end->scene(),
+      scene.start ? path::ScriptFrames{scene.start->base, scene.start->tcp} : path::ScriptFrames{});
   if (!script) return toFailure(goal, script.error());
   report.execution = Execution::Script;
   report.execution_reason = "it was asked for";
@@ -206,14 +168,21 @@ std::optional<Failure> chooseScript(const LoadPathGoal& goal, const path::PathPl
                  Detail(report)};
 }
 
-std::optional<Failure> choose(const LoadPathGoal& goal, const path::PathPlan& plan,
-                              const path::PathScene& scene, const PlanningScene& start, PathReport& report) {
-  if (is(goal.execution, Execution::Script)) return chooseScript(goal, plan, scene, start, report);
+/// Nothing is asked of the plan but what a PVT is, which loadPath() has looked at.
+void choosePvt(const LoadPathGoal& goal, PathReport& report) {
   report.execution = Execution::Pvt;
   report.execution_reason = is(goal.execution, Execution::Pvt)
                                 ? "it was asked for"
                                 : "model and place of the arm are known, and a PVT says all of a path";
-  return findTooLong(plan);
+}
+
+std::vector<int> lostBlends(const LoadedPath& loaded) {
+  const auto& points = loaded.plan.points();
+  std::vector<int> lost;
+  for (std::size_t i = loaded.first; i + 1 < points.size(); ++i) {
+    if (points[i].losesBlend()) lost.push_back(points[i].index);
+  }
+  return lost;
 }
 
 }  // namespace
@@ -261,30 +230,29 @@ std::vector<Failure> check(const LoadPathGoal& goal) {
 
 Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
   constexpr Block kThis = kBlock<LoadPathGoal>;
-  const bool is_known = scene.arm != nullptr && scene.start && scene.start->joints;
+  const bool is_known =
+      scene.arm != nullptr && (!scene.chain.isNone() || (scene.start && scene.start->joints));
   if (!is_known) return toRejection(kThis, {cannotPlan(goal, scene.arm != nullptr)});
-  const path::PathScene path_scene = sceneOf(scene);
-  path::PathPlanner planner(path_scene);
-  if (const auto refusal = planner.append(sectionOf(goal))) {
-    return toRejection(kThis, {refused(goal, *refusal, path_scene)});
-  }
-  const path::PathPlan& plan = planner.plan();
+  const auto loaded = loadPath(goal, scene);
+  if (!loaded) return toRejection(kThis, {refused(goal, loaded.error(), scene)});
   PathReport report;
-  report.points = reportOf(plan);
-  for (const path::PlannedPoint& point : plan.points()) {
-    if (&point != &plan.points().back() && point.losesBlend()) report.blends_lost.push_back(point.index);
+  report.points = (*loaded)->report;
+  report.blends_lost = lostBlends(**loaded);
+  choosePvt(goal, report);
+  if (is(goal.execution, Execution::Script)) {
+    if (auto failure = chooseScript(goal, **loaded, scene, report)) return toRejection(kThis, {*failure});
   }
-  if (auto failure = choose(goal, plan, path_scene, scene, report)) return toRejection(kThis, {*failure});
-  if (goal.check_only) report.joint_path = wholeJointPath(plan);
-  report.loaded = std::make_shared<const LoadedPath>(LoadedPath{planner, plan});
+  if (goal.check_only) report.joint_path = wholeJointPath((*loaded)->plan);
+  report.loaded = *loaded;
   Outcome outcome;
-  outcome.planned = fromSeconds(toSeconds(plan.duration()) / scene.start->speed_override);
+  const double speed = scene.start ? scene.start->speed_override : 1.0;
+  outcome.planned = fromSeconds(toSeconds((*loaded)->planned) / speed);
   outcome.detail = Detail(std::move(report));
   return outcome;
 }
 
-std::unique_ptr<Run> runOf(const LoadPathGoal& goal, GoalId id, const Outcome& planned, Instant now) {
-  return std::make_unique<LoadPathRun>(id, goal, planned, now);
+std::unique_ptr<Run> runOf(const LoadPathGoal& /*goal*/, GoalId id, const Outcome& planned, Instant now) {
+  return std::make_unique<LoadPathRun>(id, planned.detail.as<PathReport>(), now);
 }
 
 }  // namespace cobot_command::blocks

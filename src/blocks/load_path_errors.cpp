@@ -175,6 +175,10 @@ void addOwn(ErrorTable& table) {
            "move it does not say at all")
       .row(own_error::kPvtUnavailable, "PVT not available", "Let model and place of the arm be known",
            "PVT, without check_only, and the model of the arm, or where it stands, is not known")
+      .row(own_error::kPathDeviates, "Path deviates",
+           "Find out why the robot does not follow its path, or allow a larger max_deviation",
+           "the status stream showed the moved frame further off the planned path than the goal's "
+           "max_deviation; the robot is told to stop")
       .row(own_error::kExecutionUnknown, "Execution unknown", "Use 0 (AUTO), 1 (SCRIPT) or 2 (PVT)",
            "execution is none of them")
       .row(own_error::kPvtTooLong, "Too long for one PVT",

@@ -64,7 +64,7 @@ void CommandCore::Impl::describe(CommandStatus& status) const {
   status.commands_under_way = arbiter_.turns().run() != nullptr || next_is_planned ? 1 : 0;
   status.commands_waiting = static_cast<int>(arbiter_.queue().size()) - (next_is_planned ? 1 : 0);
   status.queue_depth = status.commands_under_way + status.commands_waiting;
-  status.waiting_return = arbiter_.turns().busyWith().has_value();
+  status.waiting_return = arbiter_.turns().occupancy().busyWith().has_value();
   status.open_tags = tags_.openTags();
   status.late_replies = script.lateReplies() + tags_.staleReports() + links_.lateEvents();
   status.decode_faults = script.decodeFaults() + links_.status().decodeFaults();

@@ -1,165 +1,327 @@
 #include "runs/load_path_run.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
-#include "runs/loaded_path.h"
+#include "runs/path_outcomes.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
+#include "cobot_command/common/deadline.h"
 
 namespace cobot_command::blocks {
 namespace {
 
-constexpr Block kThis = kBlock<LoadPathGoal>;
-/// A controller reads some 750 kB of the longest block before it answers.
-constexpr std::size_t kLongBlock = 500;
-constexpr Duration kLongReply = std::chrono::seconds(10);
-
-Order orderOf(const path::PvtBlock& block) {
-  Order order;
-  order.commands = path::scriptOf(block, {});
-  for (const script::ScriptCommand& command : *order.commands) order.lines.push_back(script::toText(command));
-  order.moves = true;
-  return order;
-}
+/// So many goals may one chain have at a time.
+constexpr std::size_t kMostGoals = 64;
 
 }  // namespace
 
-LoadPathRun::LoadPathRun(GoalId id, const LoadPathGoal& goal, const Outcome& planned, Instant now)
-    : Run(kThis, id),
-      traits_(traitsOf(goal)),
-      report_(planned.detail.as<PathReport>()),
-      planned_(planned.planned),
-      started_at_(now) {
-  assert(report_.loaded != nullptr);
-  traits_.awaits_motion = true;
-  for (std::size_t first = 0; first < plan().points().size();) {
-    const std::size_t last = path::endOfBlock(plan(), first);
-    path::PvtBlock block = path::sampleBlock(plan(), first, last);
-    if (!block.points.empty()) pieces_.push_back({std::move(block), pieces_.size()});
-    first = last + 1;
-  }
-  if (pieces_.empty()) endAs({}, now);
-}
+LoadPathRun::LoadPathRun(GoalId id, const PathReport& planned, Instant now)
+    : Run(kBlock<LoadPathGoal>, id),
+      chain_(id, planned),
+      progress_(planned.loaded->end->scene().arm),
+      waits_from_(now) {}
 
-const path::PathPlan& LoadPathRun::plan() const {
-  return report_.loaded->plan;
-}
+// --- What is sent.
 
 std::optional<Command> LoadPathRun::next() const {
-  if (under_way_ || outcome() || isLoaded()) return std::nullopt;
-  const Piece& piece = pieces_[sent_];
+  const LoadedPiecePtr piece = chain_.next();
+  if (state_ != State::Following || !piece || (chain_.isNextOpen() && !open_end_due_)) return std::nullopt;
   Command command;
-  command.key = piece.key;
-  command.block = kThis;
-  command.traits = traits_;
-  if (piece.block.points.size() > kLongBlock) command.traits.reply_timeout = kLongReply;
-  command.order = [block = piece.block](const arm::Pose& /*base*/) { return orderOf(block); };
+  command.key = chain_.nextKey();
+  command.block = block();
+  command.traits.awaits_motion = true;
+  command.order = [piece](const arm::Pose& /*base*/) { return piece->order; };
   return command;
 }
 
 void LoadPathRun::commandStarted(CommandKey /*key*/) {
-  under_way_ = true;
-  ++sent_;
+  chain_.sendNext();
+  open_end_due_ = false;
 }
 
-void LoadPathRun::commandProgressed(CommandKey key, const Progress& progress, Instant /*now*/) {
-  const path::PvtBlock& block = pieces_[key].block;
-  const Duration length = plan().points()[block.last].end() - block.start;
-  const Duration time = block.start + fromSeconds(toSeconds(length) * progress.fraction);
-  const Duration whole = plan().duration();
-  PathPlace place = placeAt(time);
-  place.active = progress.phase == Phase::Active || progress.phase == Phase::Held;
-  if (place.active) active_ = place.active_path_point;
-  Progress mine = progress;
-  mine.planned = planned_;
-  mine.fraction = whole > Duration::zero() ? toSeconds(time) / toSeconds(whole) : 1.0;
-  if (planned_) mine.remaining = fromSeconds(toSeconds(*planned_) * (1.0 - mine.fraction));
-  mine.detail = Detail(place);
-  report(std::move(mine));
+/// With nothing at the controller it waits for its time; else to the last moment, as the robot would rest in
+/// front of it anyway.
+std::optional<Instant> LoadPathRun::openEndDue() const {
+  if (state_ != State::Following || open_end_due_ || !chain_.isNextOpen()) return std::nullopt;
+  const Duration wait = chain_.members().back().loaded->settings.chain_wait;
+  if (chain_.sent().empty()) return waits_from_ + wait;
+  if (chain_.sent().size() == 1 && front_end_) return *front_end_ - wait;
+  return std::nullopt;
 }
 
-PathPlace LoadPathRun::placeAt(Duration time) const {
-  const std::size_t point = plan().placeAt(time).point;
-  const auto all = static_cast<int>(plan().points().size());
-  const int sent = sent_ == 0 ? 0 : static_cast<int>(pieces_[sent_ - 1].block.last) + 1;
-  PathPlace place;
-  place.loaded = isLoaded();
-  place.method_id = report_.method_id;
-  place.active_path_point = indexOf(point);
-  const int move_id = plan().points()[point].point.move_id;
-  place.active_move_id = move_id != 0 ? move_id : report_.method_id;
-  place.done_path_points = static_cast<int>(point);
-  place.pending_path_points = all - std::max(sent, place.done_path_points + 1);
-  place.queued_path_points = all - place.pending_path_points - place.done_path_points - 1;
-  return place;
+void LoadPathRun::advance(Instant now) {
+  const auto due = openEndDue();
+  if (due && now >= *due) open_end_due_ = true;
+  if (reason_until_ && now >= *reason_until_) fire(Event::Failed, now);
 }
 
-int LoadPathRun::indexOf(std::size_t point) const {
-  return point < plan().points().size() ? plan().points()[point].index : -1;
+std::optional<Instant> LoadPathRun::nextDeadline() const {
+  return earlier(openEndDue(), reason_until_);
 }
 
-void LoadPathRun::commandEnded(CommandKey /*key*/, const Outcome& outcome, Instant now) {
-  under_way_ = false;
-  if (outcome.ending == Ending::CommandAborted) {
-    endCancelled(outcome.error_description, now);
-  } else if (outcome.ending != Ending::Done) {
-    report_.error_index = active_;
-    endAs(outcome, now);
-  } else if (isLoaded()) {
-    endAs(outcome, now);
+// --- What becomes of it.
+
+void LoadPathRun::commandProgressed(CommandKey key, const Progress& progress, Instant now) {
+  if (!chain_.isFirst(key)) return;
+  phase_ = progress.phase;
+  text_ = progress.text;
+  const Duration duration = chain_.sent().front().piece->plan.duration();
+  if (progress.planned && *progress.planned > Duration::zero() && duration > Duration::zero()) {
+    rate_ = toSeconds(duration) / toSeconds(*progress.planned);
   }
+  if (phase_ == Phase::Active && !progress_.isUnderWay()) begin(now);
+  follow(now);
 }
 
-/// The controller's way of its points is planned once more when they are sent; what it may find then has no
-/// row of its own.
-void LoadPathRun::commandRefused(CommandKey /*key*/, const Failure& failure, Instant now) {
-  const bool has_row = findError(kThis, ownErrorId(kThis, failure.error_id)) != nullptr;
-  fail(has_row ? failure : Failure{own_error::kNotPlannable, "as a PVT: " + failure.found, ""}, now);
+void LoadPathRun::begin(Instant now) {
+  const PathChain::Sent& first = chain_.sent().front();
+  progress_.begin(first, rate_, now);
+  front_end_ = now + progress_.remaining(now);
 }
 
-void LoadPathRun::cancel(const std::string& why, Instant now) {
-  if (!under_way_ && !outcome()) endCancelled(why + "; no motion was under way", now);
+void LoadPathRun::commandPassed(CommandKey key, std::size_t mark, Instant now) {
+  if (!chain_.isFirst(key)) return;
+  const PathChain::Sent& sent = chain_.sent().front();
+  done(sent.first + sent.piece->marked[mark] + 1, now);
 }
 
-void LoadPathRun::endCancelled(const std::string& why, Instant now) {
-  if (!taken_away_ || isLoaded()) {
-    endAs(commandAborted(why), now);
+void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant now) {
+  const bool was_first = chain_.isFirst(key);
+  const std::size_t behind = chain_.take(key).behind();
+  if (was_first) {
+    front_end_.reset();
+    waits_from_ = now;
+  }
+  if (outcome.ending == Ending::Done) {
+    done(behind, now);
+    progress_.end();
+    if (!chain_.sent().empty()) begin(now);
     return;
   }
-  interrupted_ = true;
-  report_.error_index = indexOf(pieces_[sent_].block.first);
-  endAs(toOutcome(kThis, Ending::Aborted, {load_path_error::kInterrupted, why, ""}), now);
+  if (was_first) progress_.end();
+  if (outcome.ending == Ending::CommandAborted) {
+    if (!outcome.error_description.empty()) stopped_why_ = outcome.error_description;
+    fire(Event::Cancel, now);
+  } else {
+    fail(failureOf(block(), outcome), now);
+  }
+  endWhenNothingIsLeft(now);
 }
 
-void LoadPathRun::linkLost(const std::string& reason, std::optional<Duration> /*patience*/, Instant now) {
-  if (!under_way_ && !outcome()) fail({motion_error::kLinkDropped, reason, ""}, now);
+void LoadPathRun::commandRefused(CommandKey /*key*/, const Failure& failure, Instant now) {
+  fail(failure, now);
+  endWhenNothingIsLeft(now);
+}
+
+/// The first one is the reason; what follows is of it.
+void LoadPathRun::fail(Failure failure, Instant now) {
+  if (!failure_) failure_ = std::move(failure);
+  fire(Event::Failed, now);
+}
+
+void LoadPathRun::endWhenNothingIsLeft(Instant now) {
+  if (chain_.sent().empty()) fire(Event::NothingLeft, now);
+}
+
+std::optional<std::string> LoadPathRun::stopsFor() const {
+  const bool stops = state_ == State::Failing && failure_->error_id == own_error::kPathDeviates;
+  return stops ? std::optional("it is off its path") : std::nullopt;
+}
+
+// --- Ends that are asked for.
+
+void LoadPathRun::cancel(const std::string& why, Instant now) {
+  if (state_ == State::Following) stopped_why_ = why + "; no motion was under way";
+  fire(Event::Cancel, now);
+  endWhenNothingIsLeft(now);
+}
+
+void LoadPathRun::interrupt(const std::string& why, Instant now) {
+  if (state_ == State::Following) interrupted_ = true;
+  cancel(why, now);
+}
+
+void LoadPathRun::finish(FinishAfter /*after*/, Instant now) {
+  const auto& members = chain_.members();
+  for (std::size_t i = 1; i < members.size(); ++i) {
+    if (!chain_.isUntouched(i)) continue;
+    dropFrom(i, "nothing more is begun behind a finish", now);
+    return;
+  }
+}
+
+void LoadPathRun::linkLost(const std::string& reason, std::optional<Duration> patience, Instant now) {
+  if (!chain_.sent().empty() || state_ != State::Following) return;
+  failure_ = Failure{motion_error::kLinkDropped, reason, ""};
+  if (patience) reason_until_ = now + *patience;
+  fire(Event::Unexplained, now);
+  if (!patience) fire(Event::Failed, now);
 }
 
 void LoadPathRun::robotChanged(const robot::RobotWatch& robot, Instant now) {
-  if (under_way_ || outcome()) return;
-  if (robot.emergencyStop()) {
-    fail(emergencyStop(), now);
-  } else if (robot.inError()) {
-    fail(robotError(robot), now);
+  joints_ = robot.jointsDeg();
+  pose_ = robot.toolInBaseMmDeg();
+  progress_.hold(robot.held(), now);
+  if (robot.joints()) progress_.see(*robot.joints(), now);
+  if (progress_.isUnderWay()) front_end_ = now + progress_.remaining(now);
+  checkDeviation(now);
+  follow(now);
+  const bool waits = chain_.sent().empty() && !outcome();
+  if (!waits) return;
+  if (robot.emergencyStop() || robot.inError()) {
+    failure_ = robot.emergencyStop() ? emergencyStop() : robotError(robot);
+    fire(Event::Failed, now);
+    endWhenNothingIsLeft(now);
+  } else if (state_ == State::Explaining && (!robot.status() || reason_.endsWithFrame(now))) {
+    fire(Event::Failed, now);
   }
 }
 
-void LoadPathRun::fail(const Failure& failure, Instant now) {
-  report_.error_index = active_;
-  endAs(toOutcome(kThis, Ending::Aborted, failure), now);
+void LoadPathRun::checkDeviation(Instant now) {
+  const auto& member = chain_.members()[chain_.memberAt(place_.done)];
+  const double most = member.loaded->max_deviation;
+  if (state_ != State::Following || most <= 0 || progress_.offThePath() <= most) return;
+  fail({own_error::kPathDeviates,
+        fmt::format("the moved frame is {:.2f} mm off its path, and {:.2f} mm is allowed",
+                    progress_.offThePath() * 1000, most * 1000),
+        ""},
+       now);
 }
 
-void LoadPathRun::endAs(Outcome outcome, Instant now) {
-  outcome.planned = planned_;
-  outcome.actual = now - started_at_;
-  report_.loaded.reset();
-  outcome.detail = Detail(report_);
-  end(std::move(outcome));
+// --- Where it is.
+
+void LoadPathRun::done(std::size_t points, Instant now) {
+  progress_.done(points);
+  follow(now);
+  while (!outcome() && chain_.members().front().behind() <= points) {
+    if (chain_.members().size() == 1) {
+      fire(Event::LastDone, now);
+      return;
+    }
+    const Member& first = chain_.members().front();
+    endOne(first.goal, complete(first, Outcome(), now), chain_.members()[1].goal);
+    chain_.dropFirst();
+  }
+}
+
+/// Point by point, though several may have been passed since.
+void LoadPathRun::follow(Instant now) {
+  const bool stays = state_ != State::Following && !progress_.isUnderWay();  // where it was stopped
+  if (outcome() || stays) return;
+  const PathChain::Place place = progress_.placeAt(now);
+  while (place_.done < place.done) {
+    Member& member = chain_.members()[chain_.memberAt(place_.done)];
+    member.pointDone(place_.done, now);
+    place_.behind_active = std::max(place_.behind_active, ++place_.done + 1);
+    if (place_.done < place.done) tell(now);
+  }
+  place_ = place;
+  if (place_.done < place_.behind_active) {
+    Member& member = chain_.members()[chain_.memberAt(place_.done)];
+    if (!member.began) member.began = now;
+  }
+  tell(now);
+}
+
+void LoadPathRun::tell(Instant now) {
+  for (Member& member : chain_.members()) tell(member, place_, now);
+}
+
+void LoadPathRun::tell(Member& member, const PathChain::Place& place, Instant now) {
+  PathPlace told = chain_.placeOf(member, place);
+  told.source = progress_.source();
+  if (!member.isNews(told, now)) return;
+  Progress progress;
+  const bool begun = told.active || told.done_path_points > 0;
+  progress.phase = begun || phase_ == Phase::Stopping ? phase_ : std::min(phase_, Phase::Queued);
+  progress.text = begun ? text_ : "loaded behind what is under way";
+  progress.planned = member.loaded->planned;
+  const double share = told.active ? progress_.share() : 0;
+  progress.fraction = (told.done_path_points + share) / static_cast<double>(member.count());
+  progress.remaining = fromSeconds(toSeconds(member.loaded->planned) * (1 - progress.fraction));
+  progress.detail = Detail(told);
+  report(member.goal, std::move(progress));
+}
+
+// --- Goals that join it.
+
+bool LoadPathRun::isJoinedBy(Block block) const {
+  return block == this->block() && state_ == State::Following && chain_.members().size() < kMostGoals;
+}
+
+bool LoadPathRun::join(GoalId goal, const Outcome& planned, Instant now) {
+  const auto& report = planned.detail.as<PathReport>();
+  if (!report.loaded || report.loaded->behind != chain_.end()) return false;
+  chain_.add(goal, report);
+  open_end_due_ = false;
+  tell(now);
+  return true;
+}
+
+bool LoadPathRun::takeOut(GoalId goal, const std::string& why, Instant now) {
+  const auto member = chain_.memberOf(goal);
+  if (!member || *member == 0 || state_ != State::Following || !chain_.isUntouched(*member)) return false;
+  dropFrom(*member, why, now);
+  return true;
+}
+
+void LoadPathRun::dropFrom(std::size_t member, const std::string& why, Instant now) {
+  const auto& members = chain_.members();
+  const int culprit = members[member].loaded->method_id;
+  for (std::size_t i = members.size(); i-- > member;) {
+    const std::string text = i == member ? why : fmt::format("load_path {} in front of it: {}", culprit, why);
+    endOne(members[i].goal, complete(members[i], commandAborted(text), now), goal());
+  }
+  chain_.dropFrom(member);
+}
+
+std::size_t LoadPathRun::waiting() const {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < chain_.members().size(); ++i) count += chain_.isUntouched(i) ? 1 : 0;
+  return count;
+}
+
+// --- Ends.
+
+void LoadPathRun::fire(Event event, Instant now) {
+  const auto row = findTransition<LoadPathTable>(state_, event);
+  if (!row) return;
+  state_ = row->to;
+  switch (row->action) {
+    case LoadPathAction::None:
+      return;
+    case LoadPathAction::AwaitReason:
+      reason_.begin(now);
+      return;
+    case LoadPathAction::EndDone:
+      end(complete(chain_.members().front(), Outcome(), now));
+      return;
+    case LoadPathAction::EndStopped:
+      endAll(stoppedOutcomes(chain_, place_, {stopped_why_, interrupted_}), now);
+      return;
+    case LoadPathAction::EndFailed:
+      reason_until_.reset();
+      endAll(failedOutcomes(chain_, place_, *failure_), now);
+      return;
+  }
+}
+
+void LoadPathRun::endAll(const std::vector<Outcome>& outcomes, Instant now) {
+  const auto& members = chain_.members();
+  for (std::size_t i = members.size(); i-- > 1;) {
+    endOne(members[i].goal, complete(members[i], outcomes[i], now), goal());
+  }
+  end(complete(members.front(), outcomes.front(), now));
+}
+
+Outcome LoadPathRun::complete(const Member& member, Outcome outcome, Instant now) const {
+  outcome = completed(std::move(outcome), member, progress_.deviation(), now);
+  outcome.final_joints_deg = joints_;
+  outcome.final_pose_mm_deg = pose_;
+  return outcome;
 }
 
 }  // namespace cobot_command::blocks

@@ -1,63 +1,95 @@
-// A path under way, block by block: each is one PVT from rest to rest, sent once the robot stands at the end
-// of the one in front of it.
+// A chain of load_path goals under way: piece by piece, two of them at the controller, each goal with an end
+// of its own (states: load_path_states.h).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "runs/load_path_states.h"
+#include "runs/path_chain.h"
+#include "runs/path_progress.h"
+
 #include "cobot_command/blocks/goal.h"
-#include "cobot_command/path/pvt_block.h"
+#include "cobot_command/robot/reason_wait.h"
 
 namespace cobot_command::blocks {
 
 class LoadPathRun final : public Run {
  public:
-  /// `planned`: what plan() found. Precondition: it found a path.
-  LoadPathRun(GoalId id, const LoadPathGoal& goal, const Outcome& planned, Instant now);
+  /// Precondition: it was planned from where the robot stands.
+  LoadPathRun(GoalId id, const PathReport& planned, Instant now);
 
+  [[nodiscard]] std::size_t window() const override { return 2; }
   [[nodiscard]] std::optional<Command> next() const override;
   void commandStarted(CommandKey key) override;
   void commandProgressed(CommandKey key, const Progress& progress, Instant now) override;
+  void commandPassed(CommandKey key, std::size_t mark, Instant now) override;
   void commandEnded(CommandKey key, const Outcome& outcome, Instant now) override;
   void commandRefused(CommandKey key, const Failure& failure, Instant now) override;
+  [[nodiscard]] std::optional<std::string> stopsFor() const override;
 
-  void interrupt(const std::string& why, Instant now) override {
-    taken_away_ = true;
-    cancel(why, now);
-  }
-  [[nodiscard]] bool failed() const override { return Run::failed() && !interrupted_; }
   void cancel(const std::string& why, Instant now) override;
+  void interrupt(const std::string& why, Instant now) override;
+  /// Goals of which nothing is sent are dropped, the others carried out.
+  void finish(FinishAfter after, Instant now) override;
   void linkLost(const std::string& reason, std::optional<Duration> patience, Instant now) override;
   void robotChanged(const robot::RobotWatch& robot, Instant now) override;
+  void advance(Instant now) override;
+  [[nodiscard]] std::optional<Instant> nextDeadline() const override;
+
+  [[nodiscard]] bool isJoinedBy(Block block) const override;
+  [[nodiscard]] Detail chain() const override { return Detail(ChainToJoin{chain_.end()}); }
+  [[nodiscard]] bool join(GoalId goal, const Outcome& planned, Instant now) override;
+  [[nodiscard]] bool serves(GoalId goal) const override { return chain_.memberOf(goal).has_value(); }
+  [[nodiscard]] bool takeOut(GoalId goal, const std::string& why, Instant now) override;
+  [[nodiscard]] std::size_t waiting() const override;
+  /// A stop of a goal that was not loaded is an error of that goal (1007), and of nobody behind it.
+  [[nodiscard]] bool failed() const override { return Run::failed() && !interrupted_; }
 
  private:
-  struct Piece {
-    path::PvtBlock block;
-    std::size_t key = 0;
-  };
+  using Event = LoadPathEvent;
+  using State = LoadPathState;
+  using Member = PathChain::Member;
 
-  [[nodiscard]] const path::PathPlan& plan() const;
-  [[nodiscard]] bool isLoaded() const { return sent_ == pieces_.size(); }
-  /// How far along the path it is, by the time of the piece under way.
-  [[nodiscard]] PathPlace placeAt(Duration time) const;
-  /// In the array of the goal; -1: there is no such point.
-  [[nodiscard]] int indexOf(std::size_t point) const;
-  /// `why`: and what became of the robot.
-  void endCancelled(const std::string& why, Instant now);
-  void fail(const Failure& failure, Instant now);
-  void endAs(Outcome outcome, Instant now);
+  void fire(Event event, Instant now);
+  void fail(Failure failure, Instant now);
+  /// Nothing is at the controller, or only what was sent before it failed.
+  void endWhenNothingIsLeft(Instant now);
+  [[nodiscard]] std::optional<Instant> openEndDue() const;
 
-  GoalTraits traits_;
-  PathReport report_;
-  std::optional<Duration> planned_;
-  Instant started_at_;
-  std::vector<Piece> pieces_;  ///< those that move
-  std::size_t sent_ = 0;       ///< of them
-  bool under_way_ = false;
-  int active_ = -1;           ///< index of the point that moves the robot; -1: none does
-  bool taken_away_ = false;   ///< not by its own client
-  bool interrupted_ = false;  ///< it has ended with that
+  void begin(Instant now);
+  /// So many points are done, by a tag.
+  void done(std::size_t points, Instant now);
+  void follow(Instant now);
+  void checkDeviation(Instant now);
+  void tell(Instant now);
+  void tell(Member& member, const PathChain::Place& place, Instant now);
+
+  /// All of them, the first one at last.
+  void endAll(const std::vector<Outcome>& outcomes, Instant now);
+  /// Of the goals from that one on nothing was sent.
+  void dropFrom(std::size_t member, const std::string& why, Instant now);
+  [[nodiscard]] Outcome complete(const Member& member, Outcome outcome, Instant now) const;
+
+  PathChain chain_;
+  PathProgress progress_;
+  PathChain::Place place_;
+  State state_ = State::Following;
+  Phase phase_ = Phase::Sent;
+  std::string text_;
+  double rate_ = 1.0;
+  Instant waits_from_;                ///< for a goal that joins, with nothing at the controller
+  std::optional<Instant> front_end_;  ///< of the piece under way, by the clock
+  bool open_end_due_ = false;
+  bool interrupted_ = false;
+  std::string stopped_why_;  ///< and what became of the robot
+  std::optional<Failure> failure_;
+  robot::ReasonWait reason_;
+  std::optional<Instant> reason_until_;
+  std::optional<SixValues> joints_;  ///< that were streamed last [deg]
+  std::optional<SixValues> pose_;
 };
 
 }  // namespace cobot_command::blocks

@@ -56,9 +56,9 @@ LoadedPiecePtr toLoaded(path::PathPiece piece) {
   return std::make_shared<const LoadedPiece>(std::move(loaded));
 }
 
-Pieces toLoaded(const PathPlan& plan, const path::PathScene& scene, const link::LinkSettings& settings) {
-  auto pieces = path::piecesOf(plan, scene,
-                               {settings.pvt_segment, static_cast<std::size_t>(settings.pvt_block_points)});
+Pieces toLoaded(const PathPlan& plan, const path::PathScene& scene, const path::PathSettings& settings) {
+  auto pieces =
+      path::piecesOf(plan, scene, {settings.segment, static_cast<std::size_t>(settings.block_points)});
   if (!pieces) return refuse(pieces.error());
   std::vector<LoadedPiecePtr> loaded;
   loaded.reserve(pieces->size());
@@ -104,15 +104,15 @@ Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   loaded->method_id = scene.number;
   loaded->start_index = goal.start_index;
   loaded->max_deviation = mmToM(goal.max_deviation);
-  loaded->settings = scene.settings;
+  loaded->settings = scene.path;
   report(*loaded);
 
-  auto pieces = toLoaded(planner.takeRested(), planner.scene(), scene.settings);
+  auto pieces = toLoaded(planner.takeRested(), planner.scene(), scene.path);
   if (!pieces) return refuse(pieces.error());
   loaded->pieces = std::move(*pieces);
   loaded->end = std::make_shared<const path::PathPlanner>(planner);
   planner.closeEnd();
-  auto open_end = toLoaded(planner.takeRested(), planner.scene(), scene.settings);
+  auto open_end = toLoaded(planner.takeRested(), planner.scene(), scene.path);
   if (!open_end) return refuse(open_end.error());
   if (!open_end->empty()) loaded->open_end = open_end->front();
   loaded->closed_end = std::make_shared<const path::PathPlanner>(std::move(planner));

@@ -1,14 +1,64 @@
-// What planning hands to the run of a path: its plan, and the planner that goes on behind it.
+// What the plan of a load_path goal hands to the run that it becomes, or that it joins.
 #pragma once
 
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/order.h"
+#include "cobot_command/blocks/shared/planning_scene.h"
+#include "cobot_command/common/result.h"
+#include "cobot_command/common/time.h"
 #include "cobot_command/path/path_plan.h"
 #include "cobot_command/path/path_planner.h"
+#include "cobot_command/path/path_refusal.h"
+#include "cobot_command/path/path_settings.h"
 
 namespace cobot_command::blocks {
 
-struct LoadedPath {
-  path::PathPlanner planner;  ///< behind the goal's points
-  path::PathPlan plan;        ///< of the goal's points
+/// From rest to rest, as one PVT: what goes to the controller at once. Its points may be of several goals.
+struct LoadedPiece {
+  path::PathPlan plan;  ///< from time 0
+  Order order;
+  std::vector<std::size_t> marked;  ///< the point of the plan that each mark of the order is behind
 };
+using LoadedPiecePtr = std::shared_ptr<const LoadedPiece>;
+
+/// Where a chain ends, with the points that are not sent yet, as the next one may blend with them.
+using ChainEnd = std::shared_ptr<const path::PathPlanner>;
+
+/// Detail for the plan of a goal that is to join a chain (Run::chain).
+struct ChainToJoin {
+  ChainEnd end;
+};
+
+struct LoadedPath {
+  explicit LoadedPath(path::PathPlan whole) : plan(std::move(whole)) {}
+
+  ChainEnd behind;  ///< that it was planned behind; none: from where the robot stands
+  int method_id = 0;
+  path::PathPlan plan;    ///< behind the points of goals in front that are not sent yet
+  std::size_t first = 0;  ///< of its own points in the plan
+  int start_index = 0;
+  std::vector<int> move_ids;           ///< of its points
+  std::vector<LoadedPiecePtr> pieces;  ///< the first one may begin with points of the goals in front
+  LoadedPiecePtr open_end;             ///< the last one, while something may come that it blends with
+  ChainEnd end;                        ///< with the points of the open end
+  ChainEnd closed_end;                 ///< once the open end is sent
+  Duration planned{};                  ///< of its points, with the project speed of when it was planned
+  double max_deviation = 0;            ///< [m]; 0: any
+  std::vector<StepReport> report;      ///< of each point
+  path::PathSettings settings;
+};
+
+/// Where its points begin, in its frames: behind the chain where there is one.
+[[nodiscard]] path::PathPlanner plannerFor(const PlanningScene& scene);
+
+/// Plans the points of a goal behind the chain, or from the start, of the scene. Precondition: arm and start
+/// are known, or the chain is.
+[[nodiscard]] Result<std::shared_ptr<const LoadedPath>, path::PathRefusal> loadPath(
+    const LoadPathGoal& goal, const PlanningScene& scene);
 
 }  // namespace cobot_command::blocks

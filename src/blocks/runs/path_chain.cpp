@@ -143,7 +143,7 @@ PathPlace PathChain::placeOf(const Member& member, const Place& place) const {
     const auto first = std::clamp(begin, member.first, member.behind());
     return static_cast<int>(std::clamp(behind, first, member.behind()) - first);
   };
-  const auto buffer = static_cast<std::size_t>(member.loaded->settings.path_buffer);
+  const auto buffer = static_cast<std::size_t>(member.loaded->settings.buffer);
   PathPlace told;
   told.method_id = member.loaded->method_id;
   told.done_path_points = inside(0, place.done);

@@ -47,7 +47,7 @@ class PathFollower {
   Instant began_;  ///< later by every hold since
   std::optional<Instant> held_since_;
   std::optional<Instant> picks_up_until_;  ///< its speed, behind a hold
-  std::optional<Duration> seen_;  ///< by the stream, or by a mark
+  std::optional<Duration> seen_;           ///< by the stream, or by a mark
   ProgressSource source_ = ProgressSource::Plan;
 };
 

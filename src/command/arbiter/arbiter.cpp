@@ -26,7 +26,7 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
               parts.forecast, std::move(ports.gate)),
       stops_(parts, stop_, window_),
       plans_(parts, desk_, queue_,
-             [this](Ticket ticket, Instant now) { return turns_.originBehind(ticket, now); }),
+             [this](Ticket ticket, Instant now) { return turns_.occupancy().originBehind(ticket, now); }),
       turns_(parts, {desk_, queue_, plans_, stops_, window_}, std::move(ports.frames)),
       front_desk_(parts, {desk_, queue_, plans_, stops_, window_}, turns_) {}
 
@@ -69,7 +69,7 @@ FinishReport Arbiter::finish(blocks::FinishAfter after, Instant now, std::option
   FinishReport found;
   found.moves_on = parts_.forecast.loose().mayMove();
   found.dropped = queue_.dropBehindTurn(kNothingBehindFinish, newest.value_or(queue_.newest()));
-  found.under_way = turns_.busyWith();
+  found.under_way = turns_.occupancy().busyWith();
   turns_.finish(after, now);
   return found;
 }

@@ -25,7 +25,7 @@ void FrontDesk::take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
     return;
   }
   blocks::GoalTraits traits = blocks::GoalRules(goal).traits();
-  traits.buffer_mode = turns_.modeOf(blockOf(goal), traits);
+  traits.buffer_mode = turns_.occupancy().modeOf(blockOf(goal), traits);
   switch (traits.way) {
     case blocks::Way::Link:
       connect(id, goal, now);
@@ -59,7 +59,7 @@ bool FrontDesk::rejected(blocks::GoalId id, const blocks::Goal& goal, const Fail
 void FrontDesk::connect(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
   const auto& target = std::get<blocks::ConnectGoal>(goal);
   const bool may_move = parts_.forecast.loose().mayMove() || desks_.stops.busy();
-  if (rejected(id, goal, parts_.keeper.objectionsTo(target, turns_.busyWith(), may_move))) return;
+  if (rejected(id, goal, parts_.keeper.objectionsTo(target, turns_.occupancy().busyWith(), may_move))) return;
   parts_.keeper.execute(id, target, now);
 }
 
@@ -101,7 +101,7 @@ void FrontDesk::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instan
 void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, const blocks::GoalTraits& traits,
                         Instant now) {
   Failures failures = blocks::GoalRules(goal).violations();
-  append(failures, turns_.objectionsToAny(traits.buffer_mode, traits.needs_automatic));
+  append(failures, turns_.occupancy().objectionsToAny(traits.buffer_mode, traits.needs_automatic));
   sortByTable(blockOf(goal), failures);
   if (!rejected(id, goal, failures)) enqueue(id, goal, traits.buffer_mode, now);
 }
@@ -112,7 +112,7 @@ void FrontDesk::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::Buf
     turns_.abortAll(fmt::format("taken over by {}", toString(blockOf(goal))), id, now);
     if (desks_.stops.mayMoveOtherwise() && !desks_.stops.busy()) desks_.stops.ask(now);
   }
-  const bool is_behind_others = turns_.busyWith().has_value();
+  const bool is_behind_others = turns_.occupancy().busyWith().has_value();
   Waiting waiting;
   waiting.id = id;
   waiting.goal = goal;

@@ -23,11 +23,22 @@ void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, Instant now) 
   };
   const Ticket ticket = queue_.lastTicket();
   const bool is_known = isOriginKnown(ticket);
-  auto make = parts_.forecast.workFor(goal, is_known ? originNow(ticket, now) : originThen(ticket));
+  auto make =
+      parts_.forecast.workFor(goal, is_known ? originNow(ticket, now) : originThen(ticket), sceneOf(goal));
   auto is_ready = [this, ticket] { return isOriginKnown(ticket); };
   desk_.ask({blockOf(goal), id, Purpose::Check, std::move(make), take,
              is_known ? std::function<bool()>() : is_ready},
             now);
+}
+
+/// But for what the forecast knows.
+blocks::PlanningScene GoalPlans::sceneOf(const blocks::Goal& goal) const {
+  blocks::PlanningScene scene;
+  scene.number = parts_.board.accepted(blockOf(goal)) + 1;
+  const link::LinkSettings& settings = parts_.settings;
+  scene.path = {settings.path_buffer, settings.path_chain_wait, settings.pvt_segment,
+                settings.pvt_block_points};
+  return scene;
 }
 
 bool GoalPlans::isOriginKnown(Ticket ticket) const {
@@ -85,9 +96,10 @@ void GoalPlans::planTheNext(const blocks::Detail& chain, Instant now) {
     Waiting* const waiting = queue_.find(id);
     if (waiting != nullptr) waiting->found = (answer ? *std::move(answer) : tookTooLong(block)).outcome;
   };
-  Joining joining{chain, parts_.board.accepted(blockOf(first.goal)) + 1};
-  desk_.ask({blockOf(first.goal), first.id, Purpose::Send,
-             parts_.forecast.workFor(first.goal, origin, std::move(joining)), take},
+  blocks::PlanningScene scene = sceneOf(first.goal);
+  scene.chain = chain;
+  desk_.ask({blockOf(first.goal), first.id, Purpose::Send, parts_.forecast.workFor(first.goal, origin, scene),
+             take},
             now);
 }
 

@@ -34,6 +34,7 @@ class GoalPlans {
   void endAll(const std::string& why);
 
  private:
+  [[nodiscard]] blocks::PlanningScene sceneOf(const blocks::Goal& goal) const;
   /// Where the goal with that ticket starts is not being planned.
   [[nodiscard]] bool isOriginKnown(Ticket ticket) const;
   [[nodiscard]] Forecast::OriginAt originNow(Ticket ticket, Instant now) const;

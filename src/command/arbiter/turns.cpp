@@ -26,72 +26,9 @@ bool couldNotBePlanned(blocks::Block block, const blocks::Outcome& found) {
 Turns::Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder frames)
     : parts_(parts),
       desks_(desks),
-      frames_(std::move(frames)),
-      next_(parts.settings, parts.forecast, desks.planning, [this](Instant now) { return originNow(now); }) {}
-
-// --- What is there.
-
-std::optional<blocks::Block> Turns::busyWith() const {
-  if (desks_.stops.executes()) return StopGoals::kBlock;
-  if (run_) return run_->block();
-  if (!desks_.queue.empty()) return blockOf(desks_.queue.front().goal);
-  return std::nullopt;
-}
-
-std::vector<blocks::Failure> Turns::objectionsToAny(blocks::BufferMode mode, bool needs_automatic) const {
-  Failures failures = parts_.keeper.objectionsToCommands();
-  if (failures.empty() && !parts_.keeper.run().ready()) {
-    return {{blocks::motion_error::kNotConnected, "the first status frame is still awaited", "Wait for it"}};
-  }
-  const bool connected = failures.empty() || failures.front().error_id != blocks::motion_error::kNotConnected;
-  if (!connected) {
-    // It closes the script port, and is then the reason for some blocks.
-    if (parts_.robot.emergencyStop()) failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
-    return failures;
-  }
-  const auto busy = busyWith();
-  if (mode == blocks::BufferMode::Refuse && busy) {
-    failures.push_back({blocks::motion_error::kOtherBlockBusy, toString(*busy), ""});
-  }
-  if (mode == blocks::BufferMode::Buffered && waiting() >= kMostWaiting) {
-    failures.push_back(blocks::tooManyWait(waiting()));
-  }
-  if (parts_.robot.emergencyStop()) failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
-  if (parts_.robot.inError()) failures.push_back(blocks::robotError(parts_.robot));
-  if (needs_automatic && parts_.robot.manualMode() && !parts_.settings.path_in_manual_mode) {
-    failures.push_back({blocks::own_error::kManualMode, "", ""});
-  }
-  if (mode == blocks::BufferMode::Refuse && desks_.stops.holdsBack() && !desks_.stops.busy()) {
-    failures.push_back({blocks::own_error::kOrphanMoves, desks_.stops.heldBackBy(), ""});
-  }
-  return failures;
-}
-
-std::optional<Origin> Turns::originBehind(Ticket ticket, Instant now) const {
-  if (const Waiting* const before = desks_.queue.lastBefore(ticket)) return before->end;
-  if (!run_ || run_->leavesTheRobot()) return parts_.forecast.origin(now);
-  return run_->isOneCommand() ? desks_.window.end(now) : std::nullopt;
-}
-
-Origin Turns::originNow(Instant now) const {
-  if (desks_.window.empty()) return parts_.forecast.origin(now);
-  if (auto end = desks_.window.end(now)) return *std::move(end);
-  Origin unknown = parts_.forecast.origin(now);
-  unknown.start.joints.reset();
-  unknown.behind.reset();
-  return unknown;
-}
-
-std::size_t Turns::waiting() const {
-  return desks_.queue.size() + (run_ ? run_->waiting() : 0);
-}
-
-blocks::BufferMode Turns::modeOf(blocks::Block block, const blocks::GoalTraits& traits) const {
-  const bool refuses = traits.buffer_mode == blocks::BufferMode::Refuse;
-  if (!refuses || !traits.chains || desks_.stops.executes()) return traits.buffer_mode;
-  const auto last = desks_.queue.empty() ? busyWith() : blockOf(desks_.queue.back().goal);
-  return last == block ? blocks::BufferMode::Buffered : traits.buffer_mode;
-}
+      occupancy_(parts, desks.queue, desks.stops, desks.window, run_, std::move(frames)),
+      next_(parts.settings, parts.forecast, desks.planning,
+            [this](Instant now) { return occupancy_.originNow(now); }) {}
 
 // --- Begins.
 
@@ -113,7 +50,7 @@ bool Turns::joinNext(Instant now) {
 
 bool Turns::admitNext(Instant now) {
   Waiting& first = desks_.queue.front();
-  const Failures failures = objectionsTo(first);
+  const Failures failures = occupancy_.objectionsTo(first);
   if (failures.empty() && isBeingPlanned(first, now)) return false;
   Waiting next = desks_.queue.take();
   if (failures.empty()) {
@@ -137,17 +74,6 @@ bool Turns::isBeingPlanned(Waiting& first, Instant now) {
     desks_.plans.planTheNext(run_ ? run_->chain() : blocks::Detail(), now);
   }
   return rules.isPlanned() && !first.found;
-}
-
-Turns::Failures Turns::objectionsTo(const Waiting& next) const {
-  const blocks::GoalRules rules(next.goal);
-  Failures failures = objectionsToAny(blocks::BufferMode::Aborting, rules.traits().needs_automatic);
-  const bool has_waited = next.told_place > 0;
-  if (failures.empty() && has_waited) {
-    if (auto moved = rules.findMovedFrame(frames_)) failures.push_back(std::move(*moved));
-  }
-  sortByTable(blockOf(next.goal), failures);
-  return failures;
 }
 
 void Turns::admit(Waiting next, Instant now) {
@@ -225,7 +151,7 @@ bool Turns::continueRun(Instant now) {
     run_->commandEnded(command->key, {}, now);  // the flow has left the node by itself
     return true;
   }
-  auto failure = objectionTo(*command);
+  auto failure = occupancy_.objectionTo(*command);
   if (!failure) {
     if (next_.look(*command, run_->goal(), now) == NextCommand::State::Planning) return false;
     failure = prepare(*command, now);
@@ -237,13 +163,6 @@ bool Turns::continueRun(Instant now) {
     send(now);
   }
   return true;
-}
-
-std::optional<blocks::Failure> Turns::objectionTo(const blocks::Command& command) const {
-  Failures failures = objectionsToAny(blocks::BufferMode::Aborting, command.traits.needs_automatic);
-  sortByTable(command.block, failures);
-  if (!failures.empty()) return std::move(failures.front());
-  return command.find_moved_frame ? command.find_moved_frame(frames_) : std::nullopt;
 }
 
 std::optional<blocks::Failure> Turns::prepare(const blocks::Command& command, Instant now) {
@@ -424,15 +343,7 @@ std::optional<Instant> Turns::nextDeadline() const {
 // --- What the goals that wait are told.
 
 void Turns::tellPlaces() {
-  desks_.queue.tellPlaces([this](int place) { return textOfPlace(place); });
-}
-
-std::string Turns::textOfPlace(int place) const {
-  if (place > 1) return "waits for its turn, others are in front of it";
-  if (run_) return "waits for its turn, one is in front of it";
-  if (desks_.queue.plansTheNext()) return "is planned as a whole, before its first move";
-  return desks_.stops.holdsBack() ? fmt::format("waits until the robot stands: {}", desks_.stops.heldBackBy())
-                                  : "waits for its turn, until the robot stands";
+  desks_.queue.tellPlaces([this](int place) { return occupancy_.textOfPlace(place); });
 }
 
 }  // namespace cobot_command::command

@@ -11,6 +11,7 @@
 #include "arbiter/goal_plans.h"
 #include "arbiter/goal_queue.h"
 #include "arbiter/next_command.h"
+#include "arbiter/occupancy.h"
 #include "arbiter/stop_desk.h"
 #include "runs/command_window.h"
 
@@ -35,17 +36,7 @@ class Turns {
 
   /// The goal whose turn it is; nullptr: none.
   [[nodiscard]] const blocks::Run* run() const { return run_.get(); }
-  /// What a command would have to wait for; nothing: it would not.
-  [[nodiscard]] std::optional<blocks::Block> busyWith() const;
-  /// Why no command may be taken now, whatever it is; in the order of general ids. `needs_automatic`: as in
-  /// its traits.
-  [[nodiscard]] std::vector<blocks::Failure> objectionsToAny(blocks::BufferMode mode,
-                                                             bool needs_automatic) const;
-  /// What a goal of that block does while others are busy: behind another one of its kind it joins its chain.
-  [[nodiscard]] blocks::BufferMode modeOf(blocks::Block block, const blocks::GoalTraits& traits) const;
-  /// Where the goal with that ticket starts: behind all that is on the wire, and waits with an earlier one;
-  /// nothing when nobody knows.
-  [[nodiscard]] std::optional<Origin> originBehind(Ticket ticket, Instant now) const;
+  [[nodiscard]] const Occupancy& occupancy() const { return occupancy_; }
 
   /// Begins what can begin.
   void dispatch(Instant now);
@@ -79,36 +70,29 @@ class Turns {
   bool admitNext(Instant now);
   /// Its plan, or that of its only command, is being made.
   [[nodiscard]] bool isBeingPlanned(Waiting& first, Instant now);
-  [[nodiscard]] Failures objectionsTo(const Waiting& next) const;
   void admit(Waiting next, Instant now);
   void begin(const Waiting& next, const blocks::Outcome& found, Instant now);
   void join(Waiting next, const blocks::Outcome& found, Instant now);
   void beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now);
   void refuseTurn(const Waiting& next, blocks::Outcome refusal);
   bool continueRun(Instant now);
-  /// Behind what is at the controller.
-  [[nodiscard]] Origin originNow(Instant now) const;
   void interrupt(const std::string& why, Instant now);
   void cancelWindow(const std::string& why, Instant now);
-  /// Goals that nothing was sent of yet.
-  [[nodiscard]] std::size_t waiting() const;
   /// Its last command was blended and is done, but moves the robot still; the next one is not out yet.
   [[nodiscard]] bool isBetweenCommands() const;
   void stopBetweenCommands(const std::string& why, Instant now);
-  [[nodiscard]] std::optional<blocks::Failure> objectionTo(const blocks::Command& command) const;
   /// What was looked at in this event.
   [[nodiscard]] std::optional<blocks::Failure> prepare(const blocks::Command& command, Instant now);
   void send(Instant now);
   void endCommand(CommandWindow::Ended ended, Instant now);
   void tellRun();
   void endRun(Instant now);
-  [[nodiscard]] std::string textOfPlace(int place) const;
 
   CoreParts parts_;
   Desks desks_;
-  blocks::FrameFinder frames_;
-  NextCommand next_;
   std::unique_ptr<blocks::Run> run_;
+  Occupancy occupancy_;
+  NextCommand next_;
   /// A cancel of it between two commands: the stop that it waits for, and why.
   struct Stopping {
     StopRun::Number stop = 0;

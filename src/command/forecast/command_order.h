@@ -1,6 +1,7 @@
 // What goes over the wire for a command, and what the core has to know of it until its end.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -20,8 +21,11 @@ struct CommandOrder : blocks::Order {
   blocks::GoalId goal = 0;
   blocks::CommandKey key = 0;
   int command_id_ack = 0;
-  std::optional<int> tag;         ///< open in the ledger; none: done as soon as it is accepted
-  std::vector<int> mark_tags;     ///< the same of each of its marks
+  std::optional<int> tag;      ///< open in the ledger; none: done as soon as it is accepted
+  std::vector<int> mark_tags;  ///< the same of each of its marks
+  [[nodiscard]] bool hasMark(int mark_tag) const {
+    return std::find(mark_tags.begin(), mark_tags.end(), mark_tag) != mark_tags.end();
+  }
   bool exits_node = false;        ///< ScriptExit() is to stand behind its lines
   bool exits_afterwards = false;  ///< the node is to be left with a script of its own once it is done
   bool beside = false;            ///< goes out beside what is on the wire, whatever state the robot is in

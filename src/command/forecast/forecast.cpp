@@ -121,16 +121,14 @@ PlanDesk::MakeWork Forecast::workFor(const blocks::Command& command, const Origi
 }
 
 PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const OriginAt& origin_at,
-                                     Joining joining) const {
+                                     const blocks::PlanningScene& given) const {
   return [=](const PlanDesk::Dropped& dropped, Instant now) -> PlanWork {
     const auto origin = origin_at(now);
-    blocks::PlanningScene scene;
+    blocks::PlanningScene scene = given;
     scene.arm = arm_.get();
     if (origin) scene.start = origin->start;
     scene.give_up = [dropped] { return dropped->load(); };
     scene.tables = tables_.tables();
-    scene.chain = joining.chain;
-    scene.number = joining.number;
     return [=, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
       return planGoal(goal, scene, base, origin);
     };

@@ -26,12 +26,6 @@
 
 namespace cobot_command::command {
 
-/// Of a goal that is planned as a whole, as its turn has come (blocks::PlanningScene).
-struct Joining {
-  blocks::Detail chain;
-  int number = 1;
-};
-
 class Forecast {
  public:
   /// `arm`: nothing without a model; then nothing is planned. The others have to live longer.
@@ -61,8 +55,9 @@ class Forecast {
   /// Of a goal that waits and is one command; no plan where its origin is not known.
   [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Command& command, const OriginAt& origin) const;
   /// Of a goal that is answered by its plan, or planned as a whole.
+  /// `scene`: as far as the forecast does not know it.
   [[nodiscard]] PlanDesk::MakeWork workFor(const blocks::Goal& goal, const OriginAt& origin,
-                                           Joining joining = {}) const;
+                                           const blocks::PlanningScene& scene) const;
 
   // --- What went out, and what became of it.
   void sent(const CommandOrder& order, Instant now);

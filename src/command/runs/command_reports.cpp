@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace cobot_command::command {
 namespace {
 
@@ -10,23 +12,67 @@ constexpr Duration kPeriod = std::chrono::milliseconds(100);
 /// The end of a motion is told by its tag, not by the clock.
 constexpr double kNearlyDone = 0.99;
 
+/// "..., held by ...: what continues it".
+std::string holdText(const robot::RobotWatch& robot, const CommandOrder& order, bool waits) {
+  constexpr const char* kResume = "program_control with RESUME, or the pendant, continues it";
+  const char* in_front = waits ? "waits for the motion in front of it, " : "";
+  if (!robot.paused()) {
+    return fmt::format("{}held by a safeguard: it goes on when that is released", in_front);
+  }
+  return fmt::format("{}{}: {}", in_front,
+                     order.pauses ? "held by a Pause() in the script" : "held, the project is paused",
+                     kResume);
+}
+
 }  // namespace
 
-void CommandReports::tell(blocks::Phase phase, std::string text, Duration executed, Instant now) {
+CommandReports::CommandReports(const CommandOrder& order, const robot::RobotWatch& robot, CommandClock& clock)
+    : order_(order), robot_(robot), clock_(clock) {}
+
+void CommandReports::tell(blocks::Phase phase, std::string text, Instant now) {
+  const Duration executed = clock_.executed(now);
   phase_ = phase;
   told_at_ = now;
   blocks::Progress progress;
   progress.phase = phase;
-  progress.command_id_ack = command_id_ack_;
+  progress.command_id_ack = order_.command_id_ack;
   progress.text = std::move(text);
-  if (planned_) {
-    progress.planned = *planned_;
-    progress.remaining = std::max(Duration::zero(), *planned_ - executed);
-    if (*planned_ > Duration::zero()) {
-      progress.fraction = std::clamp(toSeconds(executed) / toSeconds(*planned_), 0.0, kNearlyDone);
+  if (order_.plan) {
+    const Duration planned = order_.plan->duration;
+    progress.planned = planned;
+    progress.remaining = std::max(Duration::zero(), planned - executed);
+    if (planned > Duration::zero()) {
+      progress.fraction = std::clamp(toSeconds(executed) / toSeconds(planned), 0.0, kNearlyDone);
     }
   }
   progress_.push_back(std::move(progress));
+}
+
+void CommandReports::goOn(Instant now) {
+  if (!clock_.mayExecute(now)) {
+    tell(blocks::Phase::Queued, "accepted, waits for the motion in front of it", now);
+    return;
+  }
+  clock_.execute(now);
+  const bool unseen = order_.pauses && !robot_.tellsPause();
+  tell(blocks::Phase::Active,
+       unseen ? "the robot executes it; the Pause() in the script, which the status stream does not show, "
+                "lasts until program_control with RESUME, or the pendant, continues it"
+              : "the robot executes it",
+       now);
+}
+
+/// A paused robot gets the time back that the pause took.
+void CommandReports::followHold(bool under_way, Instant now) {
+  if (under_way && robot_.held()) {
+    clock_.hold(now);
+    if (phase_ == blocks::Phase::Active || phase_ == blocks::Phase::Queued) {
+      tell(blocks::Phase::Held, holdText(robot_, order_, phase_ == blocks::Phase::Queued), now);
+    }
+  } else if (clock_.held()) {
+    clock_.release(now);
+    if (phase_ == blocks::Phase::Held) goOn(now);
+  }
 }
 
 bool CommandReports::due(Instant now) const {

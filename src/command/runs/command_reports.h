@@ -1,24 +1,29 @@
 // What is told of one command while it is under way.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "forecast/command_order.h"
+#include "runs/command_clock.h"
+
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/robot/robot_watch.h"
 
 namespace cobot_command::command {
 
 class CommandReports {
  public:
-  /// `planned`: how long it takes, if that is known.
-  CommandReports(int command_id_ack, std::optional<Duration> planned)
-      : command_id_ack_(command_id_ack), planned_(planned) {}
+  /// All have to live longer.
+  CommandReports(const CommandOrder& order, const robot::RobotWatch& robot, CommandClock& clock);
 
-  /// `executed`: for how long it has been.
-  void tell(blocks::Phase phase, std::string text, Duration executed, Instant now);
+  void tell(blocks::Phase phase, std::string text, Instant now);
+  /// It is executed, or waits for the motion in front of it.
+  void goOn(Instant now);
+  /// The time of a command that is under way stands still as long as the robot is held.
+  void followHold(bool under_way, Instant now);
   /// That was told last.
   [[nodiscard]] blocks::Phase phase() const { return phase_; }
   /// It is being executed, and how far it is was told a while ago.
@@ -28,8 +33,9 @@ class CommandReports {
   [[nodiscard]] std::vector<blocks::Progress> take() { return std::exchange(progress_, {}); }
 
  private:
-  int command_id_ack_;
-  std::optional<Duration> planned_;
+  const CommandOrder& order_;
+  const robot::RobotWatch& robot_;
+  CommandClock& clock_;
   blocks::Phase phase_ = blocks::Phase::Sent;
   Instant told_at_{};
   std::vector<blocks::Progress> progress_;

@@ -22,22 +22,6 @@ Duration timeFor(const CommandOrder& order, const link::LinkSettings& settings) 
          settings.tag_deadline_margin;
 }
 
-/// "..., held by ...: what continues it".
-std::string holdText(const robot::RobotWatch& robot, const CommandOrder& order, bool waits) {
-  constexpr const char* kResume = "program_control with RESUME, or the pendant, continues it";
-  const char* in_front = waits ? "waits for the motion in front of it, " : "";
-  if (!robot.paused()) {
-    return fmt::format("{}held by a safeguard: it goes on when that is released", in_front);
-  }
-  return fmt::format("{}{}: {}", in_front,
-                     order.pauses ? "held by a Pause() in the script" : "held, the project is paused",
-                     kResume);
-}
-
-std::optional<Duration> plannedTime(const CommandOrder& order) {
-  return order.plan ? std::make_optional(order.plan->duration) : std::nullopt;
-}
-
 }  // namespace
 
 CommandRun::CommandRun(CommandOrder order, const RunContext& context, Instant now)
@@ -46,11 +30,11 @@ CommandRun::CommandRun(CommandOrder order, const RunContext& context, Instant no
       sent_at_(now),
       clock_(now, context.settings.unplanned_motion_timeout),
       evidence_(context.robot, context.settings, context.arm, order_.target),
-      reports_(order_.command_id_ack, plannedTime(order_)),
+      reports_(order_, context.robot, clock_),
       stop_in_front_(context.stop.last()) {
   script_id_ =
       context_.link.sendScript(fmt::format("{}", fmt::join(order_.lines, "\r\n")), now, order_.reply_timeout);
-  tell(blocks::Phase::Sent, "sent to the controller", now);
+  reports_.tell(blocks::Phase::Sent, "sent to the controller", now);
 }
 
 void CommandRun::cancel(const std::string& why, Instant now) {
@@ -59,16 +43,12 @@ void CommandRun::cancel(const std::string& why, Instant now) {
   fire(Event::Cancel, now);
 }
 
-std::optional<std::size_t> CommandRun::markOf(int tag) const {
-  const auto& marks = order_.mark_tags;
-  const auto found = std::find(marks.begin() + static_cast<std::ptrdiff_t>(passed_), marks.end(), tag);
-  if (found == marks.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - marks.begin());
-}
-
-void CommandRun::passMark(std::size_t mark) {
-  while (passed_ < mark) context_.tags.abandon(order_.mark_tags[passed_++]);
-  passed_ = mark + 1;
+std::size_t CommandRun::passMark(int tag) {
+  auto& marks = order_.mark_tags;
+  const auto passed = std::find(marks.begin(), marks.end(), tag);
+  for (auto mark = marks.begin(); mark != passed; ++mark) context_.tags.abandon(std::exchange(*mark, 0));
+  *passed = 0;
+  return static_cast<std::size_t>(passed - marks.begin());
 }
 
 bool CommandRun::mayBeCancelled() const {
@@ -99,7 +79,7 @@ void CommandRun::stopEnded(const StopRun::Result& result, Instant now) {
 }
 
 void CommandRun::advance(Instant now) {
-  if (clock_.beginsNow(now)) goOn(now);
+  if (clock_.beginsNow(now)) reports_.goOn(now);
   if (clock_.overdue(now)) fire(Event::Overdue, now);
 }
 
@@ -113,52 +93,20 @@ void CommandRun::robotChanged(Instant now) {
     fail(blocks::robotError(context_.robot), Robot::Stop, now);
     return;
   }
-  followHold(now);
+  reports_.followHold(underWay(), now);
   if (underWay() && order_.tag) evidence_.watch(now);
   if (state_ == State::Executing && order_.tag && evidence_.stalledOnTheWay()) fire(Event::Stalled, now);
   if (state_ == State::Verifying) verify(now);
   if (state_ == State::Explaining) lookForReason(now);
-  if (reports_.due(now)) goOn(now);
+  if (reports_.due(now)) reports_.goOn(now);
 }
 
 void CommandRun::linkLost(const std::string& reason, Instant now) {
   fail({blocks::motion_error::kLinkDropped, reason, ""}, Robot::LeaveIt, now, Event::Unexplained);
 }
 
-/// A paused robot gets the time back that the pause took.
-void CommandRun::followHold(Instant now) {
-  const blocks::Phase phase = reports_.phase();
-  if (underWay() && context_.robot.held()) {
-    clock_.hold(now);
-    if (phase == blocks::Phase::Active || phase == blocks::Phase::Queued) {
-      tell(blocks::Phase::Held, holdText(context_.robot, order_, phase == blocks::Phase::Queued), now);
-    }
-  } else if (clock_.held()) {
-    clock_.release(now);
-    if (phase == blocks::Phase::Held) goOn(now);
-  }
-}
-
 bool CommandRun::underWay() const {
   return state_ == State::Sent || state_ == State::Executing || state_ == State::Confirming;
-}
-
-void CommandRun::goOn(Instant now) {
-  if (!clock_.mayExecute(now)) {
-    tell(blocks::Phase::Queued, "accepted, waits for the motion in front of it", now);
-    return;
-  }
-  clock_.execute(now);
-  const bool unseen = order_.pauses && !context_.robot.tellsPause();
-  tell(blocks::Phase::Active,
-       unseen ? "the robot executes it; the Pause() in the script, which the status stream does not show, "
-                "lasts until program_control with RESUME, or the pendant, continues it"
-              : "the robot executes it",
-       now);
-}
-
-void CommandRun::tell(blocks::Phase phase, std::string text, Instant now) {
-  reports_.tell(phase, std::move(text), clock_.executed(now), now);
 }
 
 void CommandRun::fire(Event event, Instant now) {
@@ -204,7 +152,7 @@ void CommandRun::act(CommandRunAction action, Instant now) {
       awaitReason(now);
       return;
     case Do::AskForStop:
-      tell(blocks::Phase::Stopping, cancelled_why_ + ", stopping the robot", now);
+      reports_.tell(blocks::Phase::Stopping, cancelled_why_ + ", stopping the robot", now);
       askForStop(now);
       return;
     case Do::EndDone:
@@ -223,8 +171,8 @@ void CommandRun::act(CommandRunAction action, Instant now) {
 void CommandRun::awaitTag(Instant now) {
   clock_.expect(now, order_.plan ? order_.plan->start_delay : Duration::zero(),
                 timeFor(order_, context_.settings));
-  goOn(now);
-  followHold(now);
+  reports_.goOn(now);
+  reports_.followHold(underWay(), now);
 }
 
 void CommandRun::askTag(bool early, Instant now) {
@@ -279,7 +227,7 @@ void CommandRun::awaitReason(Instant now) {
     return;
   }
   // It does not execute any more: a stop may go on beside it, on a link that is there again.
-  tell(blocks::Phase::Stopping, robot::ReasonWait::text("failed, " + failure_.found), now);
+  reports_.tell(blocks::Phase::Stopping, robot::ReasonWait::text("failed, " + failure_.found), now);
 }
 
 /// An error that was acknowledged, and is still there when the next motion fails, is the reason for that.
@@ -298,7 +246,7 @@ void CommandRun::lookForReason(Instant now) {
 void CommandRun::end(blocks::Outcome outcome, Instant now) {
   clock_.clear();
   if (order_.tag && !tag_seen_at_) context_.tags.abandon(*order_.tag);
-  for (std::size_t i = passed_; i < order_.mark_tags.size(); ++i) context_.tags.abandon(order_.mark_tags[i]);
+  for (const int mark : order_.mark_tags) context_.tags.abandon(mark);
   outcome.command_id_ack = order_.command_id_ack;
   if (order_.plan) outcome.planned = order_.plan->duration;
   if (tag_seen_at_) {

@@ -38,6 +38,8 @@ class CommandRun {
  public:
   /// Sends the script. Precondition: the link is Ready.
   CommandRun(CommandOrder order, const RunContext& context, Instant now);
+  CommandRun(const CommandRun&) = delete;
+  CommandRun& operator=(const CommandRun&) = delete;
 
   /// Stops the robot; ends as CommandAborted with `why` once it stands. A command that does not move is left
   /// to its end, which is as near as its reply.
@@ -49,11 +51,9 @@ class CommandRun {
   /// The tag, open until now, was reported complete: Done, when the status stream shows it too. `followed`:
   /// the robot goes on with the command behind it, so that it need not be seen to stand.
   void tagCompleted(bool followed, Instant now);
-  /// One of its marks that it has not passed; nothing: it has none of that tag.
-  [[nodiscard]] std::optional<std::size_t> markOf(int tag) const;
-  /// That one was reported. Those in front of it are passed, too, though nobody said so: tags complete in
-  /// their order.
-  void passMark(std::size_t mark);
+  /// The mark of that tag was reported: which one it is. Those in front of it are passed, too, though nobody
+  /// said so: tags complete in their order. Precondition: its order has that mark.
+  [[nodiscard]] std::size_t passMark(int tag);
   void tagFailed(Instant now);
   /// The answer to the question that it asked, other than "complete".
   void tagIncomplete(protocol::TagState state, Instant now);
@@ -91,10 +91,6 @@ class CommandRun {
   void askForStop(Instant now);
   /// The controller has it, or may have it, and its end is not known.
   [[nodiscard]] bool underWay() const;
-  void followHold(Instant now);
-  /// It is executed, or waits for the motion in front of it.
-  void goOn(Instant now);
-  void tell(blocks::Phase phase, std::string text, Instant now);
 
   void beginVerifying(Instant now);
   void verify(Instant now);
@@ -116,7 +112,6 @@ class CommandRun {
   robot::ReasonWait reason_;
   blocks::Failure failure_;
   Robot robot_on_failure_ = Robot::LeaveIt;
-  std::size_t passed_ = 0;         ///< of its marks
   StopRun::Number stop_in_front_;  ///< the last one when it was sent
   StopRun::Number stop_ = 0;       ///< that it has asked for
   bool followed_ = false;          ///< the command behind it takes the robot over

@@ -163,7 +163,7 @@ void CommandWindow::answered(const link::ScriptAnswered& event, Instant now) {
 
 bool CommandWindow::tagReported(const link::TagReported& event, Instant now) {
   const auto sent = std::find_if(ordered_.begin(), ordered_.end(), [&](const Sent& s) {
-    return s.run.order().tag == event.tag || s.run.markOf(event.tag);
+    return s.run.order().tag == event.tag || s.run.order().hasMark(event.tag);
   });
   if (sent == ordered_.end() || !context_.tags.isOpen(event.tag)) return false;
   if (event.state == protocol::TagState::Complete) {
@@ -182,17 +182,11 @@ void CommandWindow::complete(std::list<Sent>::iterator sent, int tag, Instant no
   if (!context_.tags.complete(tag)) return;
   CommandRun& run = sent->run;
   if (run.order().tag != tag) {
-    passMark(run, tag);
+    passed_.emplace_back(run.order().key, run.passMark(tag));
     return;
   }
   forecast_.arrived(run.order(), now);
   run.tagCompleted(std::next(sent) != ordered_.end(), now);
-}
-
-void CommandWindow::passMark(CommandRun& run, int tag) {
-  const std::size_t mark = *run.markOf(tag);
-  run.passMark(mark);
-  passed_.emplace_back(run.order().key, mark);
 }
 
 void CommandWindow::tagQueryFailed(const link::TagQueryFailed& event, Instant now) {

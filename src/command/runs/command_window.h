@@ -97,7 +97,6 @@ class CommandWindow {
   [[nodiscard]] static Ended endOf(const CommandRun& run);
   /// False: all tags are open.
   [[nodiscard]] bool openTags(CommandOrder& order, int command_id);
-  void passMark(CommandRun& run, int tag);
   void complete(std::list<Sent>::iterator sent, int tag, Instant now);
   /// With one that failed.
   void takeAlong(std::list<Sent>::iterator failed, Instant now);

@@ -23,6 +23,7 @@ cobot_command::StepReport toMessage(const blocks::StepReport& report, const Join
   message.error_description = report.error_description;
   message.start = toRos(report.start);
   message.duration = toRos(report.duration);
+  message.done = toRos(report.done);
   message.offending_point_valid = report.offending_point.has_value();
   if (report.offending_point) message.offending_point = toTransformation(*report.offending_point);
   message.joint_path = toMessage(report.joint_path, names);

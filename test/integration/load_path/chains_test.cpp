@@ -43,8 +43,9 @@ std::string wireOf(int goals) {
   for (int i = 0; i < goals; ++i) {
     ids.push_back(cell.submit(section(tenPoints(), i * 10 / goals, 10 / goals)));
   }
-  for (const GoalId id : ids)
+  for (const GoalId id : ids) {
     EXPECT_EQ(cell.endOf(id).ending, Ending::Done) << cell.endOf(id).error_description;
+  }
   return pointsOf(cell.scripts());
 }
 

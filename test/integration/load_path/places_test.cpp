@@ -43,8 +43,8 @@ TEST_F(LoadPathPlaces, tellTheMoveIdsOfTheGoal) {
   expectDone(id);
   std::vector<int> ids;
   for (const PathPlace& place : placesOf(id)) {
-    if (place.active && (ids.empty() || ids.back() != place.active_move_id))
-      ids.push_back(place.active_move_id);
+    const bool is_new = place.active && (ids.empty() || ids.back() != place.active_move_id);
+    if (is_new) ids.push_back(place.active_move_id);
   }
   EXPECT_THAT(ids, ::testing::ElementsAre(2, 77, 2)) << "0 is the number of the goal, the second one";
   EXPECT_EQ(reportOf(id).method_id, 2);

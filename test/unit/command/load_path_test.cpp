@@ -1,4 +1,5 @@
-// A path from its goal to its end, block by block.
+// What is refused of paths as they come, and the frames of one. How whole paths run:
+// test/integration/load_path.
 
 #include "block_goals.h"
 #include "core_rig.h"
@@ -54,68 +55,6 @@ TEST_F(LoadPathTest, sendsOnePvtFromStopToStop) {
   EXPECT_TRUE(rig.outcome(id)->planned && rig.outcome(id)->actual && rig.outcome(id)->final_joints_deg);
 }
 
-TEST_F(LoadPathTest, sendsPointsThatBlendTogether) {
-  const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      g.path[i].termination_type = static_cast<int>(path::Termination::Blend);
-      g.path[i].command_tolerance = 30;
-    }
-  }));
-  execute({0, 0, 90, 0, 90, 0});
-  ASSERT_NE(rig.outcome(id), nullptr);
-  EXPECT_EQ(rig.outcome(id)->ending, Ending::Done) << rig.outcome(id)->error_description;
-}
-
-/// At any time: done + active + queued + pending = number_of_moves.
-TEST_F(LoadPathTest, tellsWhereItsPointsAre) {
-  const GoalId id = rig.submit(good<LoadPathGoal>());
-  execute({10, 0, 90, 0, 90, 0});
-  execute({10, 0, 100, 0, 80, 0});
-  execute({0, 0, 90, 0, 90, 0});
-  int last = -1;
-  for (const Progress& progress : rig.progress(id)) {
-    const auto* const place = progress.detail.find<PathPlace>();
-    if (place == nullptr) continue;
-    EXPECT_EQ(place->done_path_points + 1 + place->queued_path_points + place->pending_path_points, 3);
-    EXPECT_GE(place->active_path_point, last);
-    last = place->active_path_point;
-  }
-  EXPECT_EQ(last, 2);
-}
-
-TEST_F(LoadPathTest, toWhereTheRobotStandsIsDoneAtOnce) {
-  const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) {
-    g.path = {pathPoint({0, 0, 90, 0, 90, 0})};
-    g.number_of_moves = 1;
-  }));
-  ASSERT_NE(rig.outcome(id), nullptr);
-  EXPECT_EQ(rig.outcome(id)->ending, Ending::Done);
-  EXPECT_EQ(*rig.outcome(id)->planned, Duration::zero());
-}
-
-TEST_F(LoadPathTest, endsWithItsCancel) {
-  const GoalId id = rig.submit(good<LoadPathGoal>());
-  rig.reply(rig.takeScript().id);
-  rig.cancel(id);
-  rig.reply(rig.takeScript().id);
-  rig.stream(StatusFrames());
-  ASSERT_NE(rig.outcome(id), nullptr);
-  EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
-  EXPECT_EQ(rig.outcome(id)->error_id, 0);
-}
-
-TEST_F(LoadPathTest, isInterruptedByAStopUntilItsLastPointIsLoaded) {
-  const GoalId id = rig.submit(good<LoadPathGoal>());
-  execute({10, 0, 90, 0, 90, 0});
-  rig.reply(rig.takeScript().id);
-  rig.submit(StopGoal{});
-  rig.reply(rig.takeScript().id);
-  rig.stream(StatusFrames());
-  ASSERT_NE(rig.outcome(id), nullptr);
-  EXPECT_EQ(rig.outcome(id)->error_id, 1007);
-  EXPECT_EQ(reportOf(id).error_index, 2) << "the first that was not loaded";
-}
-
 TEST_F(LoadPathTest, isPreemptedByAStopBehindThat) {
   const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) { g.number_of_moves = 1; }));
   rig.reply(rig.takeScript().id);
@@ -124,21 +63,6 @@ TEST_F(LoadPathTest, isPreemptedByAStopBehindThat) {
   rig.stream(StatusFrames());
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
-}
-
-/// It takes nothing with it: whoever interrupts it comes behind it.
-TEST_F(LoadPathTest, letsTheGoalRunThatInterruptsIt) {
-  const GoalId id = rig.submit(good<LoadPathGoal>());
-  rig.reply(rig.takeScript().id);
-  auto move = CoreRig::move();
-  move.buffer_mode = static_cast<int>(BufferMode::Aborting);
-  const GoalId next = rig.submit(move);
-  rig.reply(rig.takeScript().id);
-  rig.stream(StatusFrames());
-  EXPECT_EQ(rig.outcome(id)->error_id, 1007);
-  EXPECT_EQ(rig.outcome(next), nullptr);
-  rig.takeScript();
-  EXPECT_TRUE(rig.accepted(next));
 }
 
 TEST_F(LoadPathTest, tellsThePointOfALostLink) {
@@ -151,6 +75,7 @@ TEST_F(LoadPathTest, tellsThePointOfALostLink) {
   rig.status(StatusFrames().at({10, 0, 90, 0, 90, 0}).moving());
   rig.close("gone");
   rig.pass(500ms);
+  rig.discardSent();
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->error_id, 1002);
   EXPECT_EQ(reportOf(id).error_index, 2);
@@ -190,7 +115,7 @@ TEST_F(LoadPathTest, goesInManualModeWhereThatIsAllowed) {
   manual.connect();
   manual.status(StatusFrames().with(protocol::item::ofInt("MA_Mode", 2)));
   EXPECT_TRUE(manual.accepted(manual.submit(good<LoadPathGoal>())));
-  manual.takeScript();
+  manual.discardSent();
 }
 
 TEST_F(LoadPathTest, isCheckedWithoutALink) {

@@ -220,7 +220,7 @@ Scenarios ownScenarios() {
 /// A path that was sent; `fault` gets the rig and the script id.
 Outcome until(const std::function<void(CoreRig&, const std::string&)>& fault) {
   Ready rig;
-  const GoalId id = rig.submit(good<LoadPathGoal>());
+  const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) { g.number_of_moves = 1; }));
   fault(rig, rig.takeScript().id);
   return endOf(rig, id);
 }
@@ -290,9 +290,26 @@ Scenarios wireScenarios() {
       {row(1007),
        [] {
          Ready rig;
-         const GoalId id = rig.submit(good<LoadPathGoal>());
+         const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) {
+           while (g.path.size() < 9) g.path.push_back(g.path[g.path.size() - 3]);
+           g.number_of_moves = 9;
+         }));
+         rig.reply(rig.takeScript().id);
          rig.reply(rig.takeScript().id);
          rig.submit(StopGoal{});
+         rig.reply(rig.takeScript().id);
+         rig.stream(StatusFrames());
+         return endOf(rig, id);
+       }},
+      {row(own_error::kPathDeviates),
+       [] {
+         Ready rig;
+         const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) {
+           g.number_of_moves = 1;
+           g.max_deviation = 1;
+         }));
+         rig.reply(rig.takeScript().id);
+         rig.stream(StatusFrames().at({5, 10, 90, 0, 90, 0}).moving());
          rig.reply(rig.takeScript().id);
          rig.stream(StatusFrames());
          return endOf(rig, id);

@@ -2,6 +2,7 @@
 
 #include "connecting/connect_run_states.h"
 #include "runs/command_run_states.h"
+#include "runs/load_path_states.h"
 #include "runs/pick_and_place_states.h"
 #include "runs/wait_for_input_states.h"
 #include "stops/stop_run_states.h"
@@ -80,6 +81,18 @@ TEST(PickAndPlaceTable, canFailAndBeCancelledInEveryState) {
       ASSERT_TRUE(row) << static_cast<int>(state);
       EXPECT_EQ(row->to, PickAndPlaceState::Ended);
     }
+  }
+}
+
+TEST(LoadPathTable, isSound) {
+  expectSoundTable<LoadPathTable>(LoadPathState::Ended, LoadPathEvent::NothingLeft, LoadPathState::Following,
+                                  {LoadPathState::Ended});
+}
+
+TEST(LoadPathTable, endsAsFailedOnlyBehindAFailure) {
+  for (const auto& row : LoadPathTable::kRows) {
+    const bool failed = row.from == LoadPathState::Failing || row.from == LoadPathState::Explaining;
+    EXPECT_EQ(row.to == LoadPathState::Ended && failed, row.action == LoadPathAction::EndFailed);
   }
 }
 

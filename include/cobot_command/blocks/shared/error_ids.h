@@ -134,6 +134,7 @@ inline constexpr int kInputUnknown = 0x266;
 inline constexpr int kTrackingOffset = 0x270;
 inline constexpr int kNotInAScript = 0x271;
 inline constexpr int kPvtUnavailable = 0x272;
+inline constexpr int kPathDeviates = 0x274;
 inline constexpr int kExecutionUnknown = 0x275;
 inline constexpr int kPvtTooLong = 0x277;
 inline constexpr int kDeviationRange = 0x278;

@@ -6,6 +6,7 @@
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/shared/detail.h"
+#include "cobot_command/path/path_settings.h"
 #include "cobot_command/planning/script_planner.h"
 #include "cobot_command/tables/data_tables.h"
 
@@ -20,8 +21,9 @@ struct PlanningScene {
   std::optional<planning::ScriptPlanner::Start> start;
   GiveUp give_up;                  ///< may be empty: never
   tables::DataTables tables = {};  ///< as they are when the planning begins
-  Detail chain = {};  ///< of the run that the goal is to join (Run::chain); none: it is the first
-  int number = 1;     ///< the goal would be so many-th of its block that is accepted
+  Detail chain = {};             ///< of the run that the goal is to join (Run::chain); none: it is the first
+  path::PathSettings path = {};  ///< how paths are loaded
+  int number = 1;                ///< the goal would be so many-th of its block that is accepted
 };
 
 }  // namespace cobot_command::blocks

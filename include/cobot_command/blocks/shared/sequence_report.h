@@ -21,6 +21,7 @@ struct StepReport {
   Duration
       start{};  ///< since the start of the sequence; earlier than the end of the step before when blended
   Duration duration{};  ///< of the step from rest to rest, zero for what is no motion
+  Duration done{};      ///< since the start of the sequence, as executed; zero: not, or nobody looked
   /// The first offending point, TCP in the active base, mm and degrees; where one is to blame.
   std::optional<std::array<double, 6>> offending_point;
   std::vector<JointPathPoint> joint_path;  ///< when it was checked; time since the start of the step

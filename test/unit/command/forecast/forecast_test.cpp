@@ -178,7 +178,7 @@ TEST_F(ForecastWithoutModel, answersACheckWithThat) {
   const blocks::Goal goal = testing::moveJoints(kAside);
   const auto dropped = std::make_shared<const std::atomic<bool>>(false);
   const auto origin = [this](Instant then) { return forecast_.origin(then); };
-  const PlanAnswer answer = forecast_.workFor(goal, origin)(dropped, now_)();
+  const PlanAnswer answer = forecast_.workFor(goal, origin, {})(dropped, now_)();
   EXPECT_EQ(answer.outcome.ending, blocks::Ending::Rejected);
   EXPECT_EQ(answer.outcome.error_id, blocks::own_error::kNoModel);
 }

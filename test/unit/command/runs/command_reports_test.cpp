@@ -10,10 +10,26 @@ using blocks::Phase;
 
 constexpr Instant kStart{100s};
 
-TEST(CommandReports, tellWhatIsNewSinceTheLastCall) {
-  CommandReports reports(7, std::nullopt);
-  reports.tell(Phase::Sent, "sent", 0s, kStart);
-  reports.tell(Phase::Active, "executed", 0s, kStart);
+class CommandReportsTest : public ::testing::Test {
+ protected:
+  /// It has been executed for so long at kStart.
+  CommandReports& planned(Duration duration, Duration executed = 0s) {
+    order.plan.emplace();
+    order.plan->duration = duration;
+    clock.execute(kStart - executed);
+    return reports;
+  }
+
+  CommandOrder order;
+  robot::RobotWatch robot;
+  CommandClock clock{kStart - 10s, 300s};
+  CommandReports reports{order, robot, clock};
+};
+
+TEST_F(CommandReportsTest, tellWhatIsNewSinceTheLastCall) {
+  order.command_id_ack = 7;
+  reports.tell(Phase::Sent, "sent", kStart);
+  reports.tell(Phase::Active, "executed", kStart);
   const auto told = reports.take();
   ASSERT_EQ(told.size(), 2U);
   EXPECT_EQ(told[0].phase, Phase::Sent);
@@ -26,10 +42,9 @@ TEST(CommandReports, tellWhatIsNewSinceTheLastCall) {
   EXPECT_TRUE(reports.take().empty());
 }
 
-TEST(CommandReports, tellHowFarAPlannedMotionIs) {
-  CommandReports reports(0, 4s);
-  reports.tell(Phase::Active, "executed", 1s, kStart);
-  reports.tell(Phase::Active, "executed", 5s, kStart);
+TEST_F(CommandReportsTest, tellHowFarAPlannedMotionIs) {
+  planned(4s, 1s).tell(Phase::Active, "executed", kStart);
+  reports.tell(Phase::Active, "executed", kStart + 4s);
   const auto told = reports.take();
   EXPECT_DOUBLE_EQ(told[0].fraction, 0.25);
   EXPECT_EQ(told[0].planned, 4s);
@@ -38,18 +53,16 @@ TEST(CommandReports, tellHowFarAPlannedMotionIs) {
   EXPECT_EQ(told[1].remaining, 0s);
 }
 
-TEST(CommandReports, tellNoFractionOfAMotionWithoutAWay) {
-  CommandReports reports(0, 0s);
-  reports.tell(Phase::Active, "executed", 1s, kStart);
+TEST_F(CommandReportsTest, tellNoFractionOfAMotionWithoutAWay) {
+  planned(0s, 1s).tell(Phase::Active, "executed", kStart);
   EXPECT_EQ(reports.take()[0].fraction, 0.0);
 }
 
-TEST(CommandReports, areDueAWhileBehindTheLastOneOfWhatIsExecuted) {
-  CommandReports reports(0, 4s);
-  reports.tell(Phase::Active, "executed", 0s, kStart);
+TEST_F(CommandReportsTest, areDueAWhileBehindTheLastOneOfWhatIsExecuted) {
+  planned(4s).tell(Phase::Active, "executed", kStart);
   EXPECT_FALSE(reports.due(kStart + 99ms));
   EXPECT_TRUE(reports.due(kStart + 100ms));
-  reports.tell(Phase::Held, "held", 0s, kStart + 100ms);
+  reports.tell(Phase::Held, "held", kStart + 100ms);
   EXPECT_FALSE(reports.due(kStart + 1h)) << "nothing changes while it is held";
 }
 

@@ -1,0 +1,104 @@
+#include "arbiter/occupancy.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/robot_failure.h"
+
+namespace cobot_command::command {
+
+std::optional<blocks::Block> Occupancy::busyWith() const {
+  if (stops_.executes()) return StopGoals::kBlock;
+  if (run_) return run_->block();
+  if (!queue_.empty()) return blockOf(queue_.front().goal);
+  return std::nullopt;
+}
+
+std::vector<blocks::Failure> Occupancy::objectionsToAny(blocks::BufferMode mode, bool needs_automatic) const {
+  std::vector<blocks::Failure> failures = parts_.keeper.objectionsToCommands();
+  if (failures.empty() && !parts_.keeper.run().ready()) {
+    return {{blocks::motion_error::kNotConnected, "the first status frame is still awaited", "Wait for it"}};
+  }
+  const bool connected = failures.empty() || failures.front().error_id != blocks::motion_error::kNotConnected;
+  if (!connected) {
+    // It closes the script port, and is then the reason for some blocks.
+    if (parts_.robot.emergencyStop()) failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
+    return failures;
+  }
+  const auto busy = busyWith();
+  if (mode == blocks::BufferMode::Refuse && busy) {
+    failures.push_back({blocks::motion_error::kOtherBlockBusy, toString(*busy), ""});
+  }
+  if (mode == blocks::BufferMode::Buffered && waiting() >= kMostWaiting) {
+    failures.push_back(blocks::tooManyWait(waiting()));
+  }
+  if (parts_.robot.emergencyStop()) failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
+  if (parts_.robot.inError()) failures.push_back(blocks::robotError(parts_.robot));
+  if (needs_automatic && parts_.robot.manualMode() && !parts_.settings.path_in_manual_mode) {
+    failures.push_back({blocks::own_error::kManualMode, "", ""});
+  }
+  if (mode == blocks::BufferMode::Refuse && stops_.holdsBack() && !stops_.busy()) {
+    failures.push_back({blocks::own_error::kOrphanMoves, stops_.heldBackBy(), ""});
+  }
+  return failures;
+}
+
+std::optional<Origin> Occupancy::originBehind(Ticket ticket, Instant now) const {
+  if (const Waiting* const before = queue_.lastBefore(ticket)) return before->end;
+  if (!run_ || run_->leavesTheRobot()) return parts_.forecast.origin(now);
+  return run_->isOneCommand() ? window_.end(now) : std::nullopt;
+}
+
+Origin Occupancy::originNow(Instant now) const {
+  if (window_.empty()) return parts_.forecast.origin(now);
+  if (auto end = window_.end(now)) return *std::move(end);
+  Origin unknown = parts_.forecast.origin(now);
+  unknown.start.joints.reset();
+  unknown.behind.reset();
+  return unknown;
+}
+
+std::size_t Occupancy::waiting() const {
+  return queue_.size() + (run_ ? run_->waiting() : 0);
+}
+
+blocks::BufferMode Occupancy::modeOf(blocks::Block block, const blocks::GoalTraits& traits) const {
+  const bool refuses = traits.buffer_mode == blocks::BufferMode::Refuse;
+  if (!refuses || !traits.chains || stops_.executes()) return traits.buffer_mode;
+  const auto last = queue_.empty() ? busyWith() : blockOf(queue_.back().goal);
+  return last == block ? blocks::BufferMode::Buffered : traits.buffer_mode;
+}
+
+std::vector<blocks::Failure> Occupancy::objectionsTo(const Waiting& next) const {
+  const blocks::GoalRules rules(next.goal);
+  std::vector<blocks::Failure> failures =
+      objectionsToAny(blocks::BufferMode::Aborting, rules.traits().needs_automatic);
+  const bool has_waited = next.told_place > 0;
+  if (failures.empty() && has_waited) {
+    if (auto moved = rules.findMovedFrame(frames_)) failures.push_back(std::move(*moved));
+  }
+  sortByTable(blockOf(next.goal), failures);
+  return failures;
+}
+
+std::optional<blocks::Failure> Occupancy::objectionTo(const blocks::Command& command) const {
+  std::vector<blocks::Failure> failures =
+      objectionsToAny(blocks::BufferMode::Aborting, command.traits.needs_automatic);
+  sortByTable(command.block, failures);
+  if (!failures.empty()) return std::move(failures.front());
+  return command.find_moved_frame ? command.find_moved_frame(frames_) : std::nullopt;
+}
+
+std::string Occupancy::textOfPlace(int place) const {
+  if (place > 1) return "waits for its turn, others are in front of it";
+  if (run_) return "waits for its turn, one is in front of it";
+  if (queue_.plansTheNext()) return "is planned as a whole, before its first move";
+  return stops_.holdsBack() ? fmt::format("waits until the robot stands: {}", stops_.heldBackBy())
+                            : "waits for its turn, until the robot stands";
+}
+
+}  // namespace cobot_command::command
