@@ -9,8 +9,8 @@ from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import CommandStatus, FrameData, LoadPathGoal, PathPoint, RobotStatus, StopGoal, ToolData
 from cobot_command.srv import WriteFrame, WriteTool
-from cobot_goals import ABORTING, HOME, path, path_line, path_to_joints, six, to_joints, with_changes
-from cobot_test import DEADLINE, Latest
+from cobot_goals import ABORTING, HOME, path, path_line, path_to_joints, script, six, to_joints, with_changes
+from cobot_test import DEADLINE, Latest, Robot
 from motion_checks import MotionTestCase
 
 FILE = "package://cobot_command/config/path.yaml"
@@ -205,6 +205,17 @@ class LoadPath(MotionTestCase):
         self.assert_done(self.robot.run(path(path_to_joints(0, 0, 90, 0, 0, 0))))
         upright = with_changes(above(0), {"pose": six((417.5, -122.3, 400, 90, 0, 90))})
         self.assert_blames(path(upright), 1045, 0, 4)
+
+    def test_refuses_a_way_that_begins_outside_the_joint_limits(self):
+        larger = Robot("larger")
+        larger.establish()
+        # Only the robot can read it, so that nobody plans it for the smaller arm.
+        far = script("float[] now = Robot[0].Joint", 'PTP("JPP",0,0,160,0,90,0,35,200,0,false)', await_motion=True)
+        self.assert_done(larger.run(far))
+        state, result = larger.run(path(above(10)))
+        self.assert_rejected((state, result), 1043)
+        self.assertEqual((result.error_index, result.error_joint), (0, 2))
+        larger.close()
 
     def test_refuses_frames_that_it_does_not_know(self):
         for kind, service, data in (("write_tool", WriteTool, ToolData(index=2, name="gripper", name_only=True)),
