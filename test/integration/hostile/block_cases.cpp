@@ -159,12 +159,25 @@ BlockCase pickAndPlace(Pace pace) {
           }};
 }
 
+/// One point: no more than one command of it is under way.
+BlockCase loadPath(Pace pace) {
+  constexpr double kRated = 180;  // [deg/s]
+  path::PathPoint point;
+  point.joints = {20, -10, 100, 5, 80, -15};
+  point.speed = kRated * percent(pace) / 100;
+  point.acceleration = point.deceleration = 2 * kRated;
+  blocks::LoadPathGoal goal;
+  goal.path = {point};
+  goal.number_of_moves = 1;
+  return {blocks::kBlock<blocks::LoadPathGoal>, goal, true, standsAtJoints({20, -10, 100, 5, 80, -15})};
+}
+
 }  // namespace
 
 std::vector<BlockCase> blockCases(Pace pace) {
-  return {moveAbsolute(pace), moveRelative(pace), moveCircle(pace),  changeBase(), changeTcp(),
-          changeLoad(),       setOutput(),        programControl(),  stop(),       exitListenNode(),
-          runScript(pace),    checkSequence(),    pickAndPlace(pace)};
+  return {moveAbsolute(pace), moveRelative(pace), moveCircle(pace),   changeBase(),  changeTcp(),
+          changeLoad(),       setOutput(),        programControl(),   stop(),        exitListenNode(),
+          runScript(pace),    checkSequence(),    pickAndPlace(pace), loadPath(pace)};
 }
 
 BlockCase proofOfWork() {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::hostile {
@@ -300,7 +301,7 @@ std::set<int> allowedFor(const BlockCase& block, const Ends& ends) {
   for (const int id : ends.ids) {
     const bool of_link = id == motion_error::kLinkDropped || id == motion_error::kNotConnected;
     if (of_link || (!stops && block.block != kBlock<PickAndPlaceGoal>)) {
-      ids.insert(id);
+      ids.insert(ownErrorId(block.block, id));
     } else if (stops) {
       ids.insert(own_error::kStopNotConfirmed);
     } else {
