@@ -14,7 +14,6 @@
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/path/path_planner.h"
-#include "cobot_command/path/path_script.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -145,35 +144,10 @@ std::vector<JointPathPoint> wholeJointPath(const path::PathPlan& plan) {
   return points;
 }
 
-/// What a script would say otherwise; refused where it may not.
-std::optional<Failure> chooseScript(const LoadPathGoal& goal, const LoadedPath& loaded,
-                                    const PlanningScene& scene, PathReport& report) {
-  const auto script = path::scriptOf(
-      loaded.plan, loaded.first, loaded.end->scene(),
-      scene.start ? path::ScriptFrames{scene.start->base, scene.start->tcp} : path::ScriptFrames{});
-  if (!script) return toFailure(goal, script.error());
-  report.execution = Execution::Script;
-  report.execution_reason = "it was asked for";
-  for (const path::PointScript& point : *script) {
-    report.approximations.insert(report.approximations.end(), point.approximations.begin(),
-                                 point.approximations.end());
-  }
-  if (!report.approximations.empty() && !goal.allow_approximation) {
-    return Failure{own_error::kNotInAScript, fmt::format("{}", fmt::join(report.approximations, "; ")), "",
-                   Detail(report)};
-  }
-  if (goal.check_only) return std::nullopt;
-  // NOT FOR A RELEASE: the run that sends scripts is not there yet.
-  return Failure{own_error::kNotInAScript, "paths are not sent as scripts yet", "Use execution AUTO or PVT",
-                 Detail(report)};
-}
-
-/// Nothing is asked of the plan but what a PVT is, which loadPath() has looked at.
-void choosePvt(const LoadPathGoal& goal, PathReport& report) {
-  report.execution = Execution::Pvt;
-  report.execution_reason = is(goal.execution, Execution::Pvt)
-                                ? "it was asked for"
-                                : "model and place of the arm are known, and a PVT says all of a path";
+const char* reasonOf(const LoadPathGoal& goal) {
+  return is(goal.execution, Execution::Auto)
+             ? "model and place of the arm are known, and a PVT says all of a path"
+             : "it was asked for";
 }
 
 std::vector<int> lostBlends(const LoadedPath& loaded) {
@@ -238,10 +212,9 @@ Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
   PathReport report;
   report.points = (*loaded)->report;
   report.blends_lost = lostBlends(**loaded);
-  choosePvt(goal, report);
-  if (is(goal.execution, Execution::Script)) {
-    if (auto failure = chooseScript(goal, **loaded, scene, report)) return toRejection(kThis, {*failure});
-  }
+  report.execution = (*loaded)->execution;
+  report.execution_reason = reasonOf(goal);
+  report.approximations = (*loaded)->approximations;
   if (goal.check_only) report.joint_path = wholeJointPath((*loaded)->plan);
   report.loaded = *loaded;
   Outcome outcome;

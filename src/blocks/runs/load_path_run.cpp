@@ -15,6 +15,17 @@ namespace {
 
 /// So many goals may one chain have at a time.
 constexpr std::size_t kMostGoals = 64;
+/// Of what sets base and TCP back; those of pieces are above.
+constexpr CommandKey kRestore = 0;
+
+/// Base and TCP are those of in front of the path again.
+Command restoreCommand(const Order& order) {
+  Command command;
+  command.key = kRestore;
+  command.block = kBlock<LoadPathGoal>;
+  command.order = [order](const arm::Pose& /*base*/) { return order; };
+  return command;
+}
 
 }  // namespace
 
@@ -26,7 +37,14 @@ LoadPathRun::LoadPathRun(GoalId id, const PathReport& planned, Instant now)
 
 // --- What is sent.
 
+std::size_t LoadPathRun::window() const {
+  const LoadedPath* const next = chain_.nextOf();
+  if (next == nullptr || next->execution != Execution::Script) return 2;
+  return static_cast<std::size_t>(next->settings.buffer) + 1;
+}
+
 std::optional<Command> LoadPathRun::next() const {
+  if (!restoring_.lines.empty()) return restoreCommand(restoring_);
   const LoadedPiecePtr piece = chain_.next();
   if (state_ != State::Following || !piece || (chain_.isNextOpen() && !open_end_due_)) return std::nullopt;
   Command command;
@@ -37,7 +55,11 @@ std::optional<Command> LoadPathRun::next() const {
   return command;
 }
 
-void LoadPathRun::commandStarted(CommandKey /*key*/) {
+void LoadPathRun::commandStarted(CommandKey key) {
+  if (key == kRestore) {
+    restoring_ = Order();
+    return;
+  }
   chain_.sendNext();
   open_end_due_ = false;
 }
@@ -89,6 +111,11 @@ void LoadPathRun::commandPassed(CommandKey key, std::size_t mark, Instant now) {
 }
 
 void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant now) {
+  if (key == kRestore) {
+    if (outcome.ending != Ending::Done) stopped_why_ += "; base and TCP may be those of the path still";
+    fire(Event::NothingLeft, now);
+    return;
+  }
   const bool was_first = chain_.isFirst(key);
   const std::size_t behind = chain_.take(key).behind();
   if (was_first) {
@@ -111,7 +138,13 @@ void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant n
   endWhenNothingIsLeft(now);
 }
 
-void LoadPathRun::commandRefused(CommandKey /*key*/, const Failure& failure, Instant now) {
+void LoadPathRun::commandRefused(CommandKey key, const Failure& failure, Instant now) {
+  if (key == kRestore) {
+    restoring_ = Order();
+    stopped_why_ += "; base and TCP may be those of the path still: " + failure.found;
+    fire(Event::NothingLeft, now);
+    return;
+  }
   fail(failure, now);
   endWhenNothingIsLeft(now);
 }
@@ -123,7 +156,9 @@ void LoadPathRun::fail(Failure failure, Instant now) {
 }
 
 void LoadPathRun::endWhenNothingIsLeft(Instant now) {
-  if (chain_.sent().empty()) fire(Event::NothingLeft, now);
+  if (!chain_.sent().empty()) return;
+  restoring_ = chain_.restoring();
+  if (restoring_.lines.empty()) fire(Event::NothingLeft, now);
 }
 
 std::optional<std::string> LoadPathRun::stopsFor() const {
@@ -250,6 +285,11 @@ void LoadPathRun::tell(Member& member, const PathChain::Place& place, Instant no
 
 bool LoadPathRun::isJoinedBy(Block block) const {
   return block == this->block() && state_ == State::Following && chain_.members().size() < kMostGoals;
+}
+
+Detail LoadPathRun::chain() const {
+  const LoadedPath& last = *chain_.members().back().loaded;
+  return Detail(ChainToJoin{chain_.end(), last.execution, last.frames});
 }
 
 bool LoadPathRun::join(GoalId goal, const Outcome& planned, Instant now) {

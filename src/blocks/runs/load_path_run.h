@@ -21,7 +21,8 @@ class LoadPathRun final : public Run {
   /// Precondition: it was planned from where the robot stands.
   LoadPathRun(GoalId id, const PathReport& planned, Instant now);
 
-  [[nodiscard]] std::size_t window() const override { return 2; }
+  /// Two PVTs, or the active point of a script and those in the buffer.
+  [[nodiscard]] std::size_t window() const override;
   [[nodiscard]] std::optional<Command> next() const override;
   void commandStarted(CommandKey key) override;
   void commandProgressed(CommandKey key, const Progress& progress, Instant now) override;
@@ -40,7 +41,7 @@ class LoadPathRun final : public Run {
   [[nodiscard]] std::optional<Instant> nextDeadline() const override;
 
   [[nodiscard]] bool isJoinedBy(Block block) const override;
-  [[nodiscard]] Detail chain() const override { return Detail(ChainToJoin{chain_.end()}); }
+  [[nodiscard]] Detail chain() const override;
   [[nodiscard]] bool join(GoalId goal, const Outcome& planned, Instant now) override;
   [[nodiscard]] bool serves(GoalId goal) const override { return chain_.memberOf(goal).has_value(); }
   [[nodiscard]] bool takeOut(GoalId goal, const std::string& why, Instant now) override;
@@ -83,6 +84,7 @@ class LoadPathRun final : public Run {
   Instant waits_from_;                ///< for a goal that joins, with nothing at the controller
   std::optional<Instant> front_end_;  ///< of the piece under way, by the clock
   bool open_end_due_ = false;
+  Order restoring_;  ///< goes out behind a stop
   bool interrupted_ = false;
   std::string stopped_why_;  ///< and what became of the robot
   std::optional<Failure> failure_;

@@ -4,6 +4,9 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/path/path_pieces.h"
 #include "cobot_command/path/pvt_block.h"
@@ -39,7 +42,7 @@ std::size_t lineBehind(const path::PvtBlock& block, std::size_t point) {
 }
 
 LoadedPiecePtr toLoaded(path::PathPiece piece) {
-  LoadedPiece loaded{std::move(piece.plan), {}, {}};
+  LoadedPiece loaded{std::move(piece.plan), {}};
   const auto commands = path::scriptOf(piece.block, {});
   loaded.order.moves = !commands.empty();
   loaded.order.lines.reserve(commands.size());
@@ -79,8 +82,6 @@ void report(LoadedPath& loaded) {
   loaded.planned = loaded.plan.duration() - start;
 }
 
-}  // namespace
-
 path::PathPlanner plannerFor(const PlanningScene& scene) {
   const ChainEnd& chain = scene.chain.as<ChainToJoin>().end;
   // Where the world is comes with the goal, once ROS tells it from tf; until then a target in it is 1040.
@@ -92,30 +93,113 @@ path::PathPlanner plannerFor(const PlanningScene& scene) {
   return planner;
 }
 
+void closeEnd(path::PathPlanner& planner) {
+  planner.closeEnd();
+  static_cast<void>(planner.takeRested());
+}
+
+/// Its pieces, and its end for who comes behind it.
+std::optional<PathRefusal> loadPvts(path::PathPlanner planner, LoadedPath& loaded) {
+  auto pieces = toLoaded(planner.takeRested(), planner.scene(), loaded.settings);
+  if (!pieces) return std::move(pieces.error());
+  loaded.pieces = std::move(*pieces);
+  loaded.end = std::make_shared<const path::PathPlanner>(planner);
+  planner.closeEnd();
+  auto open_end = toLoaded(planner.takeRested(), planner.scene(), loaded.settings);
+  if (!open_end) return std::move(open_end.error());
+  if (!open_end->empty()) loaded.open_end = open_end->front();
+  loaded.closed_end = std::make_shared<const path::PathPlanner>(std::move(planner));
+  return std::nullopt;
+}
+
+bool setsFrames(const path::PointScript& point) {
+  return point.lines.size() > 1;
+}
+
+void append(const std::vector<script::ScriptCommand>& commands, Order& order) {
+  for (const script::ScriptCommand& command : commands) {
+    order.lines.push_back(script::toText(command));
+    order.commands->push_back(command);
+  }
+}
+
+/// What was active in front of the path; what is not known stays as the path has set it.
+Order restoring(const path::ScriptFrames& frames) {
+  Order order;
+  order.commands.emplace();
+  if (frames.base) append({script::ChangeBase{arm::toControllerPose(*frames.base)}}, order);
+  if (frames.tcp) append({script::ChangeTcp{arm::toControllerPose(*frames.tcp), {}, {}}}, order);
+  return order;
+}
+
+LoadedPiecePtr toLoaded(const PathPlan& point, const path::PointScript& script) {
+  LoadedPiece piece{point, {}};
+  piece.is_exact = false;
+  piece.order.moves = true;
+  piece.order.commands.emplace();
+  append(script.lines, piece.order);
+  return std::make_shared<const LoadedPiece>(std::move(piece));
+}
+
+/// Each point as a motion of its own; what sets base and TCP sets them back behind the last one.
+std::optional<PathRefusal> loadScript(const LoadPathGoal& goal, path::PathPlanner planner,
+                                      LoadedPath& loaded) {
+  auto script = path::scriptOf(loaded.plan, loaded.first, planner.scene(), loaded.frames);
+  if (!script) return std::move(script.error());
+  if (goal.max_deviation > 0) {
+    loaded.approximations.emplace_back("max_deviation is not watched: the corners of a script are its own");
+  }
+  for (const path::PointScript& point : *script) {
+    loaded.approximations.insert(loaded.approximations.end(), point.approximations.begin(),
+                                 point.approximations.end());
+  }
+  if (!loaded.approximations.empty() && !goal.allow_approximation) {
+    return PathRefusal{path::path_error::kNotInAScript, -1, -1,
+                       fmt::format("{}", fmt::join(loaded.approximations, "; "))};
+  }
+  if (std::any_of(script->begin(), script->end(), setsFrames)) {
+    loaded.restoring = restoring(loaded.frames);
+    script->back().lines.insert(script->back().lines.end(), loaded.restoring.commands->begin(),
+                                loaded.restoring.commands->end());
+  }
+  for (std::size_t i = 0; i < script->size(); ++i) {
+    const std::size_t point = loaded.first + i;
+    loaded.pieces.push_back(toLoaded(loaded.plan.part(point, point + 1), (*script)[i]));
+  }
+  static_cast<void>(planner.takeRested());
+  loaded.end = std::make_shared<const path::PathPlanner>(planner);
+  closeEnd(planner);
+  loaded.closed_end = std::make_shared<const path::PathPlanner>(std::move(planner));
+  return std::nullopt;
+}
+
+}  // namespace
+
 Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
+  const auto& chain = scene.chain.as<ChainToJoin>();
+  const auto execution = path::is(goal.execution, Execution::Script) ? Execution::Script : Execution::Pvt;
+  const bool from_rest = chain.end && chain.execution != execution;
   path::PathPlanner planner = plannerFor(scene);
+  if (from_rest) closeEnd(planner);
   const std::size_t in_front = planner.plan().points().size();
   if (auto refusal = planner.append({goal.path, goal.start_index, goal.number_of_moves, scene.number})) {
     return refuse(*std::move(refusal));
   }
   auto loaded = std::make_shared<LoadedPath>(planner.plan());
-  loaded->behind = scene.chain.as<ChainToJoin>().end;
+  loaded->behind = chain.end;
+  loaded->from_rest = from_rest;
+  loaded->execution = execution;
+  loaded->frames =
+      chain.end || !scene.start ? chain.frames : path::ScriptFrames{scene.start->base, scene.start->tcp};
   loaded->first = in_front;
   loaded->method_id = scene.number;
   loaded->start_index = goal.start_index;
   loaded->max_deviation = mmToM(goal.max_deviation);
   loaded->settings = scene.path;
   report(*loaded);
-
-  auto pieces = toLoaded(planner.takeRested(), planner.scene(), scene.path);
-  if (!pieces) return refuse(pieces.error());
-  loaded->pieces = std::move(*pieces);
-  loaded->end = std::make_shared<const path::PathPlanner>(planner);
-  planner.closeEnd();
-  auto open_end = toLoaded(planner.takeRested(), planner.scene(), scene.path);
-  if (!open_end) return refuse(open_end.error());
-  if (!open_end->empty()) loaded->open_end = open_end->front();
-  loaded->closed_end = std::make_shared<const path::PathPlanner>(std::move(planner));
+  auto refusal = execution == Execution::Script ? loadScript(goal, std::move(planner), *loaded)
+                                                : loadPvts(std::move(planner), *loaded);
+  if (refusal) return refuse(*std::move(refusal));
   return std::shared_ptr<const LoadedPath>(std::move(loaded));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,15 +15,19 @@
 #include "cobot_command/path/path_plan.h"
 #include "cobot_command/path/path_planner.h"
 #include "cobot_command/path/path_refusal.h"
+#include "cobot_command/path/path_script.h"
 #include "cobot_command/path/path_settings.h"
 
 namespace cobot_command::blocks {
 
-/// From rest to rest, as one PVT: what goes to the controller at once. Its points may be of several goals.
+/// What goes to the controller at once: a PVT from rest to rest, whose points may be of several goals; or a
+/// motion of a script.
 struct LoadedPiece {
   path::PathPlan plan;  ///< from time 0
   Order order;
-  std::vector<std::size_t> marked;  ///< the point of the plan that each mark of the order is behind
+  std::vector<std::size_t> marked = {};  ///< the point of the plan that each mark of the order is behind
+  /// The controller makes what is planned; else it has ramps and corners of its own.
+  bool is_exact = true;
 };
 using LoadedPiecePtr = std::shared_ptr<const LoadedPiece>;
 
@@ -32,19 +37,26 @@ using ChainEnd = std::shared_ptr<const path::PathPlanner>;
 /// Detail for the plan of a goal that is to join a chain (Run::chain).
 struct ChainToJoin {
   ChainEnd end;
+  Execution execution = Execution::Pvt;
+  path::ScriptFrames frames;  ///< that were active in front of it all
 };
 
 struct LoadedPath {
   explicit LoadedPath(path::PathPlan whole) : plan(std::move(whole)) {}
 
-  ChainEnd behind;  ///< that it was planned behind; none: from where the robot stands
+  ChainEnd behind;         ///< that it was planned behind; none: from where the robot stands
+  bool from_rest = false;  ///< it does not blend with the one in front, whatever that says
+  Execution execution = Execution::Pvt;
+  path::ScriptFrames frames;  ///< that are active in front of it, and behind it
+  Order restoring;            ///< of these, once one of its pieces is sent; no lines: nothing changes them
+  std::vector<std::string> approximations;  ///< of a script
   int method_id = 0;
   path::PathPlan plan;    ///< behind the points of goals in front that are not sent yet
   std::size_t first = 0;  ///< of its own points in the plan
   int start_index = 0;
   std::vector<int> move_ids;           ///< of its points
   std::vector<LoadedPiecePtr> pieces;  ///< the first one may begin with points of the goals in front
-  LoadedPiecePtr open_end;             ///< the last one, while something may come that it blends with
+  LoadedPiecePtr open_end;             ///< of PVTs the last one, while something may come that it blends with
   ChainEnd end;                        ///< with the points of the open end
   ChainEnd closed_end;                 ///< once the open end is sent
   Duration planned{};                  ///< of its points, with the project speed of when it was planned
@@ -53,11 +65,9 @@ struct LoadedPath {
   path::PathSettings settings;
 };
 
-/// Where its points begin, in its frames: behind the chain where there is one.
-[[nodiscard]] path::PathPlanner plannerFor(const PlanningScene& scene);
-
-/// Plans the points of a goal behind the chain, or from the start, of the scene. Precondition: arm and start
-/// are known, or the chain is.
+/// Plans the points of a goal behind the chain, or from the start, of the scene, for its execution. Refused
+/// (16#271) is a script that would say otherwise, where that is not allowed. Precondition: arm and start are
+/// known, or the chain is.
 [[nodiscard]] Result<std::shared_ptr<const LoadedPath>, path::PathRefusal> loadPath(
     const LoadPathGoal& goal, const PlanningScene& scene);
 

@@ -89,13 +89,31 @@ void PathChain::dropFirst() {
   --cursor_.member;
 }
 
+/// The next member begins at rest: the open end of this one goes out in front of it.
+bool PathChain::isOpenEndOwed() const {
+  const LoadedPath& next = *members_[cursor_.member + 1].loaded;
+  return next.from_rest && members_[cursor_.member].loaded->open_end && !open_end_sent_;
+}
+
 /// Past the end of a member to the next one: what its open end has, that one's first piece begins with.
 void PathChain::advance() {
   while (cursor_.piece == members_[cursor_.member].loaded->pieces.size() &&
-         cursor_.member + 1 < members_.size()) {
+         cursor_.member + 1 < members_.size() && !isOpenEndOwed()) {
     cursor_ = {cursor_.member + 1, 0};
     open_end_sent_ = false;
   }
+}
+
+const LoadedPath* PathChain::nextOf() const {
+  return next() ? members_[cursor_.member].loaded.get() : nullptr;
+}
+
+Order PathChain::restoring() const {
+  for (const Member& member : members_) {
+    const bool is_begun = member.first < sent_points_;
+    if (is_begun && !member.loaded->restoring.lines.empty()) return member.loaded->restoring;
+  }
+  return {};
 }
 
 LoadedPiecePtr PathChain::next() const {
@@ -106,11 +124,12 @@ LoadedPiecePtr PathChain::next() const {
 
 bool PathChain::isNextOpen() const {
   const LoadedPath& loaded = *members_[cursor_.member].loaded;
-  return cursor_.piece == loaded.pieces.size() && loaded.open_end && !open_end_sent_;
+  const bool is_last = cursor_.member + 1 == members_.size();
+  return is_last && cursor_.piece == loaded.pieces.size() && loaded.open_end && !open_end_sent_;
 }
 
 void PathChain::sendNext() {
-  const bool is_open = isNextOpen();
+  const bool is_open = cursor_.piece == members_[cursor_.member].loaded->pieces.size();
   sent_.push_back({next_key_++, next(), sent_points_});
   tellLostBlends(sent_.back());
   sent_points_ = sent_.back().behind();
@@ -118,8 +137,8 @@ void PathChain::sendNext() {
     open_end_sent_ = true;
   } else {
     ++cursor_.piece;
-    advance();
   }
+  advance();
 }
 
 PathChain::Sent PathChain::take(CommandKey key) {

@@ -69,6 +69,10 @@ class PathChain {
   // --- Pieces.
   /// Nothing: all are sent.
   [[nodiscard]] LoadedPiecePtr next() const;
+  /// Whose piece that is, or of whom it is the first one; nullptr: all are sent.
+  [[nodiscard]] const LoadedPath* nextOf() const;
+  /// Of what has been sent, base and TCP are others than they were; no lines: they are not.
+  [[nodiscard]] Order restoring() const;
   /// Another one for each piece that could be next.
   [[nodiscard]] CommandKey nextKey() const { return next_key_; }
   /// What is next could blend with what comes.
@@ -91,6 +95,7 @@ class PathChain {
     std::size_t piece = 0;
   };
   [[nodiscard]] bool isOpenEndSent() const;
+  [[nodiscard]] bool isOpenEndOwed() const;
   void advance();
   void tellLostBlends(const Sent& sent);
 

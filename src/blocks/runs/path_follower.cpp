@@ -41,7 +41,7 @@ void PathFollower::pass(std::size_t point) {
 }
 
 void PathFollower::see(const arm::JointVector& joints, Instant now) {
-  const bool is_steady = !held_since_ && !picks_up_until_;
+  const bool is_steady = !held_since_ && !picks_up_until_ && piece_->is_exact;
   const Duration clock = byClock(now);
   if (is_steady) watch_.add(clock, joints);
   const Duration from = std::max(seen_.value_or(Duration::zero()), clock - kBehind);

@@ -1,0 +1,132 @@
+// Paths as motions of a script, one for each point.
+#include "path_goals.h"
+#include <gmock/gmock.h>
+
+namespace cobot_command::testing {
+namespace {
+
+using namespace blocks;
+using ::testing::HasSubstr;
+
+class LoadPathScript : public LoadPathCell {
+ protected:
+  static LoadPathGoal asScript(LoadPathGoal goal) {
+    goal.execution = static_cast<int>(Execution::Script);
+    goal.allow_approximation = true;
+    return goal;
+  }
+  /// Lines with a tool that is not the active one.
+  static LoadPathGoal withTool(int points) {
+    LoadPathGoal goal;
+    for (int i = 1; i <= points; ++i) {
+      path::PathPoint point = pathLine({417.5, -122.3, 400 + 10.0 * i, 180, 0, 90});
+      point.pose_type = static_cast<int>(path::MovedFrame::Tool);
+      point.pose_id = 0;
+      point.ref_frame_type = static_cast<int>(path::Reference::Robot);
+      goal.path.push_back(point);
+    }
+    goal.number_of_moves = points;
+    return asScript(goal);
+  }
+  /// The active TCP is another one than that of the path.
+  void changeTcp() {
+    ChangeTcpGoal tcp;
+    tcp.tcp_offset = {0, 0, 30, 0, 0, 0};
+    tcp.weight = 1;
+    expectDone(cell.submit(tcp));
+  }
+  [[nodiscard]] double tcpHeight() { return cell.robot().tcp.translation().z(); }
+};
+
+/// Oracle 25.
+TEST_F(LoadPathScript, isRefusedWithTheListOfWhatItCannotSay) {
+  LoadPathGoal goal = asScript(turns(1, false));
+  goal.allow_approximation = false;
+  goal.path[0].profile_type = static_cast<int>(path::ProfileType::ModSine);
+  goal.path[0].acceleration_jerk = goal.path[0].deceleration_jerk = 100;
+  const GoalId id = cell.submit(goal);
+  const Outcome& outcome = cell.endOf(id);
+  EXPECT_EQ(outcome.error_id, 0x271);
+  EXPECT_THAT(outcome.error_description, HasSubstr("MOD_SINE"));
+  EXPECT_TRUE(cell.scripts().empty());
+}
+
+TEST_F(LoadPathScript, tellsWhatItSaysOtherwise) {
+  LoadPathGoal goal = asScript(turns(1, false));
+  goal.path[0].speed = 50;
+  goal.path[0].acceleration = goal.path[0].deceleration = 100;
+  const GoalId id = cell.submit(goal);
+  expectDone(id);
+  ASSERT_EQ(cell.scripts().size(), 1U);
+  EXPECT_THAT(cell.scripts()[0], HasSubstr("PTP(\"JPP\",3,0,90,0,90,0,27,500,"));
+  EXPECT_EQ(reportOf(id).execution, Execution::Script);
+  EXPECT_FALSE(reportOf(id).approximations.empty());
+}
+
+TEST_F(LoadPathScript, hasFivePointsAtTheControllerBesideTheActiveOne) {
+  const GoalId id = cell.submit(asScript(turns(10, true)));
+  EXPECT_EQ(cell.scripts().size(), 6U);
+  for (const std::string& script : cell.scripts()) EXPECT_THAT(script, HasSubstr("QueueTag("));
+  expectDone(id);
+  EXPECT_EQ(cell.scripts().size(), 10U);
+  EXPECT_NEAR(cell.robot().joints[0] * 57.29577951, 30, 0.01);
+}
+
+TEST_F(LoadPathScript, blendsFromPointToPoint) {
+  const GoalId blended = cell.submit(asScript(turns(10, true)));
+  expectDone(blended);
+  const Duration with_blends = *cell.outcome(blended)->actual;
+  expectDone(cell.submit(asScript(turns(1, false, -1))));
+  const GoalId stopped = cell.submit(asScript(turns(10, false)));
+  expectDone(stopped);
+  EXPECT_LT(toSeconds(with_blends), 0.8 * toSeconds(*cell.outcome(stopped)->actual));
+}
+
+TEST_F(LoadPathScript, isJoinedByOtherGoals) {
+  const GoalId first = cell.submit(asScript(turns(4, true)));
+  const GoalId second = cell.submit(asScript(turns(4, true, 4)));
+  expectDone(first);
+  expectDone(second);
+  EXPECT_NEAR(cell.robot().joints[0] * 57.29577951, 24, 0.01);
+}
+
+TEST_F(LoadPathScript, beginsAtRestBehindAPvtAndAPvtBehindIt) {
+  const GoalId first = cell.submit(turns(4, true));
+  const GoalId second = cell.submit(asScript(turns(4, true, 4)));
+  const GoalId third = cell.submit(turns(4, true, 8));
+  expectDone(first);
+  expectDone(second);
+  expectDone(third);
+  EXPECT_NEAR(cell.robot().joints[0] * 57.29577951, 36, 0.01);
+  EXPECT_THAT(reportOf(first).blends_lost, ::testing::ElementsAre(3));
+}
+
+TEST_F(LoadPathScript, leavesBaseAndTcpAsTheyWere) {
+  changeTcp();
+  const GoalId id = cell.submit(withTool(3));
+  expectDone(id);
+  EXPECT_THAT(cell.scripts().front() + cell.scripts()[1], HasSubstr("ChangeTCP"));
+  cell.pass(100ms);
+  EXPECT_NEAR(tcpHeight(), 0.03, 1e-9);
+}
+
+TEST_F(LoadPathScript, leavesThemSoWhenItIsCancelled) {
+  changeTcp();
+  const GoalId id = cell.submit(withTool(5));
+  passUntilActive(id, 1);
+  cell.cancel(id);
+  EXPECT_EQ(cell.endOf(id).ending, Ending::CommandAborted);
+  cell.pass(100ms);
+  EXPECT_NEAR(tcpHeight(), 0.03, 1e-9);
+}
+
+TEST_F(LoadPathScript, endsWithTheLinkThoughNothingCanBeSetBackThen) {
+  changeTcp();
+  const GoalId id = cell.submit(withTool(5));
+  passUntilActive(id, 1);
+  cell.dropConnections();
+  EXPECT_EQ(cell.endOf(id).error_id, 1002);
+}
+
+}  // namespace
+}  // namespace cobot_command::testing
