@@ -202,6 +202,17 @@ std::vector<Failure> check(const LoadPathGoal& goal) {
   return failures;
 }
 
+tables::Use usesOf(const LoadPathGoal& goal) {
+  tables::Use use;
+  use.user = LoadPathGoal::kName;
+  for (int index = goal.start_index; isLoaded(goal, index); ++index) {
+    const PathPoint& point = goal.path[static_cast<std::size_t>(index)];
+    if (is(point.pose_type, path::MovedFrame::Tool)) use.tools.push_back(point.pose_id);
+    if (is(point.ref_frame_type, path::Reference::User)) use.frames.push_back(point.ref_frame_id);
+  }
+  return use;
+}
+
 Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
   constexpr Block kThis = kBlock<LoadPathGoal>;
   const bool is_known =

@@ -22,6 +22,7 @@ class CoreAndRobot {
   blocks::GoalId submit(const blocks::Goal& goal);
   void cancel(blocks::GoalId goal);
   void operate(const simulator::OperatorAction& action);
+  command::TableAnswer write(const command::TableWrite& entry) { return core_.writeTable(entry); }
   /// As if the network were gone: both sides learn of it at once.
   void dropConnections();
 

@@ -8,6 +8,7 @@
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/command.h"
 #include "cobot_command/blocks/shared/run.h"
+#include "cobot_command/tables/table_store.h"
 
 namespace cobot_command::blocks {
 
@@ -23,6 +24,8 @@ class GoalRules {
   /// Why a goal that has waited must not start; nothing when its targets are where they were, when it has
   /// none in a frame, or nobody can be asked.
   [[nodiscard]] std::optional<Failure> findMovedFrame(const FrameFinder& finder) const;
+  /// The entries of the tables that must stay as they are from its plan to its end; nothing: it needs none.
+  [[nodiscard]] std::optional<tables::Use> uses() const;
   /// The one command that it is; nothing when it is another number of them. Precondition of all that follow:
   /// no violations.
   [[nodiscard]] std::optional<Command> command() const;

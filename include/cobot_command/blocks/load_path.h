@@ -11,6 +11,7 @@
 #include "cobot_command/blocks/shared/run.h"
 #include "cobot_command/blocks/shared/sequence_report.h"
 #include "cobot_command/path/path_point.h"
+#include "cobot_command/tables/table_store.h"
 
 namespace cobot_command::blocks {
 
@@ -77,6 +78,8 @@ struct PathPlace {
 
 [[nodiscard]] GoalTraits traitsOf(const LoadPathGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const LoadPathGoal& goal);
+/// The tools and frames that its poses are given in; of those that the tables have.
+[[nodiscard]] tables::Use usesOf(const LoadPathGoal& goal);
 /// All its points, behind the chain in front of it where there is one.
 [[nodiscard]] Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene);
 [[nodiscard]] std::unique_ptr<Run> runOf(const LoadPathGoal& goal, GoalId id, const Outcome& planned,

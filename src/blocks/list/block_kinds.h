@@ -34,6 +34,12 @@ inline constexpr bool kHasRun<Kind, std::void_t<decltype(runOf(std::declval<cons
                                                                std::declval<const Outcome&>(), Instant()))>> =
     true;
 
+/// It uses entries of the tables.
+template <class Kind, class = void>
+inline constexpr bool kHasUses = false;
+template <class Kind>
+inline constexpr bool kHasUses<Kind, std::void_t<decltype(usesOf(std::declval<const Kind&>()))>> = true;
+
 /// It may have targets in tf frames.
 template <class Kind, class = void>
 inline constexpr bool kHasFrames = false;

@@ -50,6 +50,18 @@ std::optional<Failure> GoalRules::findMovedFrame(const FrameFinder& finder) cons
   return std::visit([&](const auto& goal) { return movedFrameOf(goal, finder); }, goal_);
 }
 
+std::optional<tables::Use> GoalRules::uses() const {
+  return std::visit(
+      [](const auto& goal) -> std::optional<tables::Use> {
+        if constexpr (kHasUses<std::decay_t<decltype(goal)>>) {
+          return usesOf(goal);
+        } else {
+          return std::nullopt;
+        }
+      },
+      goal_);
+}
+
 std::optional<Command> GoalRules::command() const {
   return std::visit(
       [&](const auto& goal) -> std::optional<Command> {

@@ -45,6 +45,7 @@ void GoalQueue::forgetTurn() {
   if (!plansTheNext()) return;
   forgetPlan(front().id);
   front().found.reset();
+  front().hold = nullptr;
   front().turn = Waiting::Turn::NotYet;
 }
 

@@ -18,6 +18,7 @@
 
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/waiting_goals.h"
+#include "cobot_command/tables/table_store.h"
 
 namespace cobot_command::command {
 
@@ -37,6 +38,7 @@ struct Waiting {
   std::optional<Origin> end;  ///< where it will leave the robot, as far as that can be foreseen
   Turn turn = Turn::NotYet;
   std::optional<blocks::Outcome> found;  ///< when it was planned as a whole
+  tables::Hold hold = nullptr;           ///< on the entries that its plan was made with
 };
 
 class GoalQueue {

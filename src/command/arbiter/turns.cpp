@@ -71,6 +71,7 @@ bool Turns::isBeingPlanned(Waiting& first, Instant now) {
   if (rules.isPlanned() && first.turn == Turn::NotYet) {
     first.turn = Turn::PlansWhole;
     first.told_place = 0;  // what it waits for is another thing now
+    if (auto use = rules.uses()) first.hold = parts_.tables.hold(*std::move(use));
     desks_.plans.planTheNext(run_ ? run_->chain() : blocks::Detail(), now);
   }
   return rules.isPlanned() && !first.found;
@@ -94,6 +95,7 @@ void Turns::join(Waiting next, const blocks::Outcome& found, Instant now) {
   const blocks::GoalId id = next.id;
   if (run_->join(id, found, now)) {
     parts_.board.accept(run_->block(), id, 0);
+    holds_[id] = next.hold;
     return;
   }
   next.found.reset();
@@ -108,6 +110,7 @@ void Turns::begin(const Waiting& next, const blocks::Outcome& found, Instant now
     beginCommand(next, std::move(run), now);
   } else {
     parts_.board.accept(run->block(), next.id, 0);
+    holds_[next.id] = next.hold;
     run_ = std::move(run);
     run_->robotChanged(parts_.robot, now);
   }
@@ -206,6 +209,7 @@ void Turns::tellRun() {
     parts_.board.progress(run_->block(), goal, std::move(progress));
   }
   for (auto& [goal, outcome] : run_->takeEnded()) {
+    holds_.erase(goal);
     parts_.board.end(run_->block(), goal, std::move(outcome));
   }
 }
@@ -220,6 +224,7 @@ void Turns::endRun(Instant now) {
   finishes_behind_motion_ = false;
   const auto done = std::exchange(run_, nullptr);
   desks_.queue.forgetTurn();  // what was to join it begins by itself
+  holds_.clear();
   if (done->failed()) {
     if (done->leavesMotions()) desks_.stops.askIfMoving(now);
     // Before the end of the goal itself: its error is what the block shows then.

@@ -2,6 +2,7 @@
 // says. Blended motions end with their acceptance, so the next one goes out while they still run.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -91,6 +92,7 @@ class Turns {
   CoreParts parts_;
   Desks desks_;
   std::unique_ptr<blocks::Run> run_;
+  std::map<blocks::GoalId, tables::Hold> holds_;  ///< of its goals
   Occupancy occupancy_;
   NextCommand next_;
   /// A cancel of it between two commands: the stop that it waits for, and why.

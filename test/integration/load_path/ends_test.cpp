@@ -173,6 +173,25 @@ TEST(LoadPathOfAThousandPoints, isRefusedWhereItIsTooLongForOnePvt) {
   EXPECT_GT(cell.endOf(id).detail.as<PathReport>().error_index, 500);
 }
 
+TEST_F(LoadPathEnds, letTheFramesBeWrittenThatWereFrozenUntilThen) {
+  const auto at = [](double x) {
+    const arm::Pose pose(Eigen::Translation3d(x, 0, 0));
+    return command::TableWrite{3, std::optional(tables::Frame{"", pose, 0})};
+  };
+  ASSERT_TRUE(cell.write(at(0)));
+  LoadPathGoal goal = turns(2, false);
+  goal.path[1] = pathLine({417.5, -122.3, 480, 180, 0, 90});
+  goal.path[1].ref_frame_type = static_cast<int>(path::Reference::User);
+  goal.path[1].ref_frame_id = 3;
+  const GoalId id = cell.submit(goal);
+  ASSERT_TRUE(cell.accepted(id));
+  const auto refused = cell.write(at(0.1));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().error_id, 0x8C15);
+  expectDone(id);
+  EXPECT_TRUE(cell.write(at(0.1)));
+}
+
 TEST(LoadPathDeviation, stopsARobotThatIsOffItsPath) {
   CoreAndRobot cell;
   cell.connect();
