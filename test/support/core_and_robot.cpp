@@ -37,6 +37,11 @@ void CoreAndRobot::cancel(blocks::GoalId goal) {
   settle();
 }
 
+void CoreAndRobot::shutDown() {
+  core_.shutDown(now_);
+  settle();
+}
+
 void CoreAndRobot::operate(const simulator::OperatorAction& action) {
   static_cast<void>(controller_.operate(action, now_));
   settle();

@@ -119,7 +119,7 @@ constexpr SharedError kParameterErrors[] = {
     {own_error::kMovementUnknown, "MovementCommand unknown", "Use 0 (Line) or 1 (PTP)",
      "movement_command is neither 0 nor 1"},
     {own_error::kNoFreeTag, "No free queue tag", "Wait until a command is done",
-     "cannot occur as long as one command at a time is accepted: all 15 tags are open"},
+     "cannot occur: what is at the controller at a time has 15 tags at most"},
     {own_error::kBufferModeUnknown, "BufferMode unknown", "Use 0 (REFUSE), 1 (BUFFERED) or 2 (ABORTING)",
      "buffer_mode is none of them"},
     {own_error::kQueueFull, "Too many commands wait", "Wait until one is done, or cancel one",

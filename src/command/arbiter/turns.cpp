@@ -297,6 +297,12 @@ bool Turns::takeOut(blocks::GoalId goal, const std::string& why, Instant now) {
 void Turns::abandon(const std::string& why, Instant now) {
   if (run_) run_->cancel(why, now);
   desks_.window.abandon(why, now);
+  settle(now);
+  if (!run_) return;
+  // What it would set back behind itself is not sent any more.
+  if (const auto last = run_->next()) {
+    run_->commandRefused(last->key, {blocks::own_error::kShutDown, why, ""}, now);
+  }
 }
 
 void Turns::finish(blocks::FinishAfter after, Instant now) {

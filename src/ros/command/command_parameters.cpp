@@ -130,6 +130,21 @@ SettingTable deadlineTable(link::LinkSettings& l) {
   };
 }
 
+SettingTable pathTable(link::LinkSettings& l) {
+  return {
+      {"path_in_manual_mode", flag(l.path_in_manual_mode),
+       "load_path takes goals also while the status stream shows the manual mode, which its manual refuses"},
+      {"path_buffer", whole(l.path_buffer, 1, 14),
+       "of load_path: places of the buffer beside the active point"},
+      {"path_chain_wait", seconds(l.path_chain_wait, 0, 10),
+       "so long a path that ends with a blend waits for the next one, before it is sent with a stop at its "
+       "end"},
+      {"pvt_segment", seconds(l.pvt_segment, 0.025, 0.1), "between two points of a PVT at least; whole ms"},
+      {"pvt_block_points", whole(l.pvt_block_points, 100, 6000),
+       "of one PVT at most: from stop to stop (16#277)"},
+  };
+}
+
 SettingTable behaviourTable(CommandParameters& p) {
   return {
       {"auto_connect", flag(p.auto_connect),
@@ -142,8 +157,6 @@ SettingTable behaviourTable(CommandParameters& p) {
        "a robot that still moves when a link is made, or that a pause or a safeguard holds, is stopped, also "
        "one that another command node moves: to start a second node stops the robot of the first. False: it "
        "is left alone, and nothing is sent before it stands; for several clients of one controller"},
-      {"path_in_manual_mode", flag(p.link.path_in_manual_mode),
-       "load_path takes goals also while the status stream shows the manual mode, which its manual refuses"},
       {"simulated_controller", text(p.simulated_controller, orEmpty(nodeName())),
        "node whose `~listening` ports are used, for ports that it was free to choose"},
       {"diagnostic_period", real(p.diagnostic_period, 0.1, 3600, "s"), "of `/diagnostics`"},
@@ -156,8 +169,8 @@ SettingTable behaviourTable(CommandParameters& p) {
 }  // namespace
 
 SettingTable settingsTable(CommandParameters& parameters) {
-  return joined({robotTable(parameters), deadlineTable(parameters.link), behaviourTable(parameters),
-                 tableRows(parameters.tables)});
+  return joined({robotTable(parameters), deadlineTable(parameters.link), pathTable(parameters.link),
+                 behaviourTable(parameters), tableRows(parameters.tables)});
 }
 
 Result<CommandParameters, ParameterError> readCommandParameters(const GivenParameters& given) {

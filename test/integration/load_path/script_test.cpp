@@ -128,5 +128,15 @@ TEST_F(LoadPathScript, endsWithTheLinkThoughNothingCanBeSetBackThen) {
   EXPECT_EQ(cell.endOf(id).error_id, 1002);
 }
 
+TEST_F(LoadPathScript, endsWithTheCoreThoughNothingIsSetBackThen) {
+  changeTcp();
+  const GoalId first = cell.submit(withTool(5));
+  const GoalId second = cell.submit(withTool(2));
+  passUntilActive(first, 1);
+  cell.shutDown();
+  ASSERT_NE(cell.outcome(first), nullptr);
+  ASSERT_NE(cell.outcome(second), nullptr);
+}
+
 }  // namespace
 }  // namespace cobot_command::testing
