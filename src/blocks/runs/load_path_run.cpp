@@ -1,6 +1,7 @@
 #include "runs/load_path_run.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "runs/path_outcomes.h"
@@ -15,8 +16,10 @@ namespace {
 
 /// So many goals may one chain have at a time.
 constexpr std::size_t kMostGoals = 64;
-/// Of what sets base and TCP back; those of pieces are above.
-constexpr CommandKey kRestore = 0;
+/// Of what sets base and TCP back.
+constexpr CommandKey kRestore = std::numeric_limits<CommandKey>::max();
+
+constexpr const char* kNotRestored = "; base and TCP may be those of the path still";
 
 /// Base and TCP are those of in front of the path again.
 Command restoreCommand(const Order& order) {
@@ -39,7 +42,8 @@ LoadPathRun::LoadPathRun(GoalId id, const PathReport& planned, Instant now)
 
 std::size_t LoadPathRun::window() const {
   const LoadedPath* const next = chain_.nextOf();
-  if (next == nullptr || next->execution != Execution::Script) return 2;
+  const bool has_pvt = !chain_.sent().empty() && chain_.sent().front().piece->is_exact;  // with many tags
+  if (next == nullptr || next->execution != Execution::Script || has_pvt) return 2;
   return static_cast<std::size_t>(next->settings.buffer) + 1;
 }
 
@@ -58,6 +62,7 @@ std::optional<Command> LoadPathRun::next() const {
 void LoadPathRun::commandStarted(CommandKey key) {
   if (key == kRestore) {
     restoring_ = Order();
+    is_restoring_ = true;
     return;
   }
   chain_.sendNext();
@@ -111,9 +116,14 @@ void LoadPathRun::commandPassed(CommandKey key, std::size_t mark, Instant now) {
 }
 
 void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant now) {
-  if (key == kRestore) {
-    if (outcome.ending != Ending::Done) stopped_why_ += "; base and TCP may be those of the path still";
+  if (key == kRestore && is_restoring_) {
+    is_restoring_ = false;
+    if (outcome.ending != Ending::Done) stopped_why_ += kNotRestored;
     fire(Event::NothingLeft, now);
+    return;
+  }
+  if (!chain_.isSent(key)) {  // stopped before it was
+    endEarly(outcome, now);
     return;
   }
   const bool was_first = chain_.isFirst(key);
@@ -125,10 +135,18 @@ void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant n
   if (outcome.ending == Ending::Done) {
     done(behind, now);
     progress_.end();
-    if (!chain_.sent().empty()) begin(now);
+    if (!chain_.sent().empty()) {
+      begin(now);
+    } else if (state_ != State::Following) {
+      endWhenNothingIsLeft(now);
+    }
     return;
   }
   if (was_first) progress_.end();
+  endEarly(outcome, now);
+}
+
+void LoadPathRun::endEarly(const Outcome& outcome, Instant now) {
   if (outcome.ending == Ending::CommandAborted) {
     if (!outcome.error_description.empty()) stopped_why_ = outcome.error_description;
     fire(Event::Cancel, now);
@@ -141,7 +159,7 @@ void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant n
 void LoadPathRun::commandRefused(CommandKey key, const Failure& failure, Instant now) {
   if (key == kRestore) {
     restoring_ = Order();
-    stopped_why_ += "; base and TCP may be those of the path still: " + failure.found;
+    stopped_why_ += kNotRestored + (": " + failure.found);
     fire(Event::NothingLeft, now);
     return;
   }
@@ -151,13 +169,19 @@ void LoadPathRun::commandRefused(CommandKey key, const Failure& failure, Instant
 
 /// The first one is the reason; what follows is of it.
 void LoadPathRun::fail(Failure failure, Instant now) {
-  if (!failure_) failure_ = std::move(failure);
+  if (!failure_) {
+    failure_ = std::move(failure);
+  } else if (failure.error_id == own_error::kStopNotConfirmed) {
+    failure_->found += "; " + failure.found;
+  }
   fire(Event::Failed, now);
 }
 
 void LoadPathRun::endWhenNothingIsLeft(Instant now) {
-  if (!chain_.sent().empty()) return;
-  restoring_ = chain_.restoring();
+  if (!chain_.sent().empty() || is_restoring_) return;
+  // Nothing is sent to a robot that may still move.
+  const bool may_move = failure_ && failure_->error_id == own_error::kStopNotConfirmed;
+  restoring_ = may_move ? Order() : chain_.restoring();
   if (restoring_.lines.empty()) fire(Event::NothingLeft, now);
 }
 
@@ -199,6 +223,8 @@ void LoadPathRun::linkLost(const std::string& reason, std::optional<Duration> pa
 void LoadPathRun::robotChanged(const robot::RobotWatch& robot, Instant now) {
   joints_ = robot.jointsDeg();
   pose_ = robot.toolInBaseMmDeg();
+  if (speed_ && *speed_ != robot.speedOverride()) progress_.loseClock();
+  speed_ = robot.speedOverride();
   progress_.hold(robot.held(), now);
   if (robot.joints()) progress_.see(*robot.joints(), now);
   if (progress_.isUnderWay()) front_end_ = now + progress_.remaining(now);
@@ -262,23 +288,21 @@ void LoadPathRun::follow(Instant now) {
 }
 
 void LoadPathRun::tell(Instant now) {
-  for (Member& member : chain_.members()) tell(member, place_, now);
-}
-
-void LoadPathRun::tell(Member& member, const PathChain::Place& place, Instant now) {
-  PathPlace told = chain_.placeOf(member, place);
-  told.source = progress_.source();
-  if (!member.isNews(told, now)) return;
-  Progress progress;
-  const bool begun = told.active || told.done_path_points > 0;
-  progress.phase = begun || phase_ == Phase::Stopping ? phase_ : std::min(phase_, Phase::Queued);
-  progress.text = begun ? text_ : "loaded behind what is under way";
-  progress.planned = member.loaded->planned;
-  const double share = told.active ? progress_.share() : 0;
-  progress.fraction = (told.done_path_points + share) / static_cast<double>(member.count());
-  progress.remaining = fromSeconds(toSeconds(member.loaded->planned) * (1 - progress.fraction));
-  progress.detail = Detail(told);
-  report(member.goal, std::move(progress));
+  for (Member& member : chain_.members()) {
+    PathPlace told = chain_.placeOf(member, place_);
+    told.source = progress_.source();
+    if (!member.isNews(told, now)) continue;
+    Progress progress;
+    const bool begun = told.active || told.done_path_points > 0;
+    progress.phase = begun || phase_ == Phase::Stopping ? phase_ : std::min(phase_, Phase::Queued);
+    progress.text = begun ? text_ : "loaded behind what is under way";
+    progress.planned = member.loaded->planned;
+    const double share = told.active ? progress_.share() : 0;
+    progress.fraction = (told.done_path_points + share) / static_cast<double>(member.count());
+    progress.remaining = fromSeconds(toSeconds(member.loaded->planned) * (1 - progress.fraction));
+    progress.detail = Detail(told);
+    report(member.goal, std::move(progress));
+  }
 }
 
 // --- Goals that join it.

@@ -60,13 +60,14 @@ class LoadPathRun final : public Run {
   void endWhenNothingIsLeft(Instant now);
   [[nodiscard]] std::optional<Instant> openEndDue() const;
 
+  /// A piece, or what was to be the next one, was stopped or failed.
+  void endEarly(const Outcome& outcome, Instant now);
   void begin(Instant now);
   /// So many points are done, by a tag.
   void done(std::size_t points, Instant now);
   void follow(Instant now);
   void checkDeviation(Instant now);
   void tell(Instant now);
-  void tell(Member& member, const PathChain::Place& place, Instant now);
 
   /// All of them, the first one at last.
   void endAll(const std::vector<Outcome>& outcomes, Instant now);
@@ -84,7 +85,9 @@ class LoadPathRun final : public Run {
   Instant waits_from_;                ///< for a goal that joins, with nothing at the controller
   std::optional<Instant> front_end_;  ///< of the piece under way, by the clock
   bool open_end_due_ = false;
-  Order restoring_;  ///< goes out behind a stop
+  Order restoring_;              ///< goes out behind a stop
+  bool is_restoring_ = false;    ///< it is at the controller
+  std::optional<double> speed_;  ///< of the project, as streamed last
   bool interrupted_ = false;
   std::string stopped_why_;  ///< and what became of the robot
   std::optional<Failure> failure_;

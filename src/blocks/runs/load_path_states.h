@@ -46,6 +46,7 @@ struct LoadPathTable {
     {S::Failing,    E::NothingLeft, S::Ended,      A::EndFailed},
 
     {S::Explaining, E::Failed,      S::Ended,      A::EndFailed},
+    {S::Explaining, E::NothingLeft, S::Ended,      A::EndFailed},
   };
   // clang-format on
 };

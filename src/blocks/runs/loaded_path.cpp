@@ -44,13 +44,13 @@ std::size_t lineBehind(const path::PvtBlock& block, std::size_t point) {
 LoadedPiecePtr toLoaded(path::PathPiece piece) {
   LoadedPiece loaded{std::move(piece.plan), {}};
   const auto commands = path::scriptOf(piece.block, {});
-  loaded.order.moves = !commands.empty();
+  loaded.order.moves = true;  // also without a way: it is stopped with the others
   loaded.order.lines.reserve(commands.size());
   for (const script::ScriptCommand& command : commands) {
     loaded.order.lines.push_back(script::toText(command));
   }
   loaded.order.commands = commands;
-  if (loaded.order.moves) {
+  if (!commands.empty()) {
     loaded.marked = markedPoints(loaded.plan);
     for (const std::size_t point : loaded.marked) {
       loaded.order.marks.push_back(lineBehind(piece.block, point));

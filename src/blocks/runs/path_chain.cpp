@@ -75,12 +75,11 @@ bool PathChain::isUntouched(std::size_t member) const {
 
 void PathChain::dropFrom(std::size_t member) {
   assert(member > 0 && isUntouched(member));
-  const bool behind_sent = members_[member].loaded->behind == members_[member - 1].loaded->closed_end;
   members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(member), members_.end());
   ++next_key_;
   if (cursor_.member < member) return;
   cursor_ = {member - 1, members_.back().loaded->pieces.size()};
-  open_end_sent_ = behind_sent;
+  open_end_sent_ = sent_points_ >= members_.back().behind();
 }
 
 void PathChain::dropFirst() {
@@ -139,6 +138,10 @@ void PathChain::sendNext() {
     ++cursor_.piece;
   }
   advance();
+}
+
+bool PathChain::isSent(CommandKey key) const {
+  return std::any_of(sent_.begin(), sent_.end(), [key](const Sent& sent) { return sent.key == key; });
 }
 
 PathChain::Sent PathChain::take(CommandKey key) {

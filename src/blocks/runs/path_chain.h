@@ -81,6 +81,7 @@ class PathChain {
   /// That are at the controller, in their order.
   [[nodiscard]] const std::deque<Sent>& sent() const { return sent_; }
   [[nodiscard]] bool isFirst(CommandKey key) const { return !sent_.empty() && sent_.front().key == key; }
+  [[nodiscard]] bool isSent(CommandKey key) const;
   /// That one has ended, however. Precondition: it is at the controller.
   Sent take(CommandKey key);
 

@@ -41,13 +41,15 @@ void PathFollower::pass(std::size_t point) {
 }
 
 void PathFollower::see(const arm::JointVector& joints, Instant now) {
-  const bool is_steady = !held_since_ && !picks_up_until_ && piece_->is_exact;
+  const bool is_steady = !held_since_ && !picks_up_until_ && piece_->is_exact && has_clock_;
   const Duration clock = byClock(now);
   if (is_steady) watch_.add(clock, joints);
-  const Duration from = std::max(seen_.value_or(Duration::zero()), clock - kBehind);
+  const Duration least = has_clock_ ? clock - kBehind : Duration::zero();
+  const Duration from = std::max(seen_.value_or(Duration::zero()), least);
   const Duration until = std::min(clock + (is_steady ? kInFront : kInHold), piece_->plan.duration());
   seen_ = from < until ? nearest(joints, from, until) : from;
   source_ = ProgressSource::Stream;
+  if (!has_clock_) setClock(now);
   if (picks_up_until_ && now >= *picks_up_until_) {
     picks_up_until_.reset();
     setClock(now);

@@ -21,6 +21,8 @@ class PathFollower {
   /// again, is no deviation.
   void hold(Instant now);
   void letGo(Instant now);
+  /// Its time is another one than planned: the arm's place is followed alone, and no deviation is told.
+  void loseClock() { has_clock_ = false; }
   /// That point is done, and all in front of it.
   void pass(std::size_t point);
   /// A status frame of now.
@@ -47,7 +49,8 @@ class PathFollower {
   Instant began_;  ///< later by every hold since
   std::optional<Instant> held_since_;
   std::optional<Instant> picks_up_until_;  ///< its speed, behind a hold
-  std::optional<Duration> seen_;           ///< by the stream, or by a mark
+  bool has_clock_ = true;
+  std::optional<Duration> seen_;  ///< by the stream, or by a mark
   ProgressSource source_ = ProgressSource::Plan;
 };
 

@@ -14,6 +14,7 @@ path::Deviation largest(const path::Deviation& a, const path::Deviation& b) {
 void PathProgress::begin(const PathChain::Sent& sent, double rate, Instant now) {
   end();
   follower_.emplace(arm_, sent.piece, rate, now);
+  if (!has_clock_) follower_->loseClock();
   first_ = sent.first;
 }
 
@@ -24,6 +25,11 @@ void PathProgress::hold(bool held, Instant now) {
   } else {
     follower_->letGo(now);
   }
+}
+
+void PathProgress::loseClock() {
+  has_clock_ = false;
+  if (follower_) follower_->loseClock();
 }
 
 void PathProgress::see(const arm::JointVector& joints, Instant now) {

@@ -16,6 +16,8 @@ class PathProgress {
   void begin(const PathChain::Sent& sent, double rate, Instant now);
   [[nodiscard]] bool isUnderWay() const { return follower_.has_value(); }
   void hold(bool held, Instant now);
+  /// The project speed was changed: nobody knows by which one the pieces run that are sent.
+  void loseClock();
   void see(const arm::JointVector& joints, Instant now);
   /// By a tag: the points in front of that one are done.
   void done(std::size_t points);
@@ -40,6 +42,7 @@ class PathProgress {
   std::size_t first_ = 0;  ///< point of the piece under way
   std::size_t done_ = 0;
   double share_ = 0;
+  bool has_clock_ = true;
   path::Deviation ended_;  ///< of the pieces that are over
 };
 

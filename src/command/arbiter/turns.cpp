@@ -141,7 +141,7 @@ void Turns::refuseTurn(const Waiting& next, blocks::Outcome refusal) {
 
 /// Nothing (false) as long as the run has nothing to send, or that is planned.
 bool Turns::continueRun(Instant now) {
-  if (desks_.window.size() >= run_->window()) return false;
+  if (desks_.window.size() >= run_->window() || !desks_.window.goesOn()) return false;
   if (finishes_behind_motion_) {
     if (parts_.forecast.loose().mayMove() && parts_.robot.tellsMotion()) return false;
     finishes_behind_motion_ = false;

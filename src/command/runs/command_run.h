@@ -71,6 +71,8 @@ class CommandRun {
   [[nodiscard]] Duration waited(Instant now) const { return clock_.waited(now); }
   [[nodiscard]] bool stopping() const { return state_ == CommandRunState::Stopping; }
   [[nodiscard]] bool mayBeCancelled() const;
+  /// The controller has it, or may have it, and its end is not known.
+  [[nodiscard]] bool underWay() const;
   /// It has the robot stopped, or had.
   [[nodiscard]] bool asksForStop() const { return stop_ > stop_in_front_; }
   [[nodiscard]] bool ended() const { return state_ == CommandRunState::Ended; }
@@ -89,8 +91,6 @@ class CommandRun {
   void awaitTag(Instant now);
   void askTag(bool early, Instant now);
   void askForStop(Instant now);
-  /// The controller has it, or may have it, and its end is not known.
-  [[nodiscard]] bool underWay() const;
 
   void beginVerifying(Instant now);
   void verify(Instant now);

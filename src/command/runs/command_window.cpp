@@ -116,6 +116,10 @@ std::optional<Origin> CommandWindow::end(Instant now) const {
   return end;
 }
 
+bool CommandWindow::goesOn() const {
+  return std::all_of(ordered_.begin(), ordered_.end(), [](const Sent& sent) { return sent.run.underWay(); });
+}
+
 bool CommandWindow::mayMove() const {
   return std::any_of(ordered_.begin(), ordered_.end(),
                      [](const Sent& sent) { return mayMoveBy(sent.run.order()); });
@@ -166,6 +170,11 @@ bool CommandWindow::tagReported(const link::TagReported& event, Instant now) {
     return s.run.order().tag == event.tag || s.run.order().hasMark(event.tag);
   });
   if (sent == ordered_.end() || !context_.tags.isOpen(event.tag)) return false;
+  // Tags complete in the order of the queue: this one is the report of somebody else's.
+  const bool is_early = std::any_of(ordered_.begin(), sent, [this](const Sent& s) {
+    return s.run.order().tag && context_.tags.isOpen(*s.run.order().tag);
+  });
+  if (is_early && event.state == protocol::TagState::Complete) return false;
   if (event.state == protocol::TagState::Complete) {
     complete(sent, event.tag, now);
   } else if (sent->run.order().tag != event.tag) {

@@ -53,6 +53,8 @@ class CommandWindow {
   [[nodiscard]] bool nothingBeside() const { return beside_.empty(); }
   /// Where the next one starts, behind the last one: nothing when that is not planned, or is being stopped.
   [[nodiscard]] std::optional<Origin> end(Instant now) const;
+  /// None of them is being verified, explained or stopped: what is sent now comes behind them.
+  [[nodiscard]] bool goesOn() const;
   /// The controller may be moving the robot for one of them.
   [[nodiscard]] bool mayMove() const;
   /// A cancel of them all sends a stop.

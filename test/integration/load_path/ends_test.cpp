@@ -192,6 +192,43 @@ TEST_F(LoadPathEnds, letTheFramesBeWrittenThatWereFrozenUntilThen) {
   EXPECT_TRUE(cell.write(at(0.1)));
 }
 
+TEST_F(LoadPathEnds, endThoughOneOfTheirPiecesHasNoWay) {
+  LoadPathGoal goal = turns(3, false);
+  goal.path[1] = goal.path[0];
+  const GoalId id = cell.submit(goal);
+  passUntilActive(id, 0);
+  cell.pass(100ms);
+  cell.cancel(id);
+  EXPECT_EQ(cell.endOf(id).ending, Ending::CommandAborted);
+  expectStands();
+  expectDone(cell.submit(goal));
+}
+
+TEST_F(LoadPathEnds, stayEndedThoughTheyWaitedBehindABlendedMotion) {
+  MoveAbsoluteGoal move = good<MoveAbsoluteGoal>();
+  move.blending_enable = true;
+  move.blending_value = 10;
+  expectDone(cell.submit(move));
+  const GoalId id = cell.submit(turns(5, true));
+  EXPECT_TRUE(cell.accepted(id));
+  cell.cancel(id);
+  EXPECT_EQ(cell.endOf(id).ending, Ending::CommandAborted);
+  const auto sent = cell.scripts().size();
+  expectStands();
+  EXPECT_EQ(cell.scripts().size(), sent);
+}
+
+TEST_F(LoadPathEnds, byARefusedPieceLetThePieceInFrontEnd) {
+  const GoalId first = cell.submit(turns(1, false));
+  const GoalId second = cell.submit(turns(1, false, 1));
+  const GoalId third = cell.submit(turns(1, false, 2));
+  passUntilActive(first, 0);
+  cell.operate(simulator::SetFault{"refuse_script", true, 1, 0, ""});
+  expectDone(first);
+  EXPECT_EQ(cell.endOf(third).ending, Ending::Aborted);
+  expectDone(second);
+}
+
 TEST(LoadPathDeviation, stopsARobotThatIsOffItsPath) {
   CoreAndRobot cell;
   cell.connect();

@@ -120,6 +120,43 @@ TEST_F(LoadPathScript, leavesThemSoWhenItIsCancelled) {
   EXPECT_NEAR(tcpHeight(), 0.03, 1e-9);
 }
 
+TEST_F(LoadPathScript, isCancelledOnceHoweverOftenThatIsAskedFor) {
+  changeTcp();
+  const GoalId id = cell.submit(withTool(5));
+  passUntilActive(id, 1);
+  cell.cancel(id);
+  while (cell.outcome(id) == nullptr) {
+    cell.cancel(id);
+    cell.pass(1ms);
+  }
+  cell.pass(100ms);
+  EXPECT_NEAR(tcpHeight(), 0.03, 1e-9);
+}
+
+TEST_F(LoadPathScript, leavesTheOpenEndInFrontOfItSentOnce) {
+  LoadPathGoal goal = turns(4, false);
+  goal.path[3].termination_type = static_cast<int>(path::Termination::Blend);
+  goal.path[3].command_tolerance = 50;
+  const GoalId first = cell.submit(goal);
+  const GoalId second = cell.submit(asScript(turns(4, true, 4)));
+  passUntilActive(first, 2);
+  ASSERT_EQ(cell.scripts().size(), 4U) << "the open end is out, and the script is not";
+  cell.cancel(second);
+  expectDone(first);
+  cell.pass(2s);
+  EXPECT_EQ(cell.scripts().size(), 4U);
+}
+
+TEST_F(LoadPathScript, hasTagsEnoughBehindTwoPvts) {
+  const GoalId first = cell.submit(turns(9, false));
+  LoadPathGoal blended = turns(20, true, 9);
+  const GoalId second = cell.submit(blended);
+  const GoalId third = cell.submit(asScript(turns(8, true, 2)));
+  expectDone(first);
+  expectDone(second);
+  expectDone(third);
+}
+
 TEST_F(LoadPathScript, endsWithTheLinkThoughNothingCanBeSetBackThen) {
   changeTcp();
   const GoalId id = cell.submit(withTool(5));

@@ -169,6 +169,17 @@ TEST_F(CommandWindowTest, needNotSeeTheRobotStandWhereTheNextOneTakesItOver) {
   EXPECT_THAT(takeEnded(), ElementsAre(std::pair(1U, blocks::Ending::Done)));
 }
 
+/// Its number is that of another client's.
+TEST_F(CommandWindowTest, believesNoTagAsLongAsOneInFrontOfItIsOpen) {
+  sendTwo();
+  accept(1);
+  accept(2);
+  EXPECT_FALSE(complete(2));
+  EXPECT_TRUE(takeEnded().empty());
+  EXPECT_TRUE(complete(1));
+  EXPECT_TRUE(complete(2));
+}
+
 TEST_F(CommandWindowTest, endsAllWithTheLink) {
   sendTwo();
   accept(1);
