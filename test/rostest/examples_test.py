@@ -17,7 +17,9 @@ from cobot_test import program
 from motion_checks import MotionTestCase
 
 CLIENT_DEADLINE = 120  # [s]
-CLIENTS = (["pick_and_place.py", "--cycles", "0"], ["tour.py"], ["tour"])
+# The layer does not know that this controller is five times as fast as it plans.
+ANY_TIME = ["--joints", "1000", "--path", "1000", "--lag", "10"]
+CLIENTS = (["pick_and_place.py", "--cycles", "0"], ["tour.py"], ["tour"], ["load_path.py", *ANY_TIME])
 PACKAGE = pathlib.Path(rospkg.RosPack().get_path("cobot_command"))
 # ```sh example [state [error id]]; the state is SUCCEEDED when it is not given
 EXAMPLE = re.compile(r"^```sh example *(?P<state>\w*) *(?:16#(?P<error_id>\w+)|(?P<decimal>\d+))?\n(?P<command>.*?)^```$", re.M | re.S)
@@ -59,9 +61,23 @@ class Examples(MotionTestCase):
             self.assertEqual(len(re.findall(rf"^ +[12] +\d  {name}  .*  Done$", output, re.M)), 2, output)
         self.assertIn("2 cycle(s), all steps Done", output)
 
+    def test_load_path_shows_every_point(self):
+        output = self.run_client("load_path.py", *ANY_TIME)
+        for index, way in enumerate(("PTP", "CP_LINEAR", "CP_LINEAR", "CP_WRIST", "CP_WRIST", "CP_LINEAR", "PTP")):
+            self.assertRegex(output, rf"(?m)^ +{index} +\d+  {way} ")
+            self.assertRegex(output, rf"(?m)^  path: point {index} .* is active, {index} done")
+        self.assertIn("blends lost: none; sent as one PVT", output)
+        self.assertEqual(len(re.findall("(first|second): SUCCEEDED", output)), 2, output)
+        self.assert_stands_at(HOME, streamed=False)
+
+    def test_load_path_tells_when_the_robot_was_not_where_it_should_be(self):
+        output = self.run_client("load_path.py", exit_status=1)
+        self.assertRegex(output, r"max_joint_deviation is [\d.]+, and at most 6 is allowed")
+
     def test_clients_use_a_link_that_is_there_and_leave_it(self):
         for command, end in ((["tour.py"], "The tour is over"), (["tour"], "The tour is over"),
-                             (["pick_and_place.py"], "1 cycle(s), all steps Done")):
+                             (["pick_and_place.py"], "1 cycle(s), all steps Done"),
+                             (["load_path.py", *ANY_TIME], "All paths are done")):
             with self.subTest(command=command):
                 self.assertIn(end, self.run_client(*command, closed=False))
                 self.assertEqual(self.robot.connect.state(), GoalStatus.ACTIVE)
