@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What scripts/load and scripts/soak end with, by what the test program says: rostest --text ends with 0 whatever that is."""
+"""What scripts end with. scripts/load and scripts/soak by what the test program says: rostest --text ends with 0 whatever that is."""
 import os
 import pathlib
 import subprocess
@@ -34,6 +34,22 @@ class VerdictTest(unittest.TestCase):
     def test_is_1_when_the_test_program_says_nothing(self):
         self.assertEqual(verdict("process has died"), 1)
         self.assertEqual(verdict("process has died", 1), 1)
+
+
+class ArgumentsTest(unittest.TestCase):
+    """Refused before anything is installed or built."""
+
+    def assert_refused(self, words, *command):
+        done = subprocess.run([ROOT / "scripts" / command[0], *command[1:]], check=False, capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn(words, done.stderr)
+
+    def test_demo_names_what_it_can_show(self):
+        self.assert_refused("'dance' is not known. Allowed are: nothing (the pick-and-place), or path", "demo", "dance")
+        self.assert_refused("'twice' is not an option of load_path.py", "demo", "path", "twice")
+
+    def test_plot_profiles_takes_one_folder(self):
+        self.assert_refused("usage: scripts/plot_profiles [folder]", "plot_profiles", "here", "there")
 
 
 if __name__ == "__main__":
