@@ -13,6 +13,9 @@ constexpr Duration kInFront = std::chrono::milliseconds(50);
 /// On its way into a hold, and out of it.
 constexpr Duration kInHold = std::chrono::milliseconds(500);
 constexpr Duration kStep = std::chrono::milliseconds(5);
+/// No arm begins in front of its plan: then the clock was begun late, as it was heard late of the begin.
+constexpr Duration kBegin = std::chrono::milliseconds(500);
+constexpr Duration kLate = 2 * kStep;
 
 }  // namespace
 
@@ -42,6 +45,7 @@ void PathFollower::pass(std::size_t point) {
 
 void PathFollower::see(const arm::JointVector& joints, Instant now) {
   const bool is_steady = !held_since_ && !picks_up_until_ && piece_->is_exact && has_clock_;
+  if (is_steady) catchUp(joints, now);
   const Duration clock = byClock(now);
   if (is_steady) watch_.add(clock, joints);
   const Duration least = has_clock_ ? clock - kBehind : Duration::zero();
@@ -54,6 +58,13 @@ void PathFollower::see(const arm::JointVector& joints, Instant now) {
     picks_up_until_.reset();
     setClock(now);
   }
+}
+
+void PathFollower::catchUp(const arm::JointVector& joints, Instant now) {
+  const Duration clock = byClock(now);
+  if (clock > kBegin) return;
+  const Duration late = nearest(joints, clock, std::min(clock + kBegin, piece_->plan.duration())) - clock;
+  if (late > kLate) began_ -= fromSeconds(toSeconds(late) / rate_);
 }
 
 Duration PathFollower::nearest(const arm::JointVector& joints, Duration from, Duration until) const {

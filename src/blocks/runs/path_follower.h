@@ -41,6 +41,8 @@ class PathFollower {
   [[nodiscard]] Duration byClock(Instant now) const;
   /// The clock goes on from where the arm was seen.
   void setClock(Instant now);
+  /// While it begins.
+  void catchUp(const arm::JointVector& joints, Instant now);
   [[nodiscard]] Duration nearest(const arm::JointVector& joints, Duration from, Duration until) const;
 
   LoadedPiecePtr piece_;
