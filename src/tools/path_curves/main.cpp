@@ -100,12 +100,12 @@ PathPoint line(double y, double z, double tolerance) {
 void printCorner(double tolerance) {
   const arm::ArmModel arm = *arm::ArmModel::named("tm5-900");
   const PathPlan plan = planned({{line(-122.3, 361.05, tolerance), line(-22.3, 361.05, 0)}, 0, 2});
-  const auto placeAt = [&](Duration time) -> Eigen::Vector3d {
+  const auto place_at = [&](Duration time) -> Eigen::Vector3d {
     return arm::forwardKinematics(arm, plan.at(time).position).translation() * 1000.0;
   };
   eachStep(plan, [&](Duration time) {
-    const Eigen::Vector3d place = placeAt(time);
-    const double speed = (placeAt(time + kHalf) - placeAt(time - kHalf)).norm() / toSeconds(2 * kHalf);
+    const Eigen::Vector3d place = place_at(time);
+    const double speed = (place_at(time + kHalf) - place_at(time - kHalf)).norm() / toSeconds(2 * kHalf);
     std::cout << fmt::format("{},{:.3f},{:.4f},{:.4f},{:.3f}\n", tolerance, toSeconds(time),
                              place.y() + 122.3, place.z() - 361.05, speed);
   });
