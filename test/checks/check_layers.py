@@ -39,6 +39,7 @@ WINGS = {
     "blocks/list": {"goal.h", "goal_rules.h", "shared"},
     "blocks/runs": {"goal.h", "list", "shared"},
     "blocks/shared": set(),
+    "blocks/trajectory": {"follow_joint_trajectory.h", "goal.h", "shared"},
     "command/arbiter": {"actions.h", "board", "connecting", "core_ports.h", "finish.h", "forecast", "planning_job.h", "runs", "stops",
                         "waiting_goals.h"},
     "command/board": {"actions.h"},

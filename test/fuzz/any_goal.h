@@ -165,6 +165,22 @@ class AnyGoal {
     return goal;
   }
 
+  blocks::FollowJointTrajectoryGoal any(const blocks::FollowJointTrajectoryGoal* /*kind*/) {
+    auto goal = testing::good<blocks::FollowJointTrajectoryGoal>();
+    goal.points.resize(input_.choice(kMostSteps + 1), goal.points.back());
+    for (blocks::TrajectoryPoint& point : goal.points) {
+      begin();
+      vary(point.time);
+      if (varied()) anyJoints(point.positions);
+      if (varied()) anyJoints(point.velocities);
+    }
+    begin();
+    varyFault(goal.names_fault);
+    vary(goal.path_tolerance, goal.goal_tolerance, goal.goal_time_tolerance, goal.starts_in,
+         goal.buffer_mode);
+    return goal;
+  }
+
   blocks::StopGoal any(const blocks::StopGoal* /*kind*/) { return {}; }
 
   blocks::ChangeLoadGoal any(const blocks::ChangeLoadGoal* /*kind*/) {

@@ -126,6 +126,17 @@ inline blocks::LoadPathGoal good() {
   return goal;
 }
 
+/// A turn of joint 1 from joints 0, 0, 90, 0, 90, 0 [deg] on, to rest at 10 degrees.
+template <>
+inline blocks::FollowJointTrajectoryGoal good() {
+  blocks::FollowJointTrajectoryGoal goal;
+  for (const double time : {0.0, 1.0, 2.0}) {
+    goal.points.push_back({time, {degToRad(5.0 * time), 0, kPi / 2, 0, kPi / 2, 0}, {}});
+  }
+  goal.buffer_mode = static_cast<int>(blocks::BufferMode::Refuse);
+  return goal;
+}
+
 template <class Goal, class Change>
 [[nodiscard]] Goal with(const Change& change) {
   Goal goal = good<Goal>();

@@ -13,6 +13,7 @@
 #include "cobot_command/blocks/check_sequence.h"
 #include "cobot_command/blocks/connect.h"
 #include "cobot_command/blocks/exit_listen_node.h"
+#include "cobot_command/blocks/follow_joint_trajectory.h"
 #include "cobot_command/blocks/load_path.h"
 #include "cobot_command/blocks/move_absolute.h"
 #include "cobot_command/blocks/move_circle.h"
@@ -44,7 +45,8 @@ using Goal = std::variant<
     ChangeLoadGoal,
     SetOutputGoal,
     WaitForInputGoal,
-    LoadPathGoal
+    LoadPathGoal,
+    FollowJointTrajectoryGoal
     >;
 // clang-format on
 

@@ -29,7 +29,8 @@ struct CommandOrder : blocks::Order {
   bool exits_node = false;        ///< ScriptExit() is to stand behind its lines
   bool exits_afterwards = false;  ///< the node is to be left with a script of its own once it is done
   bool beside = false;            ///< goes out beside what is on the wire, whatever state the robot is in
-  std::optional<Duration> reply_timeout;  ///< other than that of the link
+  std::optional<Duration> reply_timeout;     ///< other than that of the link
+  std::optional<Duration> evidence_timeout;  ///< the same: to be seen at its target, behind its tag
   std::optional<Plan> plan;
   std::optional<robot::Target> target;  ///< where it leaves the robot, if that is certain
   std::vector<arm::Pose> tool_path;     ///< as planned, for people

@@ -91,6 +91,7 @@ Result<CommandOrder, blocks::Failure> Forecast::order(const blocks::Command& com
   order.block = command.block;
   order.key = command.key;
   order.reply_timeout = command.traits.reply_timeout;
+  order.evidence_timeout = command.traits.evidence_timeout;
   return order;
 }
 

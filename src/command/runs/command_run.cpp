@@ -22,6 +22,10 @@ Duration timeFor(const CommandOrder& order, const link::LinkSettings& settings) 
          settings.tag_deadline_margin;
 }
 
+Duration timeForEvidence(const CommandOrder& order, const link::LinkSettings& settings) {
+  return order.evidence_timeout.value_or(settings.evidence_timeout);
+}
+
 }  // namespace
 
 CommandRun::CommandRun(CommandOrder order, const RunContext& context, Instant now)
@@ -200,7 +204,7 @@ void CommandRun::verify(Instant now) {
   if (evidence_.confirms()) {
     fire(Event::Verified, now);
   } else if (!clock_.hasDeadline()) {
-    clock_.setDeadline(now + context_.settings.evidence_timeout);
+    clock_.setDeadline(now + timeForEvidence(order_, context_.settings));
   }
 }
 
@@ -209,7 +213,7 @@ void CommandRun::judge(Instant now) {
     case Evidence::Verdict::Confirmed:
       return fire(Event::Verified, now);
     case Evidence::Verdict::Open:
-      return clock_.setDeadline(now + context_.settings.evidence_timeout);
+      return clock_.setDeadline(now + timeForEvidence(order_, context_.settings));
     case Evidence::Verdict::Contradicted:
       return fail({blocks::own_error::kNotAtTarget, evidence_.contradiction(*order_.tag), ""}, Robot::Stop,
                   now);

@@ -42,6 +42,9 @@ Scenarios allScenarios() {
   all.merge(pathScenarios());
   all.merge(linkScenarios(good<LoadPathGoal>()));
   all.merge(turnScenarios(good<LoadPathGoal>()));
+  all.merge(trajectoryScenarios());
+  all.merge(linkScenarios(good<FollowJointTrajectoryGoal>()));
+  all.merge(turnScenarios(good<FollowJointTrajectoryGoal>()));
   all.merge(linkScenarios(good<PickAndPlaceGoal>()));
   all.merge(turnScenarios(good<PickAndPlaceGoal>()));
   all.merge(triedScenarios(StopGoal{}));

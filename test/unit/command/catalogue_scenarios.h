@@ -41,6 +41,8 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios inputScenarios();
 /// Paths: their points, plans, and ways on the wire.
 [[nodiscard]] Scenarios pathScenarios();
+/// Trajectories, the same.
+[[nodiscard]] Scenarios trajectoryScenarios();
 /// Sequences and cycles of them.
 [[nodiscard]] Scenarios sequenceScenarios();
 

@@ -139,6 +139,13 @@ inline constexpr int kExecutionUnknown = 0x275;
 inline constexpr int kPvtTooLong = 0x277;
 inline constexpr int kDeviationRange = 0x278;
 inline constexpr int kPathUnreadable = 0x279;
+// Trajectories.
+inline constexpr int kTrajectoryInvalid = 0x2A0;
+inline constexpr int kJointNames = 0x2A1;
+inline constexpr int kStampOld = 0x2A2;
+inline constexpr int kNotAtStart = 0x2A3;
+inline constexpr int kPathTolerance = 0x2A4;
+inline constexpr int kGoalTolerance = 0x2A5;
 }  // namespace own_error
 
 /// Rockwell's manual of LoadPath, which is decimal; those of points and plans: path/path_refusal.h.

@@ -30,7 +30,8 @@ struct GoalTraits {
   bool needs_base = false;       ///< a target in a tf frame: the active base has to be known
   bool needs_plan = false;       ///< it is made of its plan: without one it is refused when its turn comes
   bool needs_automatic = false;  ///< refused while the status stream shows the manual mode
-  std::optional<Duration> reply_timeout;  ///< other than that of the link
+  std::optional<Duration> reply_timeout;     ///< other than that of the link
+  std::optional<Duration> evidence_timeout;  ///< the same: to be seen at its target, behind its tag
 };
 
 /// Total: what the checks refuse is BufferMode::Refuse here.

@@ -1,0 +1,81 @@
+#include "trajectory/trajectory_follower.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace cobot_command::blocks {
+namespace {
+
+/// The stream tells of an arm that may be so far behind the clock, or a little in front of it.
+constexpr Duration kBehind = std::chrono::milliseconds(500);
+constexpr Duration kInFront = std::chrono::milliseconds(50);
+/// On its way out of a hold it is behind by as long as it took to stop and to speed up.
+constexpr Duration kBehindHold = std::chrono::milliseconds(1000);
+constexpr Duration kStep = std::chrono::milliseconds(10);
+constexpr Duration kFinestStep = std::chrono::microseconds(50);
+
+}  // namespace
+
+TrajectoryFollower::TrajectoryFollower(std::shared_ptr<const TrajectoryPlan> plan, double rate, Instant now)
+    : plan_(std::move(plan)), rate_(rate), began_(now) {}
+
+void TrajectoryFollower::hold(Instant now) {
+  if (!held_since_) held_since_ = now;
+}
+
+void TrajectoryFollower::letGo(Instant now) {
+  if (!held_since_) return;
+  began_ += now - *std::exchange(held_since_, std::nullopt);
+  judged_from_ = now + kBehindHold;
+}
+
+std::optional<TrajectoryFollower::Offence> TrajectoryFollower::offence(const arm::JointVector& joints,
+                                                                       Instant now) {
+  if (!joints.allFinite() || held_since_ || (judged_from_ && now < *judged_from_)) return std::nullopt;
+  const Duration clock = time(now);
+  // A hold shows a little later than it began, so the clock may be ahead for good behind one.
+  const Duration behind = judged_from_ ? kBehindHold : kBehind;
+  const Duration place = nearest(joints, clock - behind, clock + kInFront);
+  const arm::JointVector gap = gapAt(place, joints);
+  Eigen::Index joint = 0;
+  if (gap.cwiseQuotient(plan_->path_tolerance).maxCoeff(&joint) <= 1.0) return std::nullopt;
+  return Offence{static_cast<int>(joint), gap[joint]};
+}
+
+Duration TrajectoryFollower::nearest(const arm::JointVector& joints, Duration from, Duration until) const {
+  Duration best = from;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](Duration time) {
+    const double share = shareAt(time, joints);
+    if (share >= least) return;
+    least = share;
+    best = time;
+  };
+  for (Duration time = from; time <= until; time += kStep) look(time);
+  for (Duration step = kStep / 2; step > kFinestStep && least > 1.0; step /= 2) {
+    const Duration around = best;
+    look(around - step);
+    look(around + step);
+  }
+  return best;
+}
+
+arm::JointVector TrajectoryFollower::gapAt(Duration time, const arm::JointVector& joints) const {
+  return (plan_->motion->at(time).position - joints).cwiseAbs();
+}
+
+double TrajectoryFollower::shareAt(Duration time, const arm::JointVector& joints) const {
+  return gapAt(time, joints).cwiseQuotient(plan_->path_tolerance).maxCoeff();
+}
+
+Duration TrajectoryFollower::time(Instant now) const {
+  const Duration passed = fromSeconds(toSeconds(held_since_.value_or(now) - began_) * rate_);
+  return std::clamp(passed, Duration::zero(), plan_->motion->duration());
+}
+
+Duration TrajectoryFollower::remaining(Instant now) const {
+  return fromSeconds(toSeconds(plan_->motion->duration() - time(now)) / rate_);
+}
+
+}  // namespace cobot_command::blocks
