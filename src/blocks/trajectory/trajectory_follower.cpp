@@ -10,6 +10,8 @@ namespace {
 /// The stream tells of an arm that may be so far behind the clock, or a little in front of it.
 constexpr Duration kBehind = std::chrono::milliseconds(500);
 constexpr Duration kInFront = std::chrono::milliseconds(50);
+/// So much further on from one frame to the next, in front of the clock.
+constexpr Duration kAhead = std::chrono::milliseconds(500);
 /// On its way out of a hold it is behind by as long as it took to stop and to speed up.
 constexpr Duration kBehindHold = std::chrono::milliseconds(1000);
 constexpr Duration kStep = std::chrono::milliseconds(10);
@@ -36,7 +38,14 @@ std::optional<TrajectoryFollower::Offence> TrajectoryFollower::offence(const arm
   const Duration clock = time(now);
   // A hold shows a little later than it began, so the clock may be ahead for good behind one.
   const Duration behind = judged_from_ ? kBehindHold : kBehind;
-  const Duration place = nearest(joints, clock - behind, clock + kInFront);
+  Duration place = nearest(joints, clock - behind, clock + kInFront);
+  if (shareAt(place, joints) > 1.0) {
+    // Or else it goes on in front of the clock, as a simulation does that is faster than the time.
+    const Duration ahead = std::max(seen_, clock);
+    const Duration further = nearest(joints, ahead, ahead + kAhead);
+    if (shareAt(further, joints) < shareAt(place, joints)) place = further;
+  }
+  seen_ = place;
   const arm::JointVector gap = gapAt(place, joints);
   Eigen::Index joint = 0;
   if (gap.cwiseQuotient(plan_->path_tolerance).maxCoeff(&joint) <= 1.0) return std::nullopt;

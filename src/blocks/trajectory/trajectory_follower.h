@@ -44,6 +44,7 @@ class TrajectoryFollower {
   Instant began_;  ///< later by every hold since
   std::optional<Instant> held_since_;
   std::optional<Instant> judged_from_;  ///< behind a hold
+  Duration seen_{};                     ///< by its plan, where it was last
 };
 
 }  // namespace cobot_command::blocks

