@@ -11,6 +11,11 @@ BLOCK = re.compile(r"## `(\w+)`")
 ROW = re.compile(r"\| (?:16#[0-9A-F]+|\d+) \| (\d+) \|.*\| ([^|]+) \|$")
 
 
+# Served with the messages of another package only: its tests provoke what is its own. That it tells of the rest as others do is
+# shown in the core (catalogue_rows_test).
+WITH_FOREIGN_MESSAGES = {"follow_joint_trajectory": 0x2A0}
+
+
 def number(error_id):
     """As the page has it: those of path loading are decimal."""
     return str(error_id) if 1000 <= error_id < 2000 else f"16#{error_id:X}"
@@ -42,7 +47,8 @@ def main():
     faults = []
     for (block, error_id), raised_when in table.items():
         impossible = raised_when.startswith("cannot occur")
-        if not impossible and (block, error_id) not in seen:
+        asked_for = error_id >= WITH_FOREIGN_MESSAGES.get(block, 0)
+        if asked_for and not impossible and (block, error_id) not in seen:
             faults.append(f"{block} {number(error_id)} was provoked by no test: {raised_when}")
         if impossible and (block, error_id) in seen:
             faults.append(f"{block} {number(error_id)} was provoked: {raised_when}")

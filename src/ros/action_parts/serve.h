@@ -1,5 +1,6 @@
 // How the file of a block makes its action server: with an ActionOf, toGoal() of the goal message, and fill()
-// of result and feedback, which are looked up by the messages; then it instantiates serve().
+// of result and feedback, which are looked up by the messages; then it instantiates serve(). Where a message
+// names joints, readGoal() takes the place of toGoal().
 #pragma once
 
 #include "command/action_servers.h"
@@ -14,6 +15,18 @@ template <class Goal>
 std::unique_ptr<GoalListener> serve(const ActionSite& site) {
   return std::make_unique<ActionBridge<typename ActionOf<Goal>::Type>>(site.node, Goal::kName,
                                                                        site.joint_names, site.sink);
+}
+
+/// Of a block whose messages were not there when this was built: there are no goals that it could hear of.
+[[nodiscard]] inline std::unique_ptr<GoalListener> serveNobody() {
+  class Nobody final : public GoalListener {
+    void accepted(blocks::GoalId /*id*/) override {}
+    void progressed(blocks::GoalId /*id*/, const blocks::Progress& /*progress*/,
+                    const ClockPair& /*clocks*/) override {}
+    void ended(blocks::GoalId /*id*/, const blocks::Outcome& /*outcome*/,
+               const ClockPair& /*clocks*/) override {}
+  };
+  return std::make_unique<Nobody>();
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -37,6 +37,12 @@ struct FillSite {
   const ClockPair& clocks;
 };
 
+/// The goal of a message. A block whose messages name joints has an overload of its own in place of toGoal().
+template <class Message>
+[[nodiscard]] auto readGoal(const Message& message, const Lookups& lookups, const JointNames& /*names*/) {
+  return toGoal(message, lookups);
+}
+
 /// What the core tells of the goals of one block. A goal that is not known (any more) is left alone.
 class GoalListener {
  public:
@@ -117,8 +123,8 @@ class ActionBridge : public GoalListener {
       const std::lock_guard<std::mutex> lock(mutex_);
       open_.push_back({id, handle});
     }
-    sink_.submit(id, [goal = handle.getGoal()](const Lookups& lookups) -> blocks::Goal {
-      return toGoal(*goal, lookups);
+    sink_.submit(id, [goal = handle.getGoal(), names = joint_names_](const Lookups& lookups) -> blocks::Goal {
+      return readGoal(*goal, lookups, names);
     });
   }
 

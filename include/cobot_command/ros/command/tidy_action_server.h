@@ -31,6 +31,17 @@
 
 namespace cobot_command::ros_adapter {
 
+// The words of a result; for one of another package's action both are specialized.
+template <class Result>
+[[nodiscard]] bool saysNothing(const Result& result) {
+  return result.error_description.empty();
+}
+template <class Result>
+void say(Result& result, const char* description, const char* remedy) {
+  result.error_description = description;
+  result.remedy = remedy;
+}
+
 template <class Action>
 class TidyActionServer : public actionlib::ActionServerBase<Action> {
   using Base = actionlib::ActionServerBase<Action>;
@@ -113,7 +124,7 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     message.status = status;
     message.result = result;
     const bool recalled = status.status == actionlib_msgs::GoalStatus::RECALLED;
-    if (recalled && result.error_description.empty()) explain(message);
+    if (recalled && saysNothing(message.result)) explain(message);
     results_.publish(message);
     publishStatus();
   }
@@ -157,12 +168,12 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
   /// Nobody was told of that goal. actionlib has words of its own only for the stamp.
   static void explain(typename Base::ActionResult& message) {
     const bool by_stamp = !message.status.text.empty();
-    message.result.error_description =
+    say(message.result,
         by_stamp ? "cancelled before it came: a cancel took away all goals until its stamp, and that of this "
                    "goal is not later"
-                 : "cancelled by its id before it came";
-    message.result.remedy = by_stamp ? "Send it again as a new goal; compare the clocks of the clients"
-                                     : "Send it again as a new goal";
+                 : "cancelled by its id before it came",
+        by_stamp ? "Send it again as a new goal; compare the clocks of the clients"
+                 : "Send it again as a new goal");
   }
 
   void tidy() {
