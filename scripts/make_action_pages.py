@@ -15,6 +15,8 @@ MARK = "<!-- made by scripts/make_action_pages.py from {}: edit those -->"
 MARK_LINE = re.compile(r"^<!-- made by .*\n", re.MULTILINE)
 EXAMPLE = re.compile(r"^```sh example", re.MULTILINE)
 INDEX = "README"
+# Served with the messages of another package; its fields are written here once more, for the tests.
+FOREIGN = {"follow_joint_trajectory": "control_msgs"}
 
 DECLARATION = re.compile(r"(?P<type>[\w/]+)(?P<array>\[\d*\])?\s+(?P<name>\w+)(=(?P<value>[^#\s]+))?\s*"
                          r"(#\s*(?P<comment>.*))?")
@@ -121,9 +123,9 @@ class Package:
     def __init__(self, root):
         self.pages = root / "doc/actions"
         self.errors = read_errors(root / "doc/errors.md")
-        self.messages = {path.stem: read_interface(path) for path in root.glob("msg/*.msg")}
+        self.messages = {path.stem: read_interface(path) for path in (*root.glob("msg/*.msg"), *root.glob("test/control_msgs/msg/*.msg"))}
         self.actions = {snake_case(path.stem): (path.stem, *read_interface(path))
-                        for path in root.glob("action/*.action")}
+                        for path in (*root.glob("action/*.action"), *root.glob("test/control_msgs/action/*.action"))}
 
     def messages_in(self, sections):
         """The names of all own messages in the fields, and in the fields of those."""
@@ -144,8 +146,9 @@ def snake_case(name):
 def page_tables(package, action):
     name, header, sections = package.actions[action]
     goal, result, feedback = sections
-    lines = ["## Names", f"Type `cobot_command/{name}`; its goal is sent to `/{action}/goal`"
-             f" (`cobot_command/{name}ActionGoal`). With a window: `rosrun actionlib_tools axclient.py /{action}`.", ""]
+    package_name = FOREIGN.get(action, "cobot_command")
+    lines = ["## Names", f"Type `{package_name}/{name}`; its goal is sent to `/{action}/goal`"
+             f" (`{package_name}/{name}ActionGoal`). With a window: `rosrun actionlib_tools axclient.py /{action}`.", ""]
     lines += ["## How a goal ends", "| state | when |", "|---|---|"]
     lines += [f"| {states} | {when} |" for states, when in ends(header)] + [""]
     for title, section in (("Goal", goal), ("Result", result), ("Feedback", feedback)):
