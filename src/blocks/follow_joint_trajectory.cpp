@@ -27,10 +27,17 @@ constexpr double kLatest = 1;
 constexpr double kRest = 0.01;
 constexpr double kLeastTime = toSeconds(motion::kLeastSegment);
 
-bool areSix(const std::vector<double>& values) {
-  return values.size() == arm::kJointCount && std::all_of(values.begin(), values.end(), [](double value) {
-           return isWithin(value, -kMostAngle, kMostAngle);
-         });
+/// Empty: they are one for each joint, and each may be.
+std::string faultOf(const std::vector<double>& values, const char* what, const char* unit) {
+  if (values.size() != arm::kJointCount) {
+    return fmt::format("it has {} {}; allowed: {}", values.size(), what, arm::kJointCount);
+  }
+  for (std::size_t joint = 0; joint < values.size(); ++joint) {
+    if (isWithin(values[joint], -kMostAngle, kMostAngle)) continue;
+    return fmt::format("J{} of its {} is {}; allowed: +-{} {}", joint + 1, what, values[joint], kMostAngle,
+                       unit);
+  }
+  return "";
 }
 
 bool rests(const TrajectoryPoint& point) {
@@ -40,20 +47,11 @@ bool rests(const TrajectoryPoint& point) {
 
 /// Empty: nothing is wrong with it by itself.
 std::string faultOf(const TrajectoryPoint& point, bool with_velocities) {
-  if (!areSix(point.positions)) {
-    return fmt::format("its positions are {} numbers ({}); allowed: {}, finite, within +-{} rad",
-                       point.positions.size(), fmt::join(point.positions, ", "), arm::kJointCount,
-                       kMostAngle);
-  }
+  if (std::string fault = faultOf(point.positions, "positions", "rad"); !fault.empty()) return fault;
   if (point.velocities.empty() == with_velocities) {
     return "point 0 has velocities and it has none, or the other way round; allowed: all points, or none";
   }
-  if (with_velocities && !areSix(point.velocities)) {
-    return fmt::format("its velocities are {} numbers ({}); allowed: {}, finite, within +-{} rad/s",
-                       point.velocities.size(), fmt::join(point.velocities, ", "), arm::kJointCount,
-                       kMostAngle);
-  }
-  return "";
+  return with_velocities ? faultOf(point.velocities, "velocities", "rad/s") : "";
 }
 
 Failure invalid(std::size_t index, const std::string& found) {

@@ -97,6 +97,12 @@ TEST(TrajectoryRules, nameThePointThatIsWrong) {
             0);
 }
 
+/// A fuzzer's finding: they were all listed.
+TEST(TrajectoryRules, areRefusedInFewWordsHoweverMuchIsWrong) {
+  const auto goal = with<Trajectory>([](auto& g) { g.points[1].positions.assign(10000, kNan); });
+  EXPECT_EQ(check(goal).at(0).found, "point 1: it has 10000 positions; allowed: 6");
+}
+
 TEST(TrajectoryRules, lookAtTolerancesNamesAndTimes) {
   const int invalid = own_error::kTrajectoryInvalid;
   EXPECT_EQ(errorWith<Trajectory>([](auto& g) { g.points[2].time = 1; }), invalid);
