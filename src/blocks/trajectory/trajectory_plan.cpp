@@ -195,14 +195,14 @@ Result<std::shared_ptr<const TrajectoryPlan>, Failure> planTrajectory(const Foll
                                                                       const PlanningScene& scene) {
   auto plan = std::make_shared<TrajectoryPlan>();
   plan->path_tolerance = tolerances(goal.path_tolerance, kPathTolerance);
-  plan->goal_tolerance = tolerances(goal.goal_tolerance, scene.settings.angle_tolerance);
+  plan->goal_tolerance = tolerances(goal.goal_tolerance, scene.angle_tolerance);
   const Points& points = goal.points;
   const arm::JointVector& start = *scene.start->joints;
   if (auto elsewhere = checkStart(goal, start)) return refuse(*std::move(elsewhere));
   if (points.back().time <= 0) return std::shared_ptr<const TrajectoryPlan>(std::move(plan));
 
   Segments segments = segmentsOf(points, start);
-  if (const auto most = static_cast<std::size_t>(scene.settings.pvt_block_points); segments.size() > most) {
+  if (const auto most = static_cast<std::size_t>(scene.path.block_points); segments.size() > most) {
     return refuse(
         Failure{own_error::kTrajectoryInvalid,
                 fmt::format("{} points are left that are 25 ms apart or more; allowed: {} in one PVT",

@@ -214,7 +214,7 @@ TEST_F(TrajectoryPlans, haveNothingToMoveAtTheStart) {
 }
 
 TEST_F(TrajectoryPlans, haveNoMorePointsThanAPvt) {
-  scene.settings.pvt_block_points = 1;
+  scene.path.block_points = 1;
   EXPECT_EQ(refused([](auto&) {}).error_id, own_error::kTrajectoryInvalid);
 }
 
