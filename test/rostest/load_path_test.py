@@ -108,6 +108,13 @@ class LoadPath(MotionTestCase):
         self.assert_aborted(outcome, 1002)
         self.assertEqual(outcome[1].error_index, 1)
 
+    def test_stops_a_robot_that_leaves_its_path(self):
+        self.robot.fault("pvt_linear")
+        self.addCleanup(self.robot.fault, "pvt_linear", False)
+        points = [path_to_joints(15 * (i % 2), 0, 90 + 5 * (i % 3), 0, 90, 0, speed=60) for i in range(1, 6)]
+        self.assert_aborted(self.robot.run(path(*points, max_deviation=0.0005)), 0x274, "off its path")
+        self.robot.wait_for_standstill()
+
     # --- The robot.
     def test_is_refused_by_a_robot_that_is_not_energised(self):
         self.robot.close()

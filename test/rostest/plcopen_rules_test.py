@@ -6,7 +6,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 import plcopen_goals
-from cobot_command.msg import (BlockStatus, CommandStatus, MoveAbsoluteFeedback, MoveAbsoluteResult, StopGoal,
+from cobot_command.msg import (BlockStatus, CommandStatus, LoadPathGoal, MoveAbsoluteFeedback, MoveAbsoluteResult, StopGoal,
                                StopResult)
 from cobot_goals import HOME, to_joints
 from load_clients import BLOCKS
@@ -157,6 +157,11 @@ class GoalRulesTest(unittest.TestCase):
         for words, begin in (("R9", 2), ("", 3)):
             second = record("b", goal, begin, 4, GoalStatus.SUCCEEDED)
             self.assert_found(words, plcopen_goals.Round([first, second], []).faults())
+
+    def test_takes_paths_that_follow_each_other_for_one(self):
+        first = record("a", LoadPathGoal(), 1, 3, GoalStatus.SUCCEEDED, "load_path")
+        second = record("b", LoadPathGoal(), 2, 4, GoalStatus.SUCCEEDED, "load_path")
+        self.assert_found("", plcopen_goals.Round([first, second], []).faults())
 
     def test_finds_goals_that_outlive_the_failure_in_front_of_them(self):
         goal = to_joints(*HOME)

@@ -93,6 +93,7 @@ std::optional<Instant> LoadPathRun::nextDeadline() const {
 
 void LoadPathRun::commandProgressed(CommandKey key, const Progress& progress, Instant now) {
   if (!chain_.isFirst(key)) return;
+  if (phase_ != progress.phase) chain_.tellAnew();
   phase_ = progress.phase;
   text_ = progress.text;
   const Duration duration = chain_.sent().front().piece->plan.duration();

@@ -69,6 +69,12 @@ std::size_t PathChain::memberAt(std::size_t point) const {
   return static_cast<std::size_t>(std::min(found, members_.end() - 1) - members_.begin());
 }
 
+void PathChain::tellAnew() {
+  for (Member& member : members_) {
+    if (member.first < sent_points_) member.told_at.reset();
+  }
+}
+
 bool PathChain::isUntouched(std::size_t member) const {
   return sent_points_ <= members_[member].first;
 }

@@ -59,6 +59,8 @@ class PathChain {
   /// Nothing: it is none of its goals.
   [[nodiscard]] std::optional<std::size_t> memberOf(GoalId goal) const;
   [[nodiscard]] std::size_t memberAt(std::size_t point) const;
+  /// What is under way is in another phase: its goals are to be told, wherever their points are.
+  void tellAnew();
   /// Nothing of it is in a piece that was sent.
   [[nodiscard]] bool isUntouched(std::size_t member) const;
   /// With all behind it. Precondition: it is untouched, and not the first one.

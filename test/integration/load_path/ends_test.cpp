@@ -204,6 +204,14 @@ TEST_F(LoadPathEnds, endThoughOneOfTheirPiecesHasNoWay) {
   expectDone(cell.submit(goal));
 }
 
+TEST_F(LoadPathEnds, showAtOnceThatTheyAreBeingStopped) {
+  const GoalId id = cell.submit(turns(20, true));
+  passUntilActive(id, 3);
+  cell.submit(StopGoal{});
+  EXPECT_EQ(cell.progress(id).back().phase, Phase::Stopping);
+  cell.endOf(id);
+}
+
 TEST_F(LoadPathEnds, stayEndedThoughTheyWaitedBehindABlendedMotion) {
   MoveAbsoluteGoal move = good<MoveAbsoluteGoal>();
   move.blending_enable = true;
