@@ -20,21 +20,20 @@ constexpr Duration kLate = 2 * kStep;
 }  // namespace
 
 PathFollower::PathFollower(const arm::ArmModel& arm, LoadedPiecePtr piece, double rate, Instant now)
-    : piece_(std::move(piece)), watch_(arm, piece_->plan), rate_(rate), began_(now) {}
+    : piece_(std::move(piece)), watch_(arm, piece_->plan), clock_(rate, now) {}
 
 void PathFollower::hold(Instant now) {
-  if (!held_since_) held_since_ = now;
+  clock_.hold(now);
 }
 
 void PathFollower::letGo(Instant now) {
-  if (!held_since_) return;
-  began_ += now - *std::exchange(held_since_, std::nullopt);
+  if (!clock_.letGo(now)) return;
   setClock(now);
   picks_up_until_ = now + kInHold;
 }
 
 void PathFollower::setClock(Instant now) {
-  if (source_ == ProgressSource::Stream) began_ = now - fromSeconds(toSeconds(*seen_) / rate_);
+  if (source_ == ProgressSource::Stream) clock_.setTime(*seen_, now);
 }
 
 void PathFollower::pass(std::size_t point) {
@@ -44,9 +43,9 @@ void PathFollower::pass(std::size_t point) {
 }
 
 void PathFollower::see(const arm::JointVector& joints, Instant now) {
-  const bool is_steady = !held_since_ && !picks_up_until_ && piece_->is_exact && has_clock_;
+  const bool is_steady = !clock_.isHeld() && !picks_up_until_ && piece_->is_exact && has_clock_;
   if (is_steady) catchUp(joints, now);
-  const Duration clock = byClock(now);
+  const Duration clock = clock_.time(now);
   if (is_steady) watch_.add(clock, joints);
   const Duration least = has_clock_ ? clock - kBehind : Duration::zero();
   const Duration from = std::max(seen_.value_or(Duration::zero()), least);
@@ -61,10 +60,10 @@ void PathFollower::see(const arm::JointVector& joints, Instant now) {
 }
 
 void PathFollower::catchUp(const arm::JointVector& joints, Instant now) {
-  const Duration clock = byClock(now);
+  const Duration clock = clock_.time(now);
   if (clock > kBegin) return;
   const Duration late = nearest(joints, clock, std::min(clock + kBegin, piece_->plan.duration())) - clock;
-  if (late > kLate) began_ -= fromSeconds(toSeconds(late) / rate_);
+  if (late > kLate) clock_.advance(late);
 }
 
 Duration PathFollower::nearest(const arm::JointVector& joints, Duration from, Duration until) const {
@@ -79,19 +78,14 @@ Duration PathFollower::nearest(const arm::JointVector& joints, Duration from, Du
   return best;
 }
 
-Duration PathFollower::byClock(Instant now) const {
-  return fromSeconds(toSeconds(held_since_.value_or(now) - began_) * rate_);
-}
-
 Duration PathFollower::time(Instant now) const {
   const Duration seen = seen_.value_or(Duration::zero());
-  const Duration found = source_ == ProgressSource::Stream ? seen : std::max(byClock(now), seen);
+  const Duration found = source_ == ProgressSource::Stream ? seen : std::max(clock_.time(now), seen);
   return std::clamp(found, Duration::zero(), piece_->plan.duration());
 }
 
 Duration PathFollower::remaining(Instant now) const {
-  const Duration left = std::max(Duration::zero(), piece_->plan.duration() - byClock(now));
-  return fromSeconds(toSeconds(left) / rate_);
+  return clock_.byController(std::max(Duration::zero(), piece_->plan.duration() - clock_.time(now)));
 }
 
 }  // namespace cobot_command::blocks

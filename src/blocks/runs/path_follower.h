@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "runs/loaded_path.h"
+#include "shared/plan_clock.h"
 
 #include "cobot_command/common/time.h"
 #include "cobot_command/path/deviation_watch.h"
@@ -14,7 +15,7 @@ namespace cobot_command::blocks {
 
 class PathFollower {
  public:
-  /// `rate`: so much faster than planned the controller's time runs (its project speed), above 0.
+  /// `rate`: see PlanClock.
   PathFollower(const arm::ArmModel& arm, LoadedPiecePtr piece, double rate, Instant now);
 
   /// Until it is let go, time stands still. Where the arm comes to rest, and how it gets up to its speed
@@ -38,7 +39,6 @@ class PathFollower {
   [[nodiscard]] double offThePath() const { return watch_.offThePath(); }
 
  private:
-  [[nodiscard]] Duration byClock(Instant now) const;
   /// The clock goes on from where the arm was seen.
   void setClock(Instant now);
   /// While it begins.
@@ -47,9 +47,7 @@ class PathFollower {
 
   LoadedPiecePtr piece_;
   path::DeviationWatch watch_;
-  double rate_;
-  Instant began_;  ///< later by every hold since
-  std::optional<Instant> held_since_;
+  PlanClock clock_;
   std::optional<Instant> picks_up_until_;  ///< its speed, behind a hold
   bool has_clock_ = true;
   std::optional<Duration> seen_;  ///< by the stream, or by a mark

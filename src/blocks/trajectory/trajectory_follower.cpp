@@ -20,21 +20,19 @@ constexpr Duration kFinestStep = std::chrono::microseconds(50);
 }  // namespace
 
 TrajectoryFollower::TrajectoryFollower(std::shared_ptr<const TrajectoryPlan> plan, double rate, Instant now)
-    : plan_(std::move(plan)), rate_(rate), began_(now) {}
+    : plan_(std::move(plan)), clock_(rate, now) {}
 
 void TrajectoryFollower::hold(Instant now) {
-  if (!held_since_) held_since_ = now;
+  clock_.hold(now);
 }
 
 void TrajectoryFollower::letGo(Instant now) {
-  if (!held_since_) return;
-  began_ += now - *std::exchange(held_since_, std::nullopt);
-  judged_from_ = now + kBehindHold;
+  if (clock_.letGo(now)) judged_from_ = now + kBehindHold;
 }
 
 std::optional<TrajectoryFollower::Offence> TrajectoryFollower::offence(const arm::JointVector& joints,
                                                                        Instant now) {
-  if (!joints.allFinite() || held_since_ || (judged_from_ && now < *judged_from_)) return std::nullopt;
+  if (!joints.allFinite() || clock_.isHeld() || (judged_from_ && now < *judged_from_)) return std::nullopt;
   const Duration clock = time(now);
   // A hold shows a little later than it began, so the clock may be ahead for good behind one.
   const Duration behind = judged_from_ ? kBehindHold : kBehind;
@@ -79,12 +77,11 @@ double TrajectoryFollower::shareAt(Duration time, const arm::JointVector& joints
 }
 
 Duration TrajectoryFollower::time(Instant now) const {
-  const Duration passed = fromSeconds(toSeconds(held_since_.value_or(now) - began_) * rate_);
-  return std::clamp(passed, Duration::zero(), plan_->motion->duration());
+  return std::clamp(clock_.time(now), Duration::zero(), plan_->motion->duration());
 }
 
 Duration TrajectoryFollower::remaining(Instant now) const {
-  return fromSeconds(toSeconds(plan_->motion->duration() - time(now)) / rate_);
+  return clock_.byController(plan_->motion->duration() - time(now));
 }
 
 }  // namespace cobot_command::blocks

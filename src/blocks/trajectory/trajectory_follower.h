@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "shared/plan_clock.h"
 #include "trajectory/trajectory_plan.h"
 
 #include "cobot_command/common/time.h"
@@ -13,7 +14,7 @@ namespace cobot_command::blocks {
 
 class TrajectoryFollower {
  public:
-  /// `rate`: so much faster than planned the controller's time runs (its project speed), above 0.
+  /// `rate`: see PlanClock.
   TrajectoryFollower(std::shared_ptr<const TrajectoryPlan> plan, double rate, Instant now);
 
   /// Until it is let go, time stands still. Where the arm comes to rest, and how it gets up to its speed
@@ -40,9 +41,7 @@ class TrajectoryFollower {
   [[nodiscard]] Duration nearest(const arm::JointVector& joints, Duration from, Duration until) const;
 
   std::shared_ptr<const TrajectoryPlan> plan_;
-  double rate_;
-  Instant began_;  ///< later by every hold since
-  std::optional<Instant> held_since_;
+  PlanClock clock_;
   std::optional<Instant> judged_from_;  ///< behind a hold
   Duration seen_{};                     ///< by its plan, where it was last
 };
