@@ -229,8 +229,7 @@ Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
   if (goal.check_only) report.joint_path = wholeJointPath((*loaded)->plan);
   report.loaded = *loaded;
   Outcome outcome;
-  const double speed = scene.start ? scene.start->speed_override : 1.0;
-  outcome.planned = fromSeconds(toSeconds((*loaded)->planned) / speed);
+  outcome.planned = (*loaded)->planned;
   outcome.detail = Detail(std::move(report));
   return outcome;
 }

@@ -69,7 +69,8 @@ Pieces toLoaded(const PathPlan& plan, const path::PathScene& scene, const path::
   return loaded;
 }
 
-void report(LoadedPath& loaded) {
+/// `speed`: of the project.
+void report(LoadedPath& loaded, double speed) {
   const auto& points = loaded.plan.points();
   const Duration start = points[loaded.first].start;
   for (std::size_t i = loaded.first; i < points.size(); ++i) {
@@ -79,7 +80,7 @@ void report(LoadedPath& loaded) {
     loaded.report.push_back(std::move(step));
     loaded.move_ids.push_back(points[i].point.move_id != 0 ? points[i].point.move_id : loaded.method_id);
   }
-  loaded.planned = loaded.plan.duration() - start;
+  loaded.planned = fromSeconds(toSeconds(loaded.plan.duration() - start) / speed);
 }
 
 path::PathPlanner plannerFor(const PlanningScene& scene) {
@@ -196,7 +197,7 @@ Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   loaded->start_index = goal.start_index;
   loaded->max_deviation = mmToM(goal.max_deviation);
   loaded->settings = scene.path;
-  report(*loaded);
+  report(*loaded, scene.start ? scene.start->speed_override : 1.0);
   auto refusal = execution == Execution::Script ? loadScript(goal, std::move(planner), *loaded)
                                                 : loadPvts(std::move(planner), *loaded);
   if (refusal) return refuse(*std::move(refusal));

@@ -68,5 +68,15 @@ TEST_F(LoadPathPlaces, sayWhenEachPointWasDone) {
   }
 }
 
+TEST_F(LoadPathPlaces, areForetoldWithTheProjectSpeed) {
+  cell.operate(simulator::SetProjectSpeed{50});
+  cell.pass(1s);
+  const GoalId id = cell.submit(turns(6, true));
+  expectDone(id);
+  const Outcome& outcome = cell.endOf(id);
+  EXPECT_NEAR(toSeconds(*outcome.planned), toSeconds(*outcome.actual), 0.1);
+  EXPECT_EQ(cell.progress(id).back().planned, outcome.planned) << "the feedback says the same";
+}
+
 }  // namespace
 }  // namespace cobot_command::testing
