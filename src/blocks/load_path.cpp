@@ -74,7 +74,7 @@ Failure toFailure(const LoadPathGoal& goal, const PathRefusal& refusal) {
 }
 
 std::optional<Failure> checkTracking(const LoadPathGoal& goal) {
-  if (!goal.enable_tracking_0 && !goal.enable_tracking_1) return std::nullopt;
+  if (goal.enable_tracking == path::TrackingFlags()) return std::nullopt;
   for (int index = 0; index < static_cast<int>(goal.path.size()); ++index) {
     const double position = goal.path[static_cast<std::size_t>(index)].tracking_axis_position;
     if (!isLoaded(goal, index) || position == 0.0) continue;
@@ -82,9 +82,7 @@ std::optional<Failure> checkTracking(const LoadPathGoal& goal) {
                    fmt::format("point {}: tracking_axis_position is {} mm", index, position), "",
                    Detail(blaming(index))};
   }
-  // Until there are tracking objects that could be switched on: it would wait for ever.
-  return Failure{own_error::kTrackingOffset, "enable_tracking is set, and there are no tracking objects yet",
-                 "Enable no tracking"};
+  return std::nullopt;
 }
 
 /// Without a model, or a place to start from, nothing is planned.

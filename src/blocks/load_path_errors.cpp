@@ -165,9 +165,10 @@ void addOwn(ErrorTable& table) {
       .shared(own_error::kNoModel,
               "joint targets by PTP alone, and the command layer knows no model of the arm")
       .row(own_error::kTrackingOffset, "Tracking not supported",
-           "Set tracking_axis_position to 0, and enable no tracking",
-           "tracking_axis_position is not 0 with an enabled tracking: a script cannot follow a conveyor; or "
-           "tracking is enabled at all, as there are no tracking objects yet")
+           "Set tracking_axis_position to 0, or enable no tracking",
+           "tracking_axis_position is not 0 with an enabled tracking: tracking holds a path back, and a "
+           "script "
+           "cannot follow a conveyor")
       .row(own_error::kNotInAScript, "Path cannot be said by a script",
            "Use execution AUTO or PVT, or set allow_approximation",
            "SCRIPT, and a script does not say exactly what the points do, which the description lists; a "

@@ -56,6 +56,10 @@ TableAnswer CommandCore::tryTable(const TableWrite& write) const {
   return impl_->tables().tried(write);
 }
 
+std::optional<std::string> CommandCore::switchTracking(const TrackingSwitch& request, Instant now) {
+  return impl_->switchTracking(request, now);
+}
+
 void CommandCore::opened(link::ConnectionId id, Instant now) {
   impl_->opened(id, now);
 }

@@ -22,13 +22,14 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       links_(settings_, actions_, std::move(ports.traced)),
       tags_(settings_.first_tag),
       tables_(arm ? tables::payloadOf(*arm) : tables::Payload(), actions_),
+      paths_(actions_),
       board_(actions_),
       keeper_(settings_, links_, robot_, board_),
       forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_,
                 tables_.store(), actions_),
-      arbiter_(
-          {settings_, links_.script(), tags_, robot_, tables_.store(), keeper_, forecast_, board_, actions_},
-          std::move(ports), planning) {}
+      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), paths_, keeper_, forecast_,
+                board_, actions_},
+               std::move(ports), planning) {}
 
 // --- Goals.
 
@@ -97,6 +98,13 @@ void CommandCore::Impl::useSettings(const link::LinkSettings& settings, Instant 
   settings_ = settings;
   links_.script().settingsChanged(now);
   settle(now);
+}
+
+std::optional<std::string> CommandCore::Impl::switchTracking(const TrackingSwitch& request, Instant now) {
+  auto refusal = paths_.switchTracking(request);
+  arbiter_.pathControlsChanged(now);
+  settle(now);
+  return refusal;
 }
 
 void CommandCore::Impl::opened(link::ConnectionId id, Instant now) {

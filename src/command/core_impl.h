@@ -11,6 +11,7 @@
 #include "connecting/link_keeper.h"
 #include "forecast/forecast.h"
 #include "links/links.h"
+#include "paths/path_desk.h"
 #include "table_desk.h"
 
 #include "cobot_command/command/command_core.h"
@@ -34,6 +35,7 @@ class CommandCore::Impl {
   void shutDown(Instant now);
   void useSettings(const link::LinkSettings& settings, Instant now);
   [[nodiscard]] TableDesk& tables() { return tables_; }
+  [[nodiscard]] std::optional<std::string> switchTracking(const TrackingSwitch& request, Instant now);
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);
@@ -75,6 +77,7 @@ class CommandCore::Impl {
   robot::RobotWatch robot_;
   robot::StrangerWatch strangers_;
   TableDesk tables_;
+  PathDesk paths_;
   OutputBoard board_;
   LinkKeeper keeper_;
   Forecast forecast_;

@@ -160,7 +160,7 @@ class AnyGoal {
     }
     begin();
     varyFault(goal.path_fault);
-    vary(goal.start_index, goal.number_of_moves, goal.enable_tracking_0, goal.enable_tracking_1,
+    vary(goal.start_index, goal.number_of_moves, goal.enable_tracking[0], goal.enable_tracking[1],
          goal.execution, goal.allow_approximation, goal.buffer_mode, goal.max_deviation, goal.check_only);
     return goal;
   }

@@ -37,6 +37,12 @@ void CoreAndRobot::cancel(blocks::GoalId goal) {
   settle();
 }
 
+std::optional<std::string> CoreAndRobot::switchTracking(const command::TrackingSwitch& request) {
+  auto refusal = core_.switchTracking(request, now_);
+  settle();
+  return refusal;
+}
+
 void CoreAndRobot::shutDown() {
   core_.shutDown(now_);
   settle();

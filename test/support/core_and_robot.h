@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ class CoreAndRobot {
   void shutDown();
   void operate(const simulator::OperatorAction& action);
   command::TableAnswer write(const command::TableWrite& entry) { return core_.writeTable(entry); }
+  [[nodiscard]] std::optional<std::string> switchTracking(const command::TrackingSwitch& request);
   /// As if the network were gone: both sides learn of it at once.
   void dropConnections();
 
@@ -40,6 +42,7 @@ class CoreAndRobot {
   /// The scripts that were sent since the connection was made, ids left out.
   [[nodiscard]] const std::vector<std::string>& scripts() const { return scripts_; }
   [[nodiscard]] const command::CommandStatus& status() const { return status_; }
+  [[nodiscard]] const path::PathControls& controls() const { return controls_; }
   [[nodiscard]] simulator::RobotState robot() const { return controller_.state(); }
   [[nodiscard]] Instant now() const { return now_; }
 
@@ -61,6 +64,7 @@ class CoreAndRobot {
   void take(const command::GoalProgressed& action) { progress_[action.goal].push_back(action.progress); }
   void take(const command::GoalEnded& action);
   void take(const command::StatusChanged& action) { status_ = action.status; }
+  void take(const command::PathControlsChanged& action) { controls_ = action.controls; }
   void take(const command::FrameTraced& action);
   template <class Other>
   void take(const Other& /*action*/) {}
@@ -83,6 +87,7 @@ class CoreAndRobot {
   std::map<blocks::GoalId, blocks::Outcome> ended_;
   std::vector<std::string> scripts_;
   command::CommandStatus status_;
+  path::PathControls controls_;
 };
 
 }  // namespace cobot_command::testing

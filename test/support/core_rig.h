@@ -125,6 +125,7 @@ class CoreRig {
   void take(const command::RobotStatusReceived& action);
   void take(const command::ActiveFramesChanged& action);
   void take(const command::TablesChanged& action);
+  void take(const command::PathControlsChanged& /*action*/) {}
   void take(const command::PathPlanned& action);
   void take(const command::FrameTraced& action);
   void take(const command::LogMessage& action);

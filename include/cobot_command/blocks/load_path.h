@@ -10,6 +10,7 @@
 #include "cobot_command/blocks/shared/block_parts.h"
 #include "cobot_command/blocks/shared/run.h"
 #include "cobot_command/blocks/shared/sequence_report.h"
+#include "cobot_command/path/path_controls.h"
 #include "cobot_command/path/path_point.h"
 #include "cobot_command/tables/table_store.h"
 
@@ -23,12 +24,11 @@ struct LoadPathGoal {
   static constexpr const char* kName = "load_path";
   [[nodiscard]] static ErrorTable errors();
 
-  std::vector<path::PathPoint> path;  ///< 1..1000; only those that are loaded are looked at
-  std::string path_fault;             ///< why the points could not be read; empty: they could
-  int start_index = 0;                ///< the first one to load
-  int number_of_moves = 0;            ///< how many
-  bool enable_tracking_0 = false;     ///< see doc/path.md, "Gates"
-  bool enable_tracking_1 = false;
+  std::vector<path::PathPoint> path;      ///< 1..1000; only those that are loaded are looked at
+  std::string path_fault;                 ///< why the points could not be read; empty: they could
+  int start_index = 0;                    ///< the first one to load
+  int number_of_moves = 0;                ///< how many
+  path::TrackingFlags enable_tracking{};  ///< it waits until the tracking objects are so
   int execution = static_cast<int>(Execution::Auto);
   bool allow_approximation = false;  ///< SCRIPT may round what a script cannot say
   int buffer_mode = 0;               ///< against other blocks; behind another load_path it joins its chain
@@ -73,6 +73,7 @@ struct PathPlace {
   int pending_path_points = 0;  ///< not in the buffer yet
   int queued_path_points = 0;   ///< in the buffer, and not active
   int done_path_points = 0;
+  bool waits_for_tracking = false;  ///< the buffer has a place for its first point, and its gate is closed
   ProgressSource source = ProgressSource::Plan;
 };
 

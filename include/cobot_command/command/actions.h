@@ -14,6 +14,7 @@
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
 #include "cobot_command/link/robot_status.h"
+#include "cobot_command/path/path_controls.h"
 #include "cobot_command/robot/active_frames.h"
 #include "cobot_command/tables/data_tables.h"
 
@@ -80,6 +81,10 @@ struct ActiveFramesChanged {
 struct TablesChanged {
   tables::DataTables tables;
 };
+/// Tracking objects are otherwise than before.
+struct PathControlsChanged {
+  path::PathControls controls;
+};
 /// The path of a motion that was checked or is about to start: the TCP in the robot base.
 struct PathPlanned {
   blocks::GoalId goal;
@@ -100,8 +105,9 @@ struct LogMessage {
   std::string text;
 };
 
-using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed,
-                            GoalEnded, CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived,
-                            ActiveFramesChanged, TablesChanged, PathPlanned, FrameTraced, LogMessage>;
+using Action =
+    std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed, GoalEnded,
+                 CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived, ActiveFramesChanged,
+                 TablesChanged, PathControlsChanged, PathPlanned, FrameTraced, LogMessage>;
 
 }  // namespace cobot_command::command

@@ -18,6 +18,7 @@
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/core_ports.h"
 #include "cobot_command/command/finish.h"
+#include "cobot_command/command/path_requests.h"
 #include "cobot_command/command/planning_job.h"
 #include "cobot_command/command/table_write.h"
 #include "cobot_command/common/time.h"
@@ -72,6 +73,9 @@ class CommandCore {
   [[nodiscard]] TableAnswer writeTable(const TableWrite& write);
   /// What that would answer now; for who has to keep the tables before they rule.
   [[nodiscard]] TableAnswer tryTable(const TableWrite& write) const;
+
+  /// A tracking object, which holds paths back that want it otherwise. Nothing: it is so now; else why not.
+  [[nodiscard]] std::optional<std::string> switchTracking(const TrackingSwitch& request, Instant now);
 
   // --- Connections.
   void opened(link::ConnectionId id, Instant now);

@@ -1,7 +1,6 @@
 #include "runs/load_path_run.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "runs/path_outcomes.h"
@@ -16,18 +15,14 @@ namespace {
 
 /// So many goals may one chain have at a time.
 constexpr std::size_t kMostGoals = 64;
-/// Of what sets base and TCP back.
-constexpr CommandKey kRestore = std::numeric_limits<CommandKey>::max();
-
-constexpr const char* kNotRestored = "; base and TCP may be those of the path still";
-
-/// Base and TCP are those of in front of the path again.
-Command restoreCommand(const Order& order) {
-  Command command;
-  command.key = kRestore;
-  command.block = kBlock<LoadPathGoal>;
-  command.order = [order](const arm::Pose& /*base*/) { return order; };
-  return command;
+/// "tracking object 0 to be on": of those that are not as they should be.
+std::string textOfGate(const path::TrackingObjects& objects, const path::TrackingFlags& wanted) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < path::kTrackingObjects; ++i) {
+    if (objects[i].on == wanted[i]) continue;
+    texts.push_back(fmt::format("tracking object {} to be {}", i, wanted[i] ? "on" : "off"));
+  }
+  return fmt::format("waits for {}", fmt::join(texts, " and "));
 }
 
 }  // namespace
@@ -48,9 +43,10 @@ std::size_t LoadPathRun::window() const {
 }
 
 std::optional<Command> LoadPathRun::next() const {
-  if (!restoring_.lines.empty()) return restoreCommand(restoring_);
+  if (restore_.isOwed()) return restore_.command();
   const LoadedPiecePtr piece = chain_.next();
-  if (state_ != State::Following || !piece || (chain_.isNextOpen() && !open_end_due_)) return std::nullopt;
+  if (state_ != State::Following || !piece || chain_.isNextAtGate()) return std::nullopt;
+  if (chain_.isNextOpen() && !open_end_due_) return std::nullopt;
   Command command;
   command.key = chain_.nextKey();
   command.block = block();
@@ -60,9 +56,8 @@ std::optional<Command> LoadPathRun::next() const {
 }
 
 void LoadPathRun::commandStarted(CommandKey key) {
-  if (key == kRestore) {
-    restoring_ = Order();
-    is_restoring_ = true;
+  if (key == PathRestore::kKey) {
+    restore_.started();
     return;
   }
   chain_.sendNext();
@@ -117,9 +112,9 @@ void LoadPathRun::commandPassed(CommandKey key, std::size_t mark, Instant now) {
 }
 
 void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant now) {
-  if (key == kRestore && is_restoring_) {
-    is_restoring_ = false;
-    if (outcome.ending != Ending::Done) stopped_why_ += kNotRestored;
+  if (key == PathRestore::kKey && restore_.isSent()) {
+    restore_.ended();
+    if (outcome.ending != Ending::Done) stopped_why_ += PathRestore::kNotRestored;
     fire(Event::NothingLeft, now);
     return;
   }
@@ -158,9 +153,9 @@ void LoadPathRun::endEarly(const Outcome& outcome, Instant now) {
 }
 
 void LoadPathRun::commandRefused(CommandKey key, const Failure& failure, Instant now) {
-  if (key == kRestore) {
-    restoring_ = Order();
-    stopped_why_ += kNotRestored + (": " + failure.found);
+  if (key == PathRestore::kKey) {
+    restore_.ended();
+    stopped_why_ += PathRestore::kNotRestored + (": " + failure.found);
     fire(Event::NothingLeft, now);
     return;
   }
@@ -179,11 +174,11 @@ void LoadPathRun::fail(Failure failure, Instant now) {
 }
 
 void LoadPathRun::endWhenNothingIsLeft(Instant now) {
-  if (!chain_.sent().empty() || is_restoring_) return;
+  if (!chain_.sent().empty() || restore_.isSent()) return;
   // Nothing is sent to a robot that may still move.
   const bool may_move = failure_ && failure_->error_id == own_error::kStopNotConfirmed;
-  restoring_ = may_move ? Order() : chain_.restoring();
-  if (restoring_.lines.empty()) fire(Event::NothingLeft, now);
+  restore_.begin(may_move ? Order() : chain_.restoring());
+  if (!restore_.isOwed()) fire(Event::NothingLeft, now);
 }
 
 std::optional<std::string> LoadPathRun::stopsFor() const {
@@ -289,21 +284,50 @@ void LoadPathRun::follow(Instant now) {
 }
 
 void LoadPathRun::tell(Instant now) {
+  chain_.passGates(place_, controls_.tracking);
   for (Member& member : chain_.members()) {
     PathPlace told = chain_.placeOf(member, place_);
     told.source = progress_.source();
-    if (!member.isNews(told, now)) continue;
-    Progress progress;
-    const bool begun = told.active || told.done_path_points > 0;
-    progress.phase = begun || phase_ == Phase::Stopping ? phase_ : std::min(phase_, Phase::Queued);
-    progress.text = begun ? text_ : "loaded behind what is under way";
-    progress.planned = member.loaded->planned;
-    const double share = told.active ? progress_.share() : 0;
-    progress.fraction = (told.done_path_points + share) / static_cast<double>(member.count());
-    progress.remaining = fromSeconds(toSeconds(member.loaded->planned) * (1 - progress.fraction));
-    progress.detail = Detail(told);
-    report(member.goal, std::move(progress));
+    if (member.isNews(told, now)) report(member.goal, progressOf(member, told));
   }
+}
+
+Progress LoadPathRun::progressOf(const Member& member, const PathPlace& place) const {
+  Progress progress;
+  const bool begun = place.active || place.done_path_points > 0;
+  if (phase_ == Phase::Stopping || begun) {
+    progress.phase = phase_;
+    progress.text = text_;
+  } else if (place.waits_for_tracking) {
+    progress.phase = Phase::WaitingForTracking;
+    progress.text = textOfGate(controls_.tracking, member.loaded->tracking);
+  } else {
+    progress.phase = std::min(phase_, Phase::Queued);
+    progress.text = "loaded behind what is under way";
+  }
+  progress.planned = member.loaded->planned;
+  const double share = place.active ? progress_.share() : 0;
+  progress.fraction = (place.done_path_points + share) / static_cast<double>(member.count());
+  progress.remaining = fromSeconds(toSeconds(member.loaded->planned) * (1 - progress.fraction));
+  progress.detail = Detail(place);
+  return progress;
+}
+
+// --- What it is controlled by from outside.
+
+void LoadPathRun::use(const path::PathControls& controls, Instant now) {
+  controls_ = controls;
+  for (Member& member : chain_.members()) member.told_at.reset();
+  tell(now);
+}
+
+/// Once the last point in front is under way: what is automatic would be in its way until then.
+std::optional<path::TrackingFlags> LoadPathRun::wantedTracking() const {
+  const Member* const waits = chain_.firstAtGate();
+  if (state_ != State::Following || waits == nullptr || place_.behind_active < waits->first) {
+    return std::nullopt;
+  }
+  return waits->loaded->tracking;
 }
 
 // --- Goals that join it.
@@ -314,7 +338,7 @@ bool LoadPathRun::isJoinedBy(Block block) const {
 
 Detail LoadPathRun::chain() const {
   const LoadedPath& last = *chain_.members().back().loaded;
-  return Detail(ChainToJoin{chain_.end(), last.execution, last.frames});
+  return Detail(ChainToJoin{chain_.end(), last.execution, last.frames, last.tracking});
 }
 
 bool LoadPathRun::join(GoalId goal, const Outcome& planned, Instant now) {

@@ -10,13 +10,15 @@
 #include "runs/load_path_states.h"
 #include "runs/path_chain.h"
 #include "runs/path_progress.h"
+#include "runs/path_restore.h"
 
 #include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/path_controlled.h"
 #include "cobot_command/robot/reason_wait.h"
 
 namespace cobot_command::blocks {
 
-class LoadPathRun final : public Run {
+class LoadPathRun final : public Run, public PathControlled {
  public:
   /// Precondition: it was planned from where the robot stands.
   LoadPathRun(GoalId id, const PathReport& planned, Instant now);
@@ -39,6 +41,10 @@ class LoadPathRun final : public Run {
   void robotChanged(const robot::RobotWatch& robot, Instant now) override;
   void advance(Instant now) override;
   [[nodiscard]] std::optional<Instant> nextDeadline() const override;
+
+  [[nodiscard]] PathControlled* paths() override { return this; }
+  void use(const path::PathControls& controls, Instant now) override;
+  [[nodiscard]] std::optional<path::TrackingFlags> wantedTracking() const override;
 
   [[nodiscard]] bool isJoinedBy(Block block) const override;
   [[nodiscard]] Detail chain() const override;
@@ -68,6 +74,7 @@ class LoadPathRun final : public Run {
   void follow(Instant now);
   void checkDeviation(Instant now);
   void tell(Instant now);
+  [[nodiscard]] Progress progressOf(const Member& member, const PathPlace& place) const;
 
   /// All of them, the first one at last.
   void endAll(const std::vector<Outcome>& outcomes, Instant now);
@@ -85,8 +92,8 @@ class LoadPathRun final : public Run {
   Instant waits_from_;                ///< for a goal that joins, with nothing at the controller
   std::optional<Instant> front_end_;  ///< of the piece under way, by the clock
   bool open_end_due_ = false;
-  Order restoring_;              ///< goes out behind a stop
-  bool is_restoring_ = false;    ///< it is at the controller
+  PathRestore restore_;  ///< goes out behind a stop
+  path::PathControls controls_;
   std::optional<double> speed_;  ///< of the project, as streamed last
   bool interrupted_ = false;
   std::string stopped_why_;  ///< and what became of the robot

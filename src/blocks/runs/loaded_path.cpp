@@ -179,7 +179,8 @@ std::optional<PathRefusal> loadScript(const LoadPathGoal& goal, path::PathPlanne
 Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   const auto& chain = scene.chain.as<ChainToJoin>();
   const auto execution = path::is(goal.execution, Execution::Script) ? Execution::Script : Execution::Pvt;
-  const bool from_rest = chain.end && chain.execution != execution;
+  const bool is_otherwise = chain.execution != execution || chain.tracking != goal.enable_tracking;
+  const bool from_rest = chain.end && is_otherwise;
   path::PathPlanner planner = plannerFor(scene);
   if (from_rest) closeEnd(planner);
   const std::size_t in_front = planner.plan().points().size();
@@ -190,6 +191,7 @@ Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   loaded->behind = chain.end;
   loaded->from_rest = from_rest;
   loaded->execution = execution;
+  loaded->tracking = goal.enable_tracking;
   loaded->frames =
       chain.end || !scene.start ? chain.frames : path::ScriptFrames{scene.start->base, scene.start->tcp};
   loaded->first = in_front;

@@ -12,6 +12,7 @@
 #include "cobot_command/blocks/shared/planning_scene.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/path/path_controls.h"
 #include "cobot_command/path/path_plan.h"
 #include "cobot_command/path/path_planner.h"
 #include "cobot_command/path/path_refusal.h"
@@ -38,17 +39,20 @@ using ChainEnd = std::shared_ptr<const path::PathPlanner>;
 struct ChainToJoin {
   ChainEnd end;
   Execution execution = Execution::Pvt;
-  path::ScriptFrames frames;  ///< that were active in front of it all
+  path::ScriptFrames frames;     ///< that were active in front of it all
+  path::TrackingFlags tracking;  ///< that the last goal of it waited for
 };
 
 struct LoadedPath {
   explicit LoadedPath(path::PathPlan whole) : plan(std::move(whole)) {}
 
   ChainEnd behind;         ///< that it was planned behind; none: from where the robot stands
-  bool from_rest = false;  ///< it does not blend with the one in front, whatever that says
+  bool from_rest = false;  ///< it does not blend with the one in front, whatever that says: it is sent, or
+                           ///< held back, otherwise
   Execution execution = Execution::Pvt;
-  path::ScriptFrames frames;  ///< that are active in front of it, and behind it
-  Order restoring;            ///< of these, once one of its pieces is sent; no lines: nothing changes them
+  path::TrackingFlags tracking{};  ///< its gate
+  path::ScriptFrames frames;       ///< that are active in front of it, and behind it
+  Order restoring;  ///< of these, once one of its pieces is sent; no lines: nothing changes them
   std::vector<std::string> approximations;  ///< of a script
   int method_id = 0;
   path::PathPlan plan;    ///< behind the points of goals in front that are not sent yet

@@ -12,8 +12,8 @@ namespace {
 constexpr Duration kTellEvery = std::chrono::milliseconds(100);
 
 auto asTuple(const PathPlace& p) {
-  return std::tie(p.loaded, p.active, p.active_path_point, p.pending_path_points, p.queued_path_points,
-                  p.done_path_points);
+  return std::tie(p.waits_for_tracking, p.loaded, p.active, p.active_path_point, p.pending_path_points,
+                  p.queued_path_points, p.done_path_points);
 }
 
 }  // namespace
@@ -67,6 +67,31 @@ std::size_t PathChain::memberAt(std::size_t point) const {
   const auto found =
       std::find_if(members_.begin(), members_.end(), [point](const Member& m) { return point < m.behind(); });
   return static_cast<std::size_t>(std::min(found, members_.end() - 1) - members_.begin());
+}
+
+std::size_t PathChain::bufferOf(const Member& member) {
+  return static_cast<std::size_t>(member.loaded->settings.buffer);
+}
+
+/// What blends with the one in front goes along with that. Of one that is in front of its turn nobody knows
+/// yet what its gate will be.
+void PathChain::passGates(const Place& place, const path::TrackingObjects& objects) {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    Member& member = members_[i];
+    const bool goes_along = i > 0 && member.loaded->first > 0 && members_[i - 1].passed_gate;
+    const bool has_place = member.first < place.behind_active + bufferOf(member);
+    const bool is_next = member.first <= sent_points_;
+    const bool passes =
+        goes_along || ((has_place || is_next) && isGateOpen(objects, member.loaded->tracking));
+    member.passed_gate = member.passed_gate || passes;
+    if (!member.passed_gate) return;
+  }
+}
+
+const PathChain::Member* PathChain::firstAtGate() const {
+  const auto found =
+      std::find_if(members_.begin(), members_.end(), [](const Member& m) { return !m.passed_gate; });
+  return found == members_.end() ? nullptr : &*found;
 }
 
 void PathChain::tellAnew() {
@@ -171,13 +196,16 @@ PathPlace PathChain::placeOf(const Member& member, const Place& place) const {
     const auto first = std::clamp(begin, member.first, member.behind());
     return static_cast<int>(std::clamp(behind, first, member.behind()) - first);
   };
-  const auto buffer = static_cast<std::size_t>(member.loaded->settings.buffer);
+  const Member* const at_gate = firstAtGate();
+  const std::size_t most = place.behind_active + bufferOf(member);
+  const std::size_t behind_buffer = at_gate != nullptr ? std::min(most, at_gate->first) : most;
   PathPlace told;
   told.method_id = member.loaded->method_id;
   told.done_path_points = inside(0, place.done);
   told.active = inside(place.done, place.behind_active) > 0;
-  told.queued_path_points = inside(place.behind_active, place.behind_active + buffer);
-  told.pending_path_points = inside(place.behind_active + buffer, member.behind());
+  told.waits_for_tracking = &member == at_gate && member.first < most;
+  told.queued_path_points = inside(place.behind_active, behind_buffer);
+  told.pending_path_points = inside(std::max(place.behind_active, behind_buffer), member.behind());
   told.loaded = told.pending_path_points == 0;
   if (told.active) {
     const std::size_t active = std::max(place.done, member.first) - member.first;

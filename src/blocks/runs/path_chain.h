@@ -23,6 +23,7 @@ class PathChain {
     GoalId goal = 0;
     std::shared_ptr<const LoadedPath> loaded;
     std::size_t first = 0;         ///< of its points
+    bool passed_gate = false;      ///< its points may be loaded, whatever the tracking objects do
     PathReport report;             ///< as planned, and as it went until now
     std::optional<Instant> began;  ///< its first point
     PathPlace told;                ///< last
@@ -59,6 +60,10 @@ class PathChain {
   /// Nothing: it is none of its goals.
   [[nodiscard]] std::optional<std::size_t> memberOf(GoalId goal) const;
   [[nodiscard]] std::size_t memberAt(std::size_t point) const;
+  /// Those whose first point has a place in the buffer pass their gates, in their order, that are open.
+  void passGates(const Place& place, const path::TrackingObjects& objects);
+  /// That waits at its gate, or will; nullptr: none does.
+  [[nodiscard]] const Member* firstAtGate() const;
   /// What is under way is in another phase: its goals are to be told, wherever their points are.
   void tellAnew();
   /// Nothing of it is in a piece that was sent.
@@ -77,6 +82,8 @@ class PathChain {
   [[nodiscard]] Order restoring() const;
   /// Another one for each piece that could be next.
   [[nodiscard]] CommandKey nextKey() const { return next_key_; }
+  /// Whose first point is in it has not passed its gate. Precondition: it is there.
+  [[nodiscard]] bool isNextAtGate() const { return !members_[memberAt(sent_points_)].passed_gate; }
   /// What is next could blend with what comes.
   [[nodiscard]] bool isNextOpen() const;
   void sendNext();
@@ -100,6 +107,7 @@ class PathChain {
   [[nodiscard]] bool isOpenEndSent() const;
   [[nodiscard]] bool isOpenEndOwed() const;
   void advance();
+  [[nodiscard]] static std::size_t bufferOf(const Member& member);
   void tellLostBlends(const Sent& sent);
 
   std::deque<Member> members_;

@@ -23,7 +23,7 @@ Outcome stopped(const PathChain& chain, const PathChain::Member& member, const P
                 const PathStop& stop) {
   const PathPlace told = chain.placeOf(member, place);
   const auto pending = static_cast<std::size_t>(told.pending_path_points);
-  const bool is_loading = pending > 0 && pending < member.count();
+  const bool is_loading = told.waits_for_tracking || (pending > 0 && pending < member.count());
   if (!stop.interrupted || !is_loading) return commandAborted(stop.why);
   return toOutcome(kThis, Ending::Aborted,
                    {load_path_error::kInterrupted, stop.why, "", blaming(member, member.count() - pending)});

@@ -40,6 +40,8 @@ const char* toString(Phase phase) {
       return "sent";
     case Phase::Queued:
       return "queued";
+    case Phase::WaitingForTracking:
+      return "waiting for tracking";
     case Phase::Active:
       return "active";
     case Phase::Held:

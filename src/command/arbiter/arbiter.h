@@ -48,6 +48,7 @@ class Arbiter {
   bool tagReported(const link::TagReported& event, Instant now) { return window_.tagReported(event, now); }
   void tagQueryFailed(const link::TagQueryFailed& event, Instant now) { window_.tagQueryFailed(event, now); }
   void robotChanged(Instant now);
+  void pathControlsChanged(Instant now) { turns_.pathControlsChanged(now); }
   void advance(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 

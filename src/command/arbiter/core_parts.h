@@ -6,6 +6,7 @@
 #include "board/output_board.h"
 #include "connecting/link_keeper.h"
 #include "forecast/forecast.h"
+#include "paths/path_desk.h"
 
 #include "cobot_command/command/actions.h"
 #include "cobot_command/link/script_link.h"
@@ -22,6 +23,7 @@ struct CoreParts {
   link::TagLedger& tags;
   robot::RobotWatch& robot;
   tables::TableStore& tables;
+  PathDesk& paths;
   LinkKeeper& keeper;
   Forecast& forecast;
   OutputBoard& board;

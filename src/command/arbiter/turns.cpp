@@ -112,6 +112,7 @@ void Turns::begin(const Waiting& next, const blocks::Outcome& found, Instant now
     parts_.board.accept(run->block(), next.id, 0);
     holds_[next.id] = next.hold;
     run_ = std::move(run);
+    pathControlsChanged(now);
     run_->robotChanged(parts_.robot, now);
   }
 }
@@ -190,6 +191,7 @@ void Turns::settle(Instant now) {
   }
   for (const auto& [key, mark] : desks_.window.takePassed()) run_->commandPassed(key, mark, now);
   while (auto ended = desks_.window.takeEnded(now)) endCommand(std::move(*ended), now);
+  switchTracking(now);
   endRun(now);
 }
 
@@ -339,6 +341,16 @@ void Turns::robotChanged(Instant now) {
   if (!run_) return;
   run_->robotChanged(parts_.robot, now);
   if (const auto why = run_->stopsFor()) cancelWindow(*why, now);
+}
+
+void Turns::pathControlsChanged(Instant now) {
+  if (run_ && run_->paths() != nullptr) run_->paths()->use(parts_.paths.controls(), now);
+}
+
+void Turns::switchTracking(Instant now) {
+  if (!run_ || run_->paths() == nullptr) return;
+  const auto wanted = run_->paths()->wantedTracking();
+  if (wanted && parts_.paths.switchAutomatic(*wanted)) pathControlsChanged(now);
 }
 
 void Turns::advance(Instant now) {

@@ -59,6 +59,7 @@ class Turns {
   void stopEnded(const StopRun::Result& result, Instant now);
   void linkLost(const std::string& reason, Instant now);
   void robotChanged(Instant now);
+  void pathControlsChanged(Instant now);
   void advance(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
@@ -86,6 +87,8 @@ class Turns {
   [[nodiscard]] std::optional<blocks::Failure> prepare(const blocks::Command& command, Instant now);
   void send(Instant now);
   void endCommand(CommandWindow::Ended ended, Instant now);
+  /// What switches itself, for the goal that is next.
+  void switchTracking(Instant now);
   void tellRun();
   void endRun(Instant now);
 

@@ -100,8 +100,7 @@ blocks::LoadPathGoal toGoal(const cobot_command::LoadPathGoal& message, const Lo
   blocks::LoadPathGoal goal;
   goal.start_index = message.start_index;
   goal.number_of_moves = message.number_of_moves;
-  goal.enable_tracking_0 = message.enable_tracking_0 != 0;
-  goal.enable_tracking_1 = message.enable_tracking_1 != 0;
+  goal.enable_tracking = {message.enable_tracking_0 != 0, message.enable_tracking_1 != 0};
   goal.execution = message.execution;
   goal.allow_approximation = message.allow_approximation != 0;
   goal.buffer_mode = message.buffer_mode;

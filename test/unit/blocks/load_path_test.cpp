@@ -148,7 +148,7 @@ TEST(LoadPathCheck, looksAtItsOwnParameters) {
 TEST(LoadPathCheck, refusesToFollowAConveyor) {
   const auto offset = [](bool enabled) {
     return with<LoadPathGoal>([=](auto& g) {
-      g.enable_tracking_1 = enabled;
+      g.enable_tracking[1] = enabled;
       g.path[2].tracking_axis_position = 5;
     });
   };

@@ -206,7 +206,7 @@ Scenarios ownScenarios() {
       {row(own_error::kDeviationRange), withGoal([](auto& g) { g.max_deviation = -1; })},
       {row(own_error::kPathUnreadable), withGoal([](auto& g) { g.path_fault = "no such file"; })},
       {row(own_error::kTrackingOffset), withGoal([](auto& g) {
-         g.enable_tracking_0 = true;
+         g.enable_tracking[0] = true;
          g.path[1].tracking_axis_position = 3;
        })},
       {row(own_error::kNotInAScript), withGoal([](auto& g) {

@@ -447,7 +447,7 @@ TEST(GoalMessages, everyFieldOfLoadPathArrives) {
   const auto goal = toGoal(message, noTf);
   EXPECT_EQ(goal.start_index, 3);
   EXPECT_EQ(goal.number_of_moves, 4);
-  EXPECT_TRUE(goal.enable_tracking_0 && !goal.enable_tracking_1);
+  EXPECT_TRUE(goal.enable_tracking[0] && !goal.enable_tracking[1]);
   EXPECT_EQ(goal.execution, 2);
   EXPECT_TRUE(goal.allow_approximation);
   EXPECT_EQ(goal.buffer_mode, 2);
@@ -456,7 +456,7 @@ TEST(GoalMessages, everyFieldOfLoadPathArrives) {
   EXPECT_EQ(goal.path_fault, "");
   message.enable_tracking_0 = false;
   message.enable_tracking_1 = true;
-  EXPECT_TRUE(toGoal(message, noTf).enable_tracking_1);
+  EXPECT_TRUE(toGoal(message, noTf).enable_tracking[1]);
 }
 
 TEST(GoalMessages, thePointsOfAPathMayStandInAFile) {

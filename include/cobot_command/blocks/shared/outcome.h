@@ -37,15 +37,16 @@ struct Outcome {
 
 /// Where a goal stands, while it is Busy.
 enum class Phase {
-  Connecting,  ///< Connect: no connection yet
-  Probing,     ///< Connect: connected, not known to be in the Listen node
-  Connected,   ///< Connect: ready for commands
-  Sent,        ///< a command was sent and not yet acknowledged
-  Queued,      ///< waits behind others, in this layer or in the controller
-  Active,      ///< the robot executes it (PLCopen Active)
-  Held,        ///< Active, but the project is paused or a safeguard holds the robot
-  Dwelling,    ///< PickAndPlace: waits between two moves
-  Stopping     ///< a cancel is being carried out
+  Connecting,          ///< Connect: no connection yet
+  Probing,             ///< Connect: connected, not known to be in the Listen node
+  Connected,           ///< Connect: ready for commands
+  Sent,                ///< a command was sent and not yet acknowledged
+  Queued,              ///< waits behind others, in this layer or in the controller
+  WaitingForTracking,  ///< LoadPath: tracking objects are not as the goal wants them
+  Active,              ///< the robot executes it (PLCopen Active)
+  Held,                ///< Active, but the project is paused or a safeguard holds the robot
+  Dwelling,            ///< PickAndPlace: waits between two moves
+  Stopping             ///< a cancel is being carried out
 };
 [[nodiscard]] const char* toString(Phase phase);
 

@@ -17,6 +17,7 @@
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/blocks/shared/finish_after.h"
 #include "cobot_command/blocks/shared/outcome.h"
+#include "cobot_command/blocks/shared/path_controlled.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/robot/robot_watch.h"
 
@@ -82,6 +83,9 @@ class Run {
   virtual void robotChanged(const robot::RobotWatch& /*robot*/, Instant /*now*/) {}
   virtual void advance(Instant /*now*/) {}
   [[nodiscard]] virtual std::optional<Instant> nextDeadline() const { return std::nullopt; }
+
+  /// nullptr: it loads no paths.
+  [[nodiscard]] virtual PathControlled* paths() { return nullptr; }
 
   // --- A chain.
   /// Whether a goal of that block, the next one in the queue, is to join it now.

@@ -1,0 +1,41 @@
+// What holds paths back, and how fast their time runs, from outside of any goal: tracking objects and the
+// feedrate.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace cobot_command::path {
+
+inline constexpr std::size_t kTrackingObjects = 2;
+
+/// Of each tracking object: on.
+using TrackingFlags = std::array<bool, kTrackingObjects>;
+
+struct TrackingObject {
+  bool on = false;
+  bool automatic = false;  ///< switches itself to what the next goal wants
+};
+using TrackingObjects = std::array<TrackingObject, kTrackingObjects>;
+
+inline bool operator==(const TrackingObject& a, const TrackingObject& b) {
+  return a.on == b.on && a.automatic == b.automatic;
+}
+
+/// Whether a goal may load its points that wants the objects so: a gate that holds it back, and no more.
+[[nodiscard]] inline bool isGateOpen(const TrackingObjects& objects, const TrackingFlags& wanted) {
+  for (std::size_t i = 0; i < kTrackingObjects; ++i) {
+    if (objects[i].on != wanted[i]) return false;
+  }
+  return true;
+}
+
+struct PathControls {
+  TrackingObjects tracking{};
+};
+
+inline bool operator==(const PathControls& a, const PathControls& b) {
+  return a.tracking == b.tracking;
+}
+
+}  // namespace cobot_command::path

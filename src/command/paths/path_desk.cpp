@@ -1,0 +1,34 @@
+#include "paths/path_desk.h"
+
+#include <fmt/format.h>
+
+namespace cobot_command::command {
+
+std::optional<std::string> PathDesk::switchTracking(const TrackingSwitch& request) {
+  constexpr auto kCount = static_cast<int>(path::kTrackingObjects);
+  if (request.object < 0 || request.object >= kCount) {
+    return fmt::format("object is {}, allowed: 0 to {}: choose one of these", request.object, kCount - 1);
+  }
+  path::PathControls changed = controls_;
+  changed.tracking[static_cast<std::size_t>(request.object)] = {request.on, request.automatic};
+  use(changed);
+  return std::nullopt;
+}
+
+bool PathDesk::switchAutomatic(const path::TrackingFlags& wanted) {
+  path::PathControls changed = controls_;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (changed.tracking[i].automatic) changed.tracking[i].on = wanted[i];
+  }
+  const bool is_new = !(changed == controls_);
+  use(changed);
+  return is_new;
+}
+
+void PathDesk::use(const path::PathControls& controls) {
+  if (controls == controls_) return;
+  controls_ = controls;
+  actions_.emplace_back(PathControlsChanged{controls});
+}
+
+}  // namespace cobot_command::command
