@@ -57,7 +57,14 @@ TableAnswer CommandCore::tryTable(const TableWrite& write) const {
 }
 
 std::optional<std::string> CommandCore::switchTracking(const TrackingSwitch& request, Instant now) {
-  return impl_->switchTracking(request, now);
+  auto refusal = impl_->arbiter().switchTracking(request);
+  impl_->advance(now);
+  return refusal;
+}
+
+void CommandCore::setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now) {
+  impl_->arbiter().setFeedrate(request, reply, now);
+  impl_->advance(now);
 }
 
 void CommandCore::opened(link::ConnectionId id, Instant now) {

@@ -100,13 +100,6 @@ void CommandCore::Impl::useSettings(const link::LinkSettings& settings, Instant 
   settle(now);
 }
 
-std::optional<std::string> CommandCore::Impl::switchTracking(const TrackingSwitch& request, Instant now) {
-  auto refusal = paths_.switchTracking(request);
-  arbiter_.pathControlsChanged(now);
-  settle(now);
-  return refusal;
-}
-
 void CommandCore::Impl::opened(link::ConnectionId id, Instant now) {
   links_.opened(id, now);
   settle(now);

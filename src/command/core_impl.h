@@ -35,7 +35,8 @@ class CommandCore::Impl {
   void shutDown(Instant now);
   void useSettings(const link::LinkSettings& settings, Instant now);
   [[nodiscard]] TableDesk& tables() { return tables_; }
-  [[nodiscard]] std::optional<std::string> switchTracking(const TrackingSwitch& request, Instant now);
+  /// What is asked of it so takes effect with the next event.
+  [[nodiscard]] Arbiter& arbiter() { return arbiter_; }
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);

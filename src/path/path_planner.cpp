@@ -130,6 +130,17 @@ class PathPlanner::Appending {
     return refused;
   }
 
+  [[nodiscard]] std::optional<PathRefusal> again(PlannedPoint point) {
+    auto made = planAgain(point, previous_.joints, scene_);
+    if (!made) return std::move(made.error());
+    point.feedrate = scene_.feedrate;
+    point.command = made->command;
+    point.motion = made->motion;
+    auto refused = take(std::move(point));
+    previous_.joints = made->motion->end().position;
+    return refused;
+  }
+
   [[nodiscard]] const PathPlan& plan() const { return plan_; }
   [[nodiscard]] const std::optional<Previous::Written>& written() const { return previous_.written; }
 
@@ -186,6 +197,19 @@ std::optional<PathRefusal> PathPlanner::append(const PathSection& section) {
   plan_ = appending.plan();
   closed_ = false;
   written_ = std::make_shared<const Written>(Written{appending.written()});
+  return std::nullopt;
+}
+
+std::optional<PathRefusal> PathPlanner::appendAgain(const std::vector<PlannedPoint>& points,
+                                                    const PathPlanner& before) {
+  Appending appending(*scene_, plan_, closed_, std::nullopt);
+  for (const PlannedPoint& point : points) {
+    if (auto refusal = appending.again(point)) return refusal;
+  }
+  if (points.empty()) return std::nullopt;
+  plan_ = appending.plan();
+  closed_ = false;
+  written_ = before.written_;
   return std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 #include "point_motion.h"
 
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "motion_refusal.h"
 #include "target_joints.h"
@@ -13,6 +15,35 @@
 
 namespace cobot_command::path {
 namespace {
+
+PathRefusal toRefusal(motion::Refusal why, int index, const PathScene& scene) {
+  PathRefusal made{errorIdOf(why.reason), index, why.joint, std::move(why.message)};
+  if (made.error_id != path_error::kNotPlannable && made.error_id != path_error::kTargetPose) {
+    made.where = why.point;
+  }
+  if (made.error_id == path_error::kJointSpeed && scene.feedrate != 1.0) {
+    made.found += fmt::format("; these are speeds at the feedrate of {:.6g} %", 100.0 * scene.feedrate);
+  }
+  return made;
+}
+
+/// The same way at the pace of the feedrate.
+motion::Command atFeedrate(const PlannedPoint& point, double feedrate) {
+  motion::Command command = point.command;
+  std::visit(
+      [&](auto& move) {
+        using Move = std::decay_t<decltype(move)>;
+        if constexpr (std::is_same_v<Move, motion::JointMove>) {
+          move.rates = jointRates(point.dynamics, feedrate);
+        } else if constexpr (std::is_same_v<Move, motion::StraightMove> ||
+                             std::is_same_v<Move, motion::ArcMove> ||
+                             std::is_same_v<Move, motion::WristMove>) {
+          move.rates = pathRates(point.dynamics, point.point.profile_type, feedrate);
+        }
+      },
+      command);
+  return command;
+}
 
 class PointPlanner {
  public:
@@ -92,7 +123,7 @@ class PointPlanner {
     motion::Setting setting;
     setting.tcp = target_.moved_frame;
     auto planned = motion::plan(scene_.arm, start_, command, setting);
-    if (!planned) return refuse(toRefusal(std::move(planned.error())));
+    if (!planned) return refuse(toRefusal(std::move(planned.error()), index_, scene_));
     return PointMotion{command, *planned};
   }
 
@@ -106,16 +137,6 @@ class PointPlanner {
                     "a PTP first",
                     joint + 1, radToDeg(start_[joint]), radToDeg(limit.lower), radToDeg(limit.upper)),
         joint);
-  }
-  [[nodiscard]] PathRefusal toRefusal(motion::Refusal why) const {
-    PathRefusal made = refusal(errorIdOf(why.reason), std::move(why.message), why.joint);
-    if (made.error_id != path_error::kNotPlannable && made.error_id != path_error::kTargetPose) {
-      made.where = why.point;
-    }
-    if (made.error_id == path_error::kJointSpeed && scene_.feedrate != 1.0) {
-      made.found += fmt::format("; these are speeds at the feedrate of {:.6g} %", 100.0 * scene_.feedrate);
-    }
-    return made;
   }
 
   const PathPoint& point_;
@@ -132,6 +153,16 @@ Result<PointMotion, PathRefusal> planPoint(const PathPoint& point, int index, co
                                            const Dynamics& dynamics, const arm::JointVector& start,
                                            const PathScene& scene) {
   return PointPlanner(point, index, target, dynamics, start, scene).plan();
+}
+
+Result<PointMotion, PathRefusal> planAgain(const PlannedPoint& point, const arm::JointVector& start,
+                                           const PathScene& scene) {
+  const motion::Command command = atFeedrate(point, scene.feedrate);
+  motion::Setting setting;
+  setting.tcp = point.moved_frame;
+  auto planned = motion::plan(scene.arm, start, command, setting);
+  if (!planned) return refuse(toRefusal(std::move(planned.error()), point.index, scene));
+  return PointMotion{command, *planned};
 }
 
 }  // namespace cobot_command::path

@@ -21,4 +21,9 @@ struct PointMotion {
                                                          const arm::JointVector& start,
                                                          const PathScene& scene);
 
+/// A motion that was planned before, from `start`, at the feedrate of the scene.
+[[nodiscard]] Result<PointMotion, PathRefusal> planAgain(const PlannedPoint& point,
+                                                         const arm::JointVector& start,
+                                                         const PathScene& scene);
+
 }  // namespace cobot_command::path

@@ -19,7 +19,9 @@ void RobotWatch::forget() {
 }
 
 bool RobotWatch::held() const {
-  return status_ && (status_->project_paused.value_or(false) || status_->safeguard.value_or(false));
+  const bool seen =
+      status_ && (status_->project_paused.value_or(false) || status_->safeguard.value_or(false));
+  return seen || (paused_by_us_ && !tellsPause());
 }
 
 std::string RobotWatch::errorText() const {

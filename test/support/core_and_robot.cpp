@@ -43,6 +43,14 @@ std::optional<std::string> CoreAndRobot::switchTracking(const command::TrackingS
   return refusal;
 }
 
+std::optional<command::FeedrateAnswer> CoreAndRobot::setFeedrate(std::optional<double> percent) {
+  answer_ = std::make_shared<std::optional<command::FeedrateAnswer>>();
+  core_.setFeedrate(
+      {percent}, [answer = answer_](const command::FeedrateAnswer& given) { *answer = given; }, now_);
+  settle();
+  return *answer_;
+}
+
 void CoreAndRobot::shutDown() {
   core_.shutDown(now_);
   settle();

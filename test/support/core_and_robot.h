@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ class CoreAndRobot {
   void operate(const simulator::OperatorAction& action);
   command::TableAnswer write(const command::TableWrite& entry) { return core_.writeTable(entry); }
   [[nodiscard]] std::optional<std::string> switchTracking(const command::TrackingSwitch& request);
+  /// What was answered until now; nothing: nothing yet.
+  std::optional<command::FeedrateAnswer> setFeedrate(std::optional<double> percent);
+  [[nodiscard]] const std::optional<command::FeedrateAnswer>& feedrateAnswer() const { return *answer_; }
   /// As if the network were gone: both sides learn of it at once.
   void dropConnections();
 
@@ -42,6 +46,7 @@ class CoreAndRobot {
   /// The scripts that were sent since the connection was made, ids left out.
   [[nodiscard]] const std::vector<std::string>& scripts() const { return scripts_; }
   [[nodiscard]] const command::CommandStatus& status() const { return status_; }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   [[nodiscard]] const path::PathControls& controls() const { return controls_; }
   [[nodiscard]] simulator::RobotState robot() const { return controller_.state(); }
   [[nodiscard]] Instant now() const { return now_; }
@@ -65,6 +70,7 @@ class CoreAndRobot {
   void take(const command::GoalEnded& action);
   void take(const command::StatusChanged& action) { status_ = action.status; }
   void take(const command::PathControlsChanged& action) { controls_ = action.controls; }
+  void take(const command::LogMessage& action) { warnings_.push_back(action.text); }
   void take(const command::FrameTraced& action);
   template <class Other>
   void take(const Other& /*action*/) {}
@@ -88,6 +94,9 @@ class CoreAndRobot {
   std::vector<std::string> scripts_;
   command::CommandStatus status_;
   path::PathControls controls_;
+  std::shared_ptr<std::optional<command::FeedrateAnswer>> answer_ =
+      std::make_shared<std::optional<command::FeedrateAnswer>>();
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace cobot_command::testing

@@ -81,7 +81,7 @@ struct ActiveFramesChanged {
 struct TablesChanged {
   tables::DataTables tables;
 };
-/// Tracking objects are otherwise than before.
+/// Tracking objects, or the feedrate, are otherwise than before.
 struct PathControlsChanged {
   path::PathControls controls;
 };

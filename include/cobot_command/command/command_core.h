@@ -77,6 +77,10 @@ class CommandCore {
   /// A tracking object, which holds paths back that want it otherwise. Nothing: it is so now; else why not.
   [[nodiscard]] std::optional<std::string> switchTracking(const TrackingSwitch& request, Instant now);
 
+  /// How fast the time of paths runs, or whether they stand. It outlives goals. What is not sent goes at the
+  /// new one, what is at the controller keeps its own. `reply`: called once, at once or later.
+  void setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now);
+
   // --- Connections.
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "cobot_command/blocks/shared/frame_finder.h"
+#include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/command/gate.h"
 #include "cobot_command/command/waiting_goals.h"
 #include "cobot_command/link/connection.h"

@@ -30,12 +30,17 @@ inline bool operator==(const TrackingObject& a, const TrackingObject& b) {
   return true;
 }
 
+/// The highest feedrate [1].
+inline constexpr double kHighestFeedrate = 1.25;
+
 struct PathControls {
   TrackingObjects tracking{};
+  double feedrate = 1.0;  ///< (0..1.25]: so much faster runs the time of what is not sent yet
+  bool stopped = false;   ///< on the path: nothing of it moves or is sent, and nothing is lost
 };
 
 inline bool operator==(const PathControls& a, const PathControls& b) {
-  return a.tracking == b.tracking;
+  return a.tracking == b.tracking && a.feedrate == b.feedrate && a.stopped == b.stopped;
 }
 
 }  // namespace cobot_command::path

@@ -42,6 +42,12 @@ class PathPlanner {
   /// Plans a section behind all before it. Refused: it is not appended.
   [[nodiscard]] std::optional<PathRefusal> append(const PathSection& section);
 
+  /// Points that were planned before, behind all that is here, at the feedrate of the scene: the same way to
+  /// the same targets, at another pace. `before`: the planner that they ended in, of which increments behind
+  /// them go on. Refused: nothing is appended.
+  [[nodiscard]] std::optional<PathRefusal> appendAgain(const std::vector<PlannedPoint>& points,
+                                                       const PathPlanner& before);
+
   /// The arm rests on the last point, whatever that says; what is planned behind it begins from there.
   void closeEnd() { closed_ = true; }
   /// Takes out all up to the last point on which the arm certainly rests: a stop, a blend that is lost, a

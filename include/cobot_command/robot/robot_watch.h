@@ -24,6 +24,8 @@ class RobotWatch {
   [[nodiscard]] std::optional<bool> moving() const { return standstill_.moving(); }
   /// There is a stream of which it can be told, if need be after some frames.
   [[nodiscard]] bool tellsMotion() const { return status_ && (status_->joint_velocities || status_->joints); }
+  /// Or not any more: it is held, though a stream without that says nothing of it.
+  void pausedByUs(bool paused) { paused_by_us_ = paused; }
   /// The project is paused, or a safeguard holds the robot: motions take as long as that lasts.
   [[nodiscard]] bool held() const;
   /// With it the script port is closed.
@@ -59,6 +61,7 @@ class RobotWatch {
   std::optional<link::RobotStatus> status_;
   Standstill standstill_;
   bool error_acknowledged_ = false;
+  bool paused_by_us_ = false;
   std::optional<TooMuch> too_much_;
 };
 

@@ -8,11 +8,9 @@
 #include <vector>
 
 #include "runs/load_path_states.h"
-#include "runs/path_chain.h"
-#include "runs/path_progress.h"
+#include "runs/path_goals.h"
 #include "runs/path_restore.h"
 
-#include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/path_controlled.h"
 #include "cobot_command/robot/reason_wait.h"
 
@@ -46,62 +44,38 @@ class LoadPathRun final : public Run, public PathControlled {
   void use(const path::PathControls& controls, Instant now) override;
   [[nodiscard]] std::optional<path::TrackingFlags> wantedTracking() const override;
 
-  [[nodiscard]] bool isJoinedBy(Block block) const override;
-  [[nodiscard]] Detail chain() const override;
-  [[nodiscard]] bool join(GoalId goal, const Outcome& planned, Instant now) override;
-  [[nodiscard]] bool serves(GoalId goal) const override { return chain_.memberOf(goal).has_value(); }
-  [[nodiscard]] bool takeOut(GoalId goal, const std::string& why, Instant now) override;
-  [[nodiscard]] std::size_t waiting() const override;
+  [[nodiscard]] PathPace pace() const override { return goals_.pace(); }
+  [[nodiscard]] std::optional<PathWork> takeReplan() override;
+  [[nodiscard]] std::optional<std::string> replanned(const Detail& found) override;
+
+  [[nodiscard]] GoalChain* chain() override { return state_ == State::Following ? &goals_ : nullptr; }
+  [[nodiscard]] bool serves(GoalId goal) const override { return goals_.pieces().memberOf(goal).has_value(); }
   /// A stop of a goal that was not loaded is an error of that goal (1007), and of nobody behind it.
   [[nodiscard]] bool failed() const override { return Run::failed() && !interrupted_; }
 
  private:
   using Event = LoadPathEvent;
   using State = LoadPathState;
-  using Member = PathChain::Member;
 
   void fire(Event event, Instant now);
   void fail(Failure failure, Instant now);
   /// Nothing is at the controller, or only what was sent before it failed.
   void endWhenNothingIsLeft(Instant now);
   [[nodiscard]] std::optional<Instant> openEndDue() const;
-
   /// A piece, or what was to be the next one, was stopped or failed.
   void endEarly(const Outcome& outcome, Instant now);
-  void begin(Instant now);
   /// So many points are done, by a tag.
   void done(std::size_t points, Instant now);
-  void follow(Instant now);
-  void checkDeviation(Instant now);
-  void tell(Instant now);
-  [[nodiscard]] Progress progressOf(const Member& member, const PathPlace& place) const;
 
-  /// All of them, the first one at last.
-  void endAll(const std::vector<Outcome>& outcomes, Instant now);
-  /// Of the goals from that one on nothing was sent.
-  void dropFrom(std::size_t member, const std::string& why, Instant now);
-  [[nodiscard]] Outcome complete(const Member& member, Outcome outcome, Instant now) const;
-
-  PathChain chain_;
-  PathProgress progress_;
-  PathChain::Place place_;
+  PathGoals goals_;
   State state_ = State::Following;
-  Phase phase_ = Phase::Sent;
-  std::string text_;
-  double rate_ = 1.0;
-  Instant waits_from_;                ///< for a goal that joins, with nothing at the controller
-  std::optional<Instant> front_end_;  ///< of the piece under way, by the clock
-  bool open_end_due_ = false;
+  Instant waits_from_;   ///< for a goal that joins, with nothing at the controller
   PathRestore restore_;  ///< goes out behind a stop
-  path::PathControls controls_;
-  std::optional<double> speed_;  ///< of the project, as streamed last
   bool interrupted_ = false;
   std::string stopped_why_;  ///< and what became of the robot
   std::optional<Failure> failure_;
   robot::ReasonWait reason_;
   std::optional<Instant> reason_until_;
-  std::optional<SixValues> joints_;  ///< that were streamed last [deg]
-  std::optional<SixValues> pose_;
 };
 
 }  // namespace cobot_command::blocks

@@ -1,6 +1,7 @@
 #include "runs/loaded_path.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -17,7 +18,7 @@ namespace {
 
 using path::PathPlan;
 using path::PathRefusal;
-using Loaded = Result<std::shared_ptr<const LoadedPath>, PathRefusal>;
+using Loaded = Result<LoadedPathPtr, PathRefusal>;
 using Pieces = Result<std::vector<LoadedPiecePtr>, PathRefusal>;
 
 /// Two PVTs are at the controller, and it has fifteen tags; one of each is for its end.
@@ -41,8 +42,25 @@ std::size_t lineBehind(const path::PvtBlock& block, std::size_t point) {
   return 1 + block.ends.at(point);
 }
 
-LoadedPiecePtr toLoaded(path::PathPiece piece) {
+constexpr Duration kSpeedStep = std::chrono::milliseconds(25);
+
+/// Of its rated speed, of the joint that is nearest to it.
+double fastestOf(const PathPlan& plan, const arm::ArmModel& arm) {
+  double fastest = 0;
+  for (Duration time{}; time < plan.duration(); time += kSpeedStep) {
+    const arm::JointVector speed = plan.at(time).velocity;
+    for (std::size_t joint = 0; joint < arm.limits().size(); ++joint) {
+      const double share =
+          std::abs(speed[static_cast<Eigen::Index>(joint)]) / arm.limits()[joint].max_velocity;
+      fastest = std::max(fastest, share);
+    }
+  }
+  return fastest;
+}
+
+LoadedPiecePtr toLoaded(path::PathPiece piece, const arm::ArmModel& arm) {
   LoadedPiece loaded{std::move(piece.plan), {}};
+  loaded.fastest = fastestOf(loaded.plan, arm);
   const auto commands = path::scriptOf(piece.block, {});
   loaded.order.moves = true;  // also without a way: it is stopped with the others
   loaded.order.lines.reserve(commands.size());
@@ -65,12 +83,11 @@ Pieces toLoaded(const PathPlan& plan, const path::PathScene& scene, const path::
   if (!pieces) return refuse(pieces.error());
   std::vector<LoadedPiecePtr> loaded;
   loaded.reserve(pieces->size());
-  for (path::PathPiece& piece : *pieces) loaded.push_back(toLoaded(std::move(piece)));
+  for (path::PathPiece& piece : *pieces) loaded.push_back(toLoaded(std::move(piece), scene.arm));
   return loaded;
 }
 
-/// `speed`: of the project.
-void report(LoadedPath& loaded, double speed) {
+void report(LoadedPath& loaded) {
   const auto& points = loaded.plan.points();
   const Duration start = points[loaded.first].start;
   for (std::size_t i = loaded.first; i < points.size(); ++i) {
@@ -80,14 +97,30 @@ void report(LoadedPath& loaded, double speed) {
     loaded.report.push_back(std::move(step));
     loaded.move_ids.push_back(points[i].point.move_id != 0 ? points[i].point.move_id : loaded.method_id);
   }
-  loaded.planned = fromSeconds(toSeconds(loaded.plan.duration() - start) / speed);
+  loaded.planned = fromSeconds(toSeconds(loaded.plan.duration() - start) / loaded.project_speed);
+}
+
+/// Its points from `first` on take another time than before.
+void retime(LoadedPath& loaded) {
+  const auto& points = loaded.plan.points();
+  if (loaded.first == points.size()) return;
+  const auto kept = loaded.report.size() - (points.size() - loaded.first);
+  const Duration begin = loaded.report[kept].start;
+  const Duration before = loaded.report.back().start + loaded.report.back().duration;
+  for (std::size_t i = loaded.first; i < points.size(); ++i) {
+    StepReport& step = loaded.report[kept + i - loaded.first];
+    step.start = begin + points[i].start - points[loaded.first].start;
+    step.duration = points[i].motion->duration();
+  }
+  const Duration after = loaded.report.back().start + loaded.report.back().duration;
+  loaded.planned += fromSeconds(toSeconds(after - before) / loaded.project_speed);
 }
 
 path::PathPlanner plannerFor(const PlanningScene& scene) {
   const ChainEnd& chain = scene.chain.as<ChainToJoin>().end;
   // Where the world is comes with the goal, once ROS tells it from tf; until then a target in it is 1040.
   const path::PathScene here{*scene.arm, chain ? chain->scene().start : *scene.start->joints, scene.tables,
-                             std::nullopt};
+                             std::nullopt, scene.feedrate};
   if (!chain) return path::PathPlanner(here);
   path::PathPlanner planner = *chain;
   planner.setScene(here);
@@ -133,8 +166,9 @@ Order restoring(const path::ScriptFrames& frames) {
   return order;
 }
 
-LoadedPiecePtr toLoaded(const PathPlan& point, const path::PointScript& script) {
+LoadedPiecePtr toLoaded(const PathPlan& point, const path::PointScript& script, const arm::ArmModel& arm) {
   LoadedPiece piece{point, {}};
+  piece.fastest = fastestOf(point, arm);
   piece.is_exact = false;
   piece.order.moves = true;
   piece.order.commands.emplace();
@@ -142,19 +176,20 @@ LoadedPiecePtr toLoaded(const PathPlan& point, const path::PointScript& script) 
   return std::make_shared<const LoadedPiece>(std::move(piece));
 }
 
-/// Each point as a motion of its own; what sets base and TCP sets them back behind the last one.
-std::optional<PathRefusal> loadScript(const LoadPathGoal& goal, path::PathPlanner planner,
+/// Each point as a motion of its own; what sets base and TCP sets them back behind the last one. `active`: in
+/// front of them.
+std::optional<PathRefusal> loadScript(path::PathPlanner planner, const path::ScriptFrames& active,
                                       LoadedPath& loaded) {
-  auto script = path::scriptOf(loaded.plan, loaded.first, planner.scene(), loaded.frames);
+  auto script = path::scriptOf(loaded.plan, loaded.first, planner.scene(), active);
   if (!script) return std::move(script.error());
-  if (goal.max_deviation > 0) {
+  if (loaded.max_deviation > 0) {
     loaded.approximations.emplace_back("max_deviation is not watched: the corners of a script are its own");
   }
   for (const path::PointScript& point : *script) {
     loaded.approximations.insert(loaded.approximations.end(), point.approximations.begin(),
                                  point.approximations.end());
   }
-  if (!loaded.approximations.empty() && !goal.allow_approximation) {
+  if (!loaded.approximations.empty() && !loaded.allow_approximation) {
     return PathRefusal{path::path_error::kNotInAScript, -1, -1,
                        fmt::format("{}", fmt::join(loaded.approximations, "; "))};
   }
@@ -165,7 +200,7 @@ std::optional<PathRefusal> loadScript(const LoadPathGoal& goal, path::PathPlanne
   }
   for (std::size_t i = 0; i < script->size(); ++i) {
     const std::size_t point = loaded.first + i;
-    loaded.pieces.push_back(toLoaded(loaded.plan.part(point, point + 1), (*script)[i]));
+    loaded.pieces.push_back(toLoaded(loaded.plan.part(point, point + 1), (*script)[i], planner.scene().arm));
   }
   static_cast<void>(planner.takeRested());
   loaded.end = std::make_shared<const path::PathPlanner>(planner);
@@ -197,13 +232,50 @@ Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   loaded->first = in_front;
   loaded->method_id = scene.number;
   loaded->start_index = goal.start_index;
+  loaded->feedrate = scene.feedrate;
+  loaded->project_speed = scene.start ? scene.start->speed_override : 1.0;
   loaded->max_deviation = mmToM(goal.max_deviation);
+  loaded->allow_approximation = goal.allow_approximation;
   loaded->settings = scene.path;
-  report(*loaded, scene.start ? scene.start->speed_override : 1.0);
-  auto refusal = execution == Execution::Script ? loadScript(goal, std::move(planner), *loaded)
+  report(*loaded);
+  auto refusal = execution == Execution::Script ? loadScript(std::move(planner), loaded->frames, *loaded)
                                                 : loadPvts(std::move(planner), *loaded);
   if (refusal) return refuse(*std::move(refusal));
-  return std::shared_ptr<const LoadedPath>(std::move(loaded));
+  return LoadedPathPtr(std::move(loaded));
+}
+
+Result<std::vector<LoadedPathPtr>, PathRefusal> loadAgain(const PathRest& rest, double feedrate) {
+  path::PathScene first = rest.parts.front().loaded->end->scene();
+  first.start = rest.start;
+  path::PathPlanner planner(first);
+  std::vector<LoadedPathPtr> made;
+  for (const PathRest::Part& part : rest.parts) {
+    path::PathScene scene = part.loaded->end->scene();
+    scene.feedrate = feedrate;
+    planner.setScene(std::move(scene));
+    if (part.loaded->from_rest) closeEnd(planner);
+    const std::size_t in_front = planner.plan().points().size();
+    auto refusal = planner.appendAgain(part.points, *part.loaded->end);
+    if (refusal) return refuse(*std::move(refusal));
+    auto loaded = std::make_shared<LoadedPath>(*part.loaded);
+    loaded->behind = made.empty() ? nullptr : made.back()->end;
+    loaded->plan = planner.plan();
+    loaded->first = in_front;
+    loaded->feedrate = feedrate;
+    loaded->pieces.clear();
+    loaded->open_end = nullptr;
+    loaded->approximations.clear();
+    retime(*loaded);
+    // Of one that is on its way nobody knows here what its points in front of these have set.
+    const bool is_whole = part.points.size() == loaded->move_ids.size();
+    const auto active = is_whole ? loaded->frames : path::ScriptFrames();
+    refusal = loaded->execution == Execution::Script ? loadScript(planner, active, *loaded)
+                                                     : loadPvts(planner, *loaded);
+    if (refusal) return refuse(*std::move(refusal));
+    planner = *loaded->end;
+    made.push_back(std::move(loaded));
+  }
+  return made;
 }
 
 }  // namespace cobot_command::blocks

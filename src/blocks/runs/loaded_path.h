@@ -29,6 +29,7 @@ struct LoadedPiece {
   std::vector<std::size_t> marked = {};  ///< the point of the plan that each mark of the order is behind
   /// The controller makes what is planned; else it has ramps and corners of its own.
   bool is_exact = true;
+  double fastest = 0;  ///< of any joint, of its rated speed, by the plan
 };
 using LoadedPiecePtr = std::shared_ptr<const LoadedPiece>;
 
@@ -64,15 +65,35 @@ struct LoadedPath {
   ChainEnd end;                        ///< with the points of the open end
   ChainEnd closed_end;                 ///< once the open end is sent
   Duration planned{};                  ///< of its points, with the project speed of when it was planned
+  double feedrate = 1.0;               ///< that it was planned with
+  double project_speed = 1.0;          ///< the same
   double max_deviation = 0;            ///< [m]; 0: any
-  std::vector<StepReport> report;      ///< of each point
+  bool allow_approximation = false;
+  std::vector<StepReport> report;  ///< of each point
   path::PathSettings settings;
 };
+
+using LoadedPathPtr = std::shared_ptr<const LoadedPath>;
 
 /// Plans the points of a goal behind the chain, or from the start, of the scene, for its execution. Refused
 /// (16#271) is a script that would say otherwise, where that is not allowed. Precondition: arm and start are
 /// known, or the chain is.
-[[nodiscard]] Result<std::shared_ptr<const LoadedPath>, path::PathRefusal> loadPath(
-    const LoadPathGoal& goal, const PlanningScene& scene);
+[[nodiscard]] Result<LoadedPathPtr, path::PathRefusal> loadPath(const LoadPathGoal& goal,
+                                                                const PlanningScene& scene);
+
+/// What is left of a chain: points that are not sent, and whose they are.
+struct PathRest {
+  struct Part {
+    LoadedPathPtr loaded;
+    std::vector<path::PlannedPoint> points;
+  };
+  arm::JointVector start;   ///< where the arm rests in front of it
+  std::vector<Part> parts;  ///< one at least
+};
+
+/// The same way at another feedrate: of each part what takes the place of `loaded`, with pieces of its rest
+/// alone. Refused with the first point that does not go so fast.
+[[nodiscard]] Result<std::vector<LoadedPathPtr>, path::PathRefusal> loadAgain(const PathRest& rest,
+                                                                              double feedrate);
 
 }  // namespace cobot_command::blocks

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -43,6 +44,7 @@ void PathChain::add(GoalId goal, const PathReport& planned) {
   member.report.method_id = planned.loaded->method_id;
   member.report.blends_lost.clear();
   members_.push_back(std::move(member));
+  open_end_due_ = false;
   ++next_key_;
   advance();
 }
@@ -155,7 +157,8 @@ LoadedPiecePtr PathChain::next() const {
 bool PathChain::isNextOpen() const {
   const LoadedPath& loaded = *members_[cursor_.member].loaded;
   const bool is_last = cursor_.member + 1 == members_.size();
-  return is_last && cursor_.piece == loaded.pieces.size() && loaded.open_end && !open_end_sent_;
+  return is_last && !open_end_due_ && cursor_.piece == loaded.pieces.size() && loaded.open_end &&
+         !open_end_sent_;
 }
 
 void PathChain::sendNext() {
@@ -163,6 +166,7 @@ void PathChain::sendNext() {
   sent_.push_back({next_key_++, next(), sent_points_});
   tellLostBlends(sent_.back());
   sent_points_ = sent_.back().behind();
+  open_end_due_ = false;
   if (is_open) {
     open_end_sent_ = true;
   } else {
@@ -189,6 +193,70 @@ void PathChain::tellLostBlends(const Sent& sent) {
     if (!points[i].losesBlend()) continue;
     members_[memberAt(sent.first + i)].report.blends_lost.push_back(points[i].index);
   }
+}
+
+std::vector<LoadedPiecePtr> PathChain::unsent() const {
+  std::vector<LoadedPiecePtr> unsent;
+  for (std::size_t i = cursor_.member; i < members_.size(); ++i) {
+    const LoadedPath& loaded = *members_[i].loaded;
+    const std::size_t first = i == cursor_.member ? cursor_.piece : 0;
+    unsent.insert(unsent.end(), loaded.pieces.begin() + static_cast<std::ptrdiff_t>(first),
+                  loaded.pieces.end());
+    const bool is_sent = i == cursor_.member && open_end_sent_;
+    const bool goes_on = i + 1 < members_.size() && !members_[i + 1].loaded->from_rest;
+    if (loaded.open_end && !is_sent && !goes_on) unsent.push_back(loaded.open_end);
+  }
+  return unsent;
+}
+
+bool PathChain::differsFrom(double feedrate) const {
+  if (!next()) return false;
+  return std::any_of(members_.begin() + static_cast<std::ptrdiff_t>(memberAt(sent_points_)), members_.end(),
+                     [&](const Member& m) { return m.loaded->feedrate != feedrate; });
+}
+
+std::optional<PathRest> PathChain::rest() const {
+  const auto pieces = unsent();
+  if (pieces.empty()) return std::nullopt;
+  PathRest rest;
+  rest.start = pieces.front()->plan.at(Duration::zero()).position;
+  for (std::size_t i = memberAt(sent_points_); i < members_.size(); ++i) {
+    rest.parts.push_back({members_[i].loaded, {}});
+  }
+  auto part = rest.parts.begin();
+  for (const LoadedPiecePtr& piece : pieces) {
+    for (const path::PlannedPoint& point : piece->plan.points()) {
+      while (part->loaded->method_id != point.goal) ++part;
+      part->points.push_back(point);
+    }
+  }
+  return rest;
+}
+
+void PathChain::reload(const std::vector<LoadedPathPtr>& loaded) {
+  const std::size_t first = memberAt(sent_points_);
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    Member& member = members_[first + i];
+    member.loaded = loaded[i];
+    const std::size_t sent = std::clamp(sent_points_, member.first, member.behind()) - member.first;
+    for (std::size_t point = sent; point < member.count(); ++point) {
+      member.report.points[point].start = loaded[i]->report[point].start;
+      member.report.points[point].duration = loaded[i]->report[point].duration;
+    }
+  }
+  cursor_ = {first, 0};
+  open_end_sent_ = false;
+  ++next_key_;
+  advance();
+}
+
+double PathChain::highestFeedrate() const {
+  double highest = std::numeric_limits<double>::infinity();
+  for (const LoadedPiecePtr& piece : unsent()) {
+    if (piece->fastest <= 0) continue;
+    highest = std::min(highest, piece->plan.points().front().feedrate / piece->fastest);
+  }
+  return highest;
 }
 
 PathPlace PathChain::placeOf(const Member& member, const Place& place) const {

@@ -84,8 +84,10 @@ class PathChain {
   [[nodiscard]] CommandKey nextKey() const { return next_key_; }
   /// Whose first point is in it has not passed its gate. Precondition: it is there.
   [[nodiscard]] bool isNextAtGate() const { return !members_[memberAt(sent_points_)].passed_gate; }
-  /// What is next could blend with what comes.
+  /// What is next could blend with what comes, and is kept for that.
   [[nodiscard]] bool isNextOpen() const;
+  /// It has waited enough: it is sent as it is.
+  void letOpenEndGo() { open_end_due_ = true; }
   void sendNext();
   /// That are at the controller, in their order.
   [[nodiscard]] const std::deque<Sent>& sent() const { return sent_; }
@@ -93,6 +95,16 @@ class PathChain {
   [[nodiscard]] bool isSent(CommandKey key) const;
   /// That one has ended, however. Precondition: it is at the controller.
   Sent take(CommandKey key);
+
+  // --- What is not sent, at another feedrate.
+  /// Some of it was planned with another one.
+  [[nodiscard]] bool differsFrom(double feedrate) const;
+  /// Nothing: all is sent.
+  [[nodiscard]] std::optional<PathRest> rest() const;
+  /// Takes the place of what rest() told. Precondition: that has not changed since.
+  void reload(const std::vector<LoadedPathPtr>& loaded);
+  /// See PathPace.
+  [[nodiscard]] double highestFeedrate() const;
 
   // --- Counts, in the words of the instruction.
   /// Of one goal: what the buffer holds beside the active point, and what waits in front of it.
@@ -104,6 +116,8 @@ class PathChain {
     std::size_t member = 0;
     std::size_t piece = 0;
   };
+  /// In their order; of members that begin with those of the one in front, as they are sent.
+  [[nodiscard]] std::vector<LoadedPiecePtr> unsent() const;
   [[nodiscard]] bool isOpenEndSent() const;
   [[nodiscard]] bool isOpenEndOwed() const;
   void advance();
@@ -114,6 +128,7 @@ class PathChain {
   std::deque<Sent> sent_;
   Cursor cursor_;
   CommandKey next_key_ = 1;
+  bool open_end_due_ = false;
   bool open_end_sent_ = false;  ///< of the member that the cursor is at
   std::size_t sent_points_ = 0;
 };

@@ -267,7 +267,7 @@ void PickAndPlaceRun::startWait(Instant now) {
 }
 
 void PickAndPlaceRun::followWait(Instant now) {
-  for (auto& [goal, progress] : wait_->takeProgress()) {
+  for (auto& [goal, progress] : wait_->reports().takeProgress()) {
     progress.fraction = static_cast<double>(step_ + 1) / static_cast<double>(goal_.steps.size());
     tell(std::move(progress));
   }

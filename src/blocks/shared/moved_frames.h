@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "cobot_command/blocks/shared/failure.h"
-#include "cobot_command/blocks/shared/frame_finder.h"
 #include "cobot_command/blocks/shared/goal_values.h"
 
 namespace cobot_command::blocks {

@@ -27,8 +27,10 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
       stops_(parts, stop_, window_),
       plans_(parts, desk_, queue_,
              [this](Ticket ticket, Instant now) { return turns_.occupancy().originBehind(ticket, now); }),
-      turns_(parts, {desk_, queue_, plans_, stops_, window_}, std::move(ports.frames)),
-      front_desk_(parts, {desk_, queue_, plans_, stops_, window_}, turns_) {}
+      paths_(parts.paths, desk_, parts.actions),
+      turns_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, std::move(ports.frames)),
+      feedrate_(parts.paths, paths_, window_, parts.robot, parts.actions),
+      front_desk_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_) {}
 
 // --- Ends that are asked for.
 
@@ -104,6 +106,7 @@ void Arbiter::linkLost(const std::string& reason, Instant now) {
   window_.besideLinkLost(reason, now);
   turns_.linkLost(reason, now);
   stop_.linkLost(reason);
+  feedrate_.linkLost();
 }
 
 void Arbiter::disconnected(const std::string& reason, Instant now) {
@@ -120,6 +123,7 @@ void Arbiter::answered(const link::ScriptAnswered& event, Instant now) {
 void Arbiter::robotChanged(Instant now) {
   turns_.robotChanged(now);
   stop_.robotChanged();
+  feedrate_.robotChanged();
 }
 
 void Arbiter::advance(Instant now) {
@@ -155,7 +159,11 @@ void Arbiter::settleBeside(Instant now) {
     const bool got_no_reply =
         isError(ended.block, ended.outcome.error_id, blocks::motion_error::kReceiveReply);
     if (got_no_reply && ended.stops_unanswered) unanswered = toString(ended.block);
-    parts_.board.end(ended.block, ended.goal, ended.outcome);
+    if (ended.goal == 0) {
+      feedrate_.ended(ended);
+    } else {
+      parts_.board.end(ended.block, ended.goal, ended.outcome);
+    }
   }
   if (unanswered != nullptr) {
     turns_.stopAll(fmt::format("stopped, as {} got no reply", unanswered), queue_.newest(), now);

@@ -13,6 +13,7 @@
 #include "arbiter/stop_desk.h"
 #include "arbiter/turns.h"
 #include "forecast/plan_desk.h"
+#include "paths/feedrate_desk.h"
 #include "runs/command_window.h"
 #include "stops/stop_run.h"
 
@@ -39,6 +40,14 @@ class Arbiter {
   void shutDown(const std::string& why, Instant now);
   void planned(PlanJobId id, PlanAnswer answer) { desk_.answered(id, std::move(answer)); }
 
+  // --- Paths.
+  [[nodiscard]] std::optional<std::string> switchTracking(const TrackingSwitch& request) {
+    return parts_.paths.switchTracking(request);
+  }
+  void setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now) {
+    feedrate_.set(request, reply, now);
+  }
+
   // --- Events.
   void linkLost(const std::string& reason, Instant now);
   /// There is no connection, for whatever reason: what needs none but for a try ends, too.
@@ -48,7 +57,6 @@ class Arbiter {
   bool tagReported(const link::TagReported& event, Instant now) { return window_.tagReported(event, now); }
   void tagQueryFailed(const link::TagQueryFailed& event, Instant now) { window_.tagQueryFailed(event, now); }
   void robotChanged(Instant now);
-  void pathControlsChanged(Instant now) { turns_.pathControlsChanged(now); }
   void advance(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
@@ -84,7 +92,9 @@ class Arbiter {
   CommandWindow window_;
   StopDesk stops_;
   GoalPlans plans_;
+  PathTurn paths_;
   Turns turns_;
+  FeedrateDesk feedrate_;
   FrontDesk front_desk_;
 };
 

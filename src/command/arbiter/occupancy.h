@@ -13,7 +13,7 @@
 #include "arbiter/stop_desk.h"
 #include "runs/command_window.h"
 
-#include "cobot_command/blocks/shared/frame_finder.h"
+#include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/blocks/shared/run.h"
 
 namespace cobot_command::command {

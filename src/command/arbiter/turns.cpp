@@ -45,7 +45,8 @@ bool Turns::beginNext(Instant now) {
 }
 
 bool Turns::joinNext(Instant now) {
-  return !desks_.queue.empty() && run_->isJoinedBy(blockOf(desks_.queue.front().goal)) && admitNext(now);
+  return !desks_.queue.empty() && run_->chain() != nullptr &&
+         run_->chain()->isJoinedBy(blockOf(desks_.queue.front().goal)) && admitNext(now);
 }
 
 bool Turns::admitNext(Instant now) {
@@ -72,7 +73,7 @@ bool Turns::isBeingPlanned(Waiting& first, Instant now) {
     first.turn = Turn::PlansWhole;
     first.told_place = 0;  // what it waits for is another thing now
     if (auto use = rules.uses()) first.hold = parts_.tables.hold(*std::move(use));
-    desks_.plans.planTheNext(run_ ? run_->chain() : blocks::Detail(), now);
+    desks_.plans.planTheNext(run_ ? run_->chain()->end() : blocks::Detail(), now);
   }
   return rules.isPlanned() && !first.found;
 }
@@ -93,7 +94,7 @@ void Turns::admit(Waiting next, Instant now) {
 /// One whose plan is of a chain that has gone on since is the next one again.
 void Turns::join(Waiting next, const blocks::Outcome& found, Instant now) {
   const blocks::GoalId id = next.id;
-  if (run_->join(id, found, now)) {
+  if (run_->chain()->join(id, found, now)) {
     parts_.board.accept(run_->block(), id, 0);
     holds_[id] = next.hold;
     return;
@@ -112,7 +113,7 @@ void Turns::begin(const Waiting& next, const blocks::Outcome& found, Instant now
     parts_.board.accept(run->block(), next.id, 0);
     holds_[next.id] = next.hold;
     run_ = std::move(run);
-    pathControlsChanged(now);
+    desks_.paths.serve(*run_, now);
     run_->robotChanged(parts_.robot, now);
   }
 }
@@ -191,7 +192,7 @@ void Turns::settle(Instant now) {
   }
   for (const auto& [key, mark] : desks_.window.takePassed()) run_->commandPassed(key, mark, now);
   while (auto ended = desks_.window.takeEnded(now)) endCommand(std::move(*ended), now);
-  switchTracking(now);
+  if (run_) desks_.paths.serve(*run_, now);
   endRun(now);
 }
 
@@ -207,10 +208,10 @@ void Turns::endCommand(CommandWindow::Ended ended, Instant now) {
 }
 
 void Turns::tellRun() {
-  for (auto& [goal, progress] : run_->takeProgress()) {
+  for (auto& [goal, progress] : run_->reports().takeProgress()) {
     parts_.board.progress(run_->block(), goal, std::move(progress));
   }
-  for (auto& [goal, outcome] : run_->takeEnded()) {
+  for (auto& [goal, outcome] : run_->reports().takeEnded()) {
     holds_.erase(goal);
     parts_.board.end(run_->block(), goal, std::move(outcome));
   }
@@ -222,6 +223,7 @@ void Turns::endRun(Instant now) {
   if (!run_->outcome()) return;
   assert(desks_.window.empty());
   next_.forget();
+  desks_.paths.leave();
   stopping_.reset();
   finishes_behind_motion_ = false;
   const auto done = std::exchange(run_, nullptr);
@@ -293,7 +295,7 @@ void Turns::stopEnded(const StopRun::Result& result, Instant now) {
 }
 
 bool Turns::takeOut(blocks::GoalId goal, const std::string& why, Instant now) {
-  return run_ && run_->takeOut(goal, why, now);
+  return run_ && run_->chain() != nullptr && run_->chain()->takeOut(goal, why, now);
 }
 
 void Turns::abandon(const std::string& why, Instant now) {
@@ -341,16 +343,6 @@ void Turns::robotChanged(Instant now) {
   if (!run_) return;
   run_->robotChanged(parts_.robot, now);
   if (const auto why = run_->stopsFor()) cancelWindow(*why, now);
-}
-
-void Turns::pathControlsChanged(Instant now) {
-  if (run_ && run_->paths() != nullptr) run_->paths()->use(parts_.paths.controls(), now);
-}
-
-void Turns::switchTracking(Instant now) {
-  if (!run_ || run_->paths() == nullptr) return;
-  const auto wanted = run_->paths()->wantedTracking();
-  if (wanted && parts_.paths.switchAutomatic(*wanted)) pathControlsChanged(now);
 }
 
 void Turns::advance(Instant now) {

@@ -14,10 +14,11 @@
 #include "arbiter/next_command.h"
 #include "arbiter/occupancy.h"
 #include "arbiter/stop_desk.h"
+#include "paths/path_turn.h"
 #include "runs/command_window.h"
 
 #include "cobot_command/blocks/shared/finish_after.h"
-#include "cobot_command/blocks/shared/frame_finder.h"
+#include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/blocks/shared/run.h"
 
 namespace cobot_command::command {
@@ -31,6 +32,7 @@ class Turns {
     GoalPlans& plans;
     StopDesk& stops;
     CommandWindow& window;
+    PathTurn& paths;
   };
   /// All have to live longer. `frames`: see CommandCore.
   Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder frames);
@@ -59,7 +61,6 @@ class Turns {
   void stopEnded(const StopRun::Result& result, Instant now);
   void linkLost(const std::string& reason, Instant now);
   void robotChanged(Instant now);
-  void pathControlsChanged(Instant now);
   void advance(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
@@ -87,8 +88,6 @@ class Turns {
   [[nodiscard]] std::optional<blocks::Failure> prepare(const blocks::Command& command, Instant now);
   void send(Instant now);
   void endCommand(CommandWindow::Ended ended, Instant now);
-  /// What switches itself, for the goal that is next.
-  void switchTracking(Instant now);
   void tellRun();
   void endRun(Instant now);
 

@@ -15,14 +15,32 @@ std::optional<std::string> PathDesk::switchTracking(const TrackingSwitch& reques
   return std::nullopt;
 }
 
-bool PathDesk::switchAutomatic(const path::TrackingFlags& wanted) {
+void PathDesk::setFeedrate(double feedrate) {
+  path::PathControls changed = controls_;
+  changed.feedrate = feedrate;
+  use(changed);
+}
+
+void PathDesk::stop(bool stopped) {
+  path::PathControls changed = controls_;
+  changed.stopped = stopped;
+  use(changed);
+}
+
+void PathDesk::serve(blocks::PathControlled& run, Instant now) {
+  run.use(controls_, now);
+  if (const auto wanted = run.wantedTracking()) {
+    switchAutomatic(*wanted);
+    run.use(controls_, now);
+  }
+}
+
+void PathDesk::switchAutomatic(const path::TrackingFlags& wanted) {
   path::PathControls changed = controls_;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (changed.tracking[i].automatic) changed.tracking[i].on = wanted[i];
   }
-  const bool is_new = !(changed == controls_);
   use(changed);
-  return is_new;
 }
 
 void PathDesk::use(const path::PathControls& controls) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cobot_command/blocks/shared/path_controlled.h"
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/path_requests.h"
 #include "cobot_command/path/path_controls.h"
@@ -19,10 +20,13 @@ class PathDesk {
   [[nodiscard]] const path::PathControls& controls() const { return controls_; }
   /// Nothing: it is so now; else why not.
   [[nodiscard]] std::optional<std::string> switchTracking(const TrackingSwitch& request);
-  /// Those that switch themselves. False: all are so already.
-  bool switchAutomatic(const path::TrackingFlags& wanted);
+  void setFeedrate(double feedrate);
+  void stop(bool stopped);
+  /// Tells a run how it is controlled now, behind every event; what it wants of automatic objects, it gets.
+  void serve(blocks::PathControlled& run, Instant now);
 
  private:
+  void switchAutomatic(const path::TrackingFlags& wanted);
   void use(const path::PathControls& controls);
 
   std::vector<Action>& actions_;

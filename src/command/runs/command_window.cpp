@@ -88,6 +88,7 @@ void CommandWindow::sendBeside(const blocks::Command& command, blocks::GoalId go
   static_cast<blocks::Order&>(order) = command.order(arm::Pose::Identity());
   order.block = command.block;
   order.goal = goal;
+  order.key = command.key;
   order.command_id_ack = command.traits.command_id;
   order.beside = true;
   beside_.emplace_back(std::move(order), context_, now);

@@ -39,6 +39,27 @@ TEST_F(Paths, runAsTheFeedrateSays) {
   EXPECT_NEAR(toSeconds(planned({quarterTurn()}).duration()), 1.2, kGrid);
 }
 
+/// What was planned at one feedrate and is planned again at another one is as if it had been planned so.
+TEST_F(Paths, canBePlannedAgainAtAnotherFeedrate) {
+  std::vector<PathPoint> points = tenPoints(flangeAt(scene.start));
+  points.push_back(blending(quarterTurn(), 50));
+  PathPlanner before(scene);
+  ASSERT_FALSE(before.append(sectionOf(points)));
+  scene.feedrate = 0.4;
+  PathPlanner again(scene);
+  ASSERT_FALSE(again.appendAgain(before.plan().points(), before));
+  PathPlanner wanted(scene);
+  ASSERT_FALSE(wanted.append(sectionOf(points)));
+  const PathPoint increment = incremental(toPose({0, 0, -10, 0, 0, 0}));
+  points = {increment};
+  points[0].speed = 50;
+  for (PathPlanner* planner : {&again, &wanted}) ASSERT_FALSE(planner->append(sectionOf(points)));
+  ASSERT_EQ(again.plan().duration(), wanted.plan().duration());
+  for (Duration time{}; time <= wanted.plan().duration(); time += milliseconds(5)) {
+    ASSERT_EQ(again.plan().at(time).position, wanted.plan().at(time).position) << toSeconds(time);
+  }
+}
+
 TEST_F(Paths, keepTheDynamicsOfTheirKindWhereAPointSaysNone) {
   const PathPoint line = incremental(toPose({0, 0, -100, 0, 0, 0}));
   PathPoint back = toJoints({0, 0, 90, 0, 90, 0});

@@ -3,7 +3,6 @@
 
 #include "cobot_command/blocks/shared/error_table.h"
 #include "cobot_command/blocks/shared/failure.h"
-#include "cobot_command/blocks/shared/frame_finder.h"
 #include "cobot_command/blocks/shared/goal_traits.h"
 #include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/blocks/shared/order.h"

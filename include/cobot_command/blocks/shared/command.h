@@ -8,8 +8,8 @@
 #include "cobot_command/arm/types.h"
 #include "cobot_command/blocks/shared/block.h"
 #include "cobot_command/blocks/shared/failure.h"
-#include "cobot_command/blocks/shared/frame_finder.h"
 #include "cobot_command/blocks/shared/goal_traits.h"
+#include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/blocks/shared/order.h"
 
 namespace cobot_command::blocks {

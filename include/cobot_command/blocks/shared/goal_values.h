@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -40,5 +41,9 @@ struct FramedPose {
   /// it has moved.
   bool latest = false;
 };
+
+/// Where a frame is now, in the robot base; nothing when that is not known (any more). Has to answer at once:
+/// the only thing that the core has to ask while it works.
+using FrameFinder = std::function<std::optional<arm::Pose>(const std::string& frame)>;
 
 }  // namespace cobot_command::blocks

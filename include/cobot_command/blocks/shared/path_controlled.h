@@ -1,20 +1,43 @@
 // The side of a run that paths are controlled by from outside of its goals.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <optional>
+#include <string>
 
+#include "cobot_command/blocks/shared/detail.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/path/path_controls.h"
 
 namespace cobot_command::blocks {
 
+/// How fast paths run, and could run.
+struct PathPace {
+  /// Of what the controller has first; nothing: it has nothing of them.
+  std::optional<double> running;
+  int next_point = -1;  ///< the first one that is not sent, in the array of its goal; -1: all are
+  /// With which all that is not sent keeps the rated speeds of the joints.
+  double highest = std::numeric_limits<double>::infinity();
+};
+
+/// Work that needs nothing of its run, for any thread; what it finds.
+using PathWork = std::function<Detail()>;
+
 class PathControlled {
  public:
-  /// They are so now; first when its turn comes.
+  /// They are so now; told when its turn comes, and behind every event.
   virtual void use(const path::PathControls& controls, Instant now) = 0;
   /// What automatic tracking objects are to be switched to now, so that the next goal can load its points;
   /// nothing: they stay as they are.
   [[nodiscard]] virtual std::optional<path::TrackingFlags> wantedTracking() const = 0;
+  [[nodiscard]] virtual PathPace pace() const = 0;
+  /// What has to be planned anew, as the feedrate is another one; asked for once. Until its answer nothing
+  /// more is sent.
+  [[nodiscard]] virtual std::optional<PathWork> takeReplan() = 0;
+  /// The answer; none: it took too long. Returns what speaks against the new feedrate, so that what is loaded
+  /// keeps its old one.
+  [[nodiscard]] virtual std::optional<std::string> replanned(const Detail& found) = 0;
 
  protected:
   ~PathControlled() = default;

@@ -23,6 +23,7 @@ struct PlanningScene {
   tables::DataTables tables = {};  ///< as they are when the planning begins
   Detail chain = {};             ///< of the run that the goal is to join (Run::chain); none: it is the first
   path::PathSettings path = {};  ///< how paths are loaded
+  double feedrate = 1.0;         ///< of paths
   double angle_tolerance = 0.0017453;  ///< within this of a target a joint is there [rad]
   int number = 1;                      ///< the goal would be so many-th of its block that is accepted
 };

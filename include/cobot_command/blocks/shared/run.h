@@ -33,16 +33,59 @@ struct GoalEnd {
   Outcome outcome;
 };
 
+/// What goals are told by the run that serves them, until it is taken.
+class RunReports {
+ public:
+  explicit RunReports(GoalId goal) : goal_(goal) {}
+
+  /// The first of them to end.
+  [[nodiscard]] GoalId goal() const { return goal_; }
+  void tell(GoalId goal, Progress progress) { progress_.push_back({goal, std::move(progress)}); }
+  /// That goal has ended, while others go on. Precondition: `first`, the first to end from now on, is one of
+  /// these.
+  void end(GoalId goal, Outcome outcome, GoalId first) {
+    ended_.push_back({goal, std::move(outcome)});
+    goal_ = first;
+  }
+  /// What is new since the last call.
+  [[nodiscard]] std::vector<GoalProgress> takeProgress() { return std::exchange(progress_, {}); }
+  [[nodiscard]] std::vector<GoalEnd> takeEnded() { return std::exchange(ended_, {}); }
+
+ private:
+  GoalId goal_;
+  std::vector<GoalProgress> progress_;
+  std::vector<GoalEnd> ended_;
+};
+
+/// The side of a run that other goals join.
+class GoalChain {
+ public:
+  /// Whether a goal of that block, the next one in the queue, is to join it now.
+  [[nodiscard]] virtual bool isJoinedBy(Block block) const = 0;
+  /// Where a goal begins that joins it, for the plan of that one (PlanningScene::chain).
+  [[nodiscard]] virtual Detail end() const = 0;
+  /// `planned`: what plan() found of it. False: the chain has gone on since, so that it has to be planned
+  /// anew.
+  [[nodiscard]] virtual bool join(GoalId goal, const Outcome& planned, Instant now) = 0;
+  /// Takes a goal out, and those behind it, for which nothing needs to be stopped. False: cancel it all.
+  [[nodiscard]] virtual bool takeOut(GoalId goal, const std::string& why, Instant now) = 0;
+  /// How many of its goals nothing was sent of yet.
+  [[nodiscard]] virtual std::size_t waiting() const = 0;
+
+ protected:
+  ~GoalChain() = default;
+};
+
 class Run {
  public:
-  Run(Block block, GoalId goal) : block_(block), goal_(goal) {}
+  Run(Block block, GoalId goal) : block_(block), reports_(goal) {}
   virtual ~Run() = default;
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
   [[nodiscard]] Block block() const { return block_; }
   /// Of a chain the one that is the first to end.
-  [[nodiscard]] GoalId goal() const { return goal_; }
+  [[nodiscard]] GoalId goal() const { return reports_.goal(); }
 
   /// The goal is accepted with its first command, or refused with it; else as its turn comes.
   [[nodiscard]] virtual bool isOneCommand() const { return false; }
@@ -87,48 +130,24 @@ class Run {
   /// nullptr: it loads no paths.
   [[nodiscard]] virtual PathControlled* paths() { return nullptr; }
 
-  // --- A chain.
-  /// Whether a goal of that block, the next one in the queue, is to join it now.
-  [[nodiscard]] virtual bool isJoinedBy(Block /*block*/) const { return false; }
-  /// Where a goal begins that joins it, for the plan of that one (PlanningScene::chain).
-  [[nodiscard]] virtual Detail chain() const { return {}; }
-  /// `planned`: what plan() found of it. False: the chain has gone on since, so that it has to be planned
-  /// anew.
-  [[nodiscard]] virtual bool join(GoalId /*goal*/, const Outcome& /*planned*/, Instant /*now*/) {
-    return false;
-  }
-  [[nodiscard]] virtual bool serves(GoalId goal) const { return goal == goal_; }
-  /// Takes a goal out, and those behind it, for which nothing needs to be stopped. False: cancel it all.
-  [[nodiscard]] virtual bool takeOut(GoalId /*goal*/, const std::string& /*why*/, Instant /*now*/) {
-    return false;
-  }
-  /// How many of its goals nothing was sent of yet.
-  [[nodiscard]] virtual std::size_t waiting() const { return 0; }
+  /// nullptr: no other goal joins it.
+  [[nodiscard]] virtual GoalChain* chain() { return nullptr; }
+  [[nodiscard]] virtual bool serves(GoalId goal) const { return goal == this->goal(); }
 
   /// The end of the last of its goals, and so its own; nothing as long as it is Busy.
   [[nodiscard]] const std::optional<Outcome>& outcome() const { return outcome_; }
   /// It ended so that nothing behind it may go on. Precondition: it has an outcome.
   [[nodiscard]] virtual bool failed() const { return outcome_->ending == Ending::Aborted; }
-  /// What is new since the last call.
-  [[nodiscard]] std::vector<GoalProgress> takeProgress() { return std::exchange(progress_, {}); }
-  /// The goals that have ended before it, since the last call.
-  [[nodiscard]] std::vector<GoalEnd> takeEnded() { return std::exchange(ended_, {}); }
+  /// Of its goals; of those the ends that have ended before it.
+  [[nodiscard]] RunReports& reports() { return reports_; }
 
  protected:
-  void report(Progress progress) { report(goal_, std::move(progress)); }
-  void report(GoalId goal, Progress progress) { progress_.push_back({goal, std::move(progress)}); }
-  /// Of that goal, while others go on. Precondition: `first`, the first to end from now on, is one of these.
-  void endOne(GoalId goal, Outcome outcome, GoalId first) {
-    ended_.push_back({goal, std::move(outcome)});
-    goal_ = first;
-  }
+  void report(Progress progress) { reports_.tell(goal(), std::move(progress)); }
   void end(Outcome outcome) { outcome_ = std::move(outcome); }
 
  private:
   Block block_;
-  GoalId goal_;
-  std::vector<GoalProgress> progress_;
-  std::vector<GoalEnd> ended_;
+  RunReports reports_;
   std::optional<Outcome> outcome_;
 };
 

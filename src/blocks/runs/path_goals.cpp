@@ -1,0 +1,270 @@
+#include "runs/path_goals.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "runs/path_outcomes.h"
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/shared/error_ids.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+/// So many goals may one chain have at a time.
+constexpr std::size_t kMostGoals = 64;
+
+/// What became of a plan at another feedrate.
+struct Reloaded {
+  std::vector<LoadedPathPtr> loaded;
+  std::string refusal;
+};
+
+/// "tracking object 0 to be on": of those that are not as they should be.
+std::string textOfGate(const path::TrackingObjects& objects, const path::TrackingFlags& wanted) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < path::kTrackingObjects; ++i) {
+    if (objects[i].on == wanted[i]) continue;
+    texts.push_back(fmt::format("tracking object {} to be {}", i, wanted[i] ? "on" : "off"));
+  }
+  return fmt::format("waits for {}", fmt::join(texts, " and "));
+}
+
+}  // namespace
+
+PathGoals::PathGoals(RunReports& reports, GoalId first, const PathReport& planned)
+    : reports_(reports), chain_(first, planned), progress_(planned.loaded->end->scene().arm) {}
+
+// --- Goals that join.
+
+bool PathGoals::isJoinedBy(Block block) const {
+  return block == kBlock<LoadPathGoal> && chain_.members().size() < kMostGoals;
+}
+
+Detail PathGoals::end() const {
+  const LoadedPath& last = *chain_.members().back().loaded;
+  return Detail(ChainToJoin{chain_.end(), last.execution, last.frames, last.tracking});
+}
+
+bool PathGoals::join(GoalId goal, const Outcome& planned, Instant now) {
+  const auto& report = planned.detail.as<PathReport>();
+  if (!report.loaded || report.loaded->behind != chain_.end()) return false;
+  chain_.add(goal, report);
+  tell(now);
+  return true;
+}
+
+bool PathGoals::takeOut(GoalId goal, const std::string& why, Instant now) {
+  const auto member = chain_.memberOf(goal);
+  if (!member || *member == 0 || !chain_.isUntouched(*member)) return false;
+  dropFrom(*member, why, now);
+  return true;
+}
+
+std::size_t PathGoals::waiting() const {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < chain_.members().size(); ++i) count += chain_.isUntouched(i) ? 1 : 0;
+  return count;
+}
+
+// --- What becomes of the pieces.
+
+void PathGoals::progressed(const Progress& progress, Instant now) {
+  if (phase_ != progress.phase) chain_.tellAnew();
+  phase_ = progress.phase;
+  text_ = progress.text;
+  const Duration duration = chain_.sent().front().piece->plan.duration();
+  if (progress.planned && *progress.planned > Duration::zero() && duration > Duration::zero()) {
+    rate_ = toSeconds(duration) / toSeconds(*progress.planned);
+  }
+  if (phase_ == Phase::Active && !progress_.isUnderWay()) begin(now);
+  follow(now);
+}
+
+void PathGoals::begin(Instant now) {
+  progress_.begin(chain_.sent().front(), rate_, now);
+  piece_end_ = now + progress_.remaining(now);
+}
+
+void PathGoals::pieceEnded() {
+  progress_.end();
+  piece_end_.reset();
+}
+
+bool PathGoals::done(std::size_t points, Instant now) {
+  progress_.done(points);
+  follow(now);
+  while (chain_.members().front().behind() <= points) {
+    if (chain_.members().size() == 1) return true;
+    const Member& first = chain_.members().front();
+    reports_.end(first.goal, complete(first, Outcome(), now), chain_.members()[1].goal);
+    chain_.dropFirst();
+  }
+  return false;
+}
+
+void PathGoals::robotChanged(const robot::RobotWatch& robot, Instant now) {
+  joints_ = robot.jointsDeg();
+  pose_ = robot.toolInBaseMmDeg();
+  if (speed_ && *speed_ != robot.speedOverride()) progress_.loseClock();
+  speed_ = robot.speedOverride();
+  progress_.hold(robot.held() || controls_.stopped, now);
+  if (robot.joints()) progress_.see(*robot.joints(), now);
+  if (progress_.isUnderWay()) piece_end_ = now + progress_.remaining(now);
+  follow(now);
+}
+
+void PathGoals::use(const path::PathControls& controls, Instant now) {
+  if (controls == controls_) return;
+  controls_ = controls;
+  for (Member& member : chain_.members()) member.told_at.reset();
+  tell(now);
+}
+
+/// Point by point, though several may have been passed since.
+void PathGoals::follow(Instant now) {
+  if (stays_ && !progress_.isUnderWay()) return;
+  const PathChain::Place place = progress_.placeAt(now);
+  while (place_.done < place.done) {
+    Member& member = chain_.members()[chain_.memberAt(place_.done)];
+    member.pointDone(place_.done, now);
+    place_.behind_active = std::max(place_.behind_active, ++place_.done + 1);
+    if (place_.done < place.done) tell(now);
+  }
+  place_ = place;
+  if (place_.done < place_.behind_active) {
+    Member& member = chain_.members()[chain_.memberAt(place_.done)];
+    if (!member.began) member.began = now;
+  }
+  tell(now);
+}
+
+void PathGoals::tell(Instant now) {
+  chain_.passGates(place_, controls_.tracking);
+  for (Member& member : chain_.members()) {
+    PathPlace told = chain_.placeOf(member, place_);
+    told.source = progress_.source();
+    if (member.isNews(told, now)) reports_.tell(member.goal, progressOf(member, told));
+  }
+}
+
+Progress PathGoals::progressOf(const Member& member, const PathPlace& place) const {
+  Progress progress;
+  const bool begun = place.active || place.done_path_points > 0;
+  const bool is_stopped = controls_.stopped && phase_ != Phase::Stopping;
+  if (is_stopped && !place.waits_for_tracking) {
+    progress.phase = Phase::Held;
+    progress.text = "stopped on its path: resume_path, or a feedrate above 0, lets it go on";
+  } else if (phase_ == Phase::Stopping || begun) {
+    progress.phase = phase_;
+    progress.text = text_;
+  } else if (place.waits_for_tracking) {
+    progress.phase = Phase::WaitingForTracking;
+    progress.text = textOfGate(controls_.tracking, member.loaded->tracking);
+  } else {
+    progress.phase = std::min(phase_, Phase::Queued);
+    progress.text = "loaded behind what is under way";
+  }
+  progress.planned = member.loaded->planned;
+  const double share = place.active ? progress_.share() : 0;
+  progress.fraction = (place.done_path_points + share) / static_cast<double>(member.count());
+  progress.remaining = fromSeconds(toSeconds(member.loaded->planned) * (1 - progress.fraction));
+  progress.detail = Detail(place);
+  return progress;
+}
+
+// --- What is known.
+
+std::optional<Failure> PathGoals::deviation() const {
+  const Member& member = chain_.members()[chain_.memberAt(place_.done)];
+  const double most = member.loaded->max_deviation;
+  if (most <= 0 || progress_.offThePath() <= most) return std::nullopt;
+  return Failure{own_error::kPathDeviates,
+                 fmt::format("the moved frame is {:.2f} mm off its path, and {:.2f} mm is allowed",
+                             progress_.offThePath() * 1000, most * 1000),
+                 ""};
+}
+
+PathPace PathGoals::pace() const {
+  PathPace pace;
+  if (!chain_.sent().empty()) {
+    pace.running = chain_.sent().front().piece->plan.points().front().feedrate;
+  }
+  if (const LoadedPiecePtr next = chain_.next()) pace.next_point = next->plan.points().front().index;
+  pace.highest = chain_.highestFeedrate();
+  return pace;
+}
+
+bool PathGoals::mayGoOn() const {
+  const bool has_feedrate = kept_from_ == controls_.feedrate || !chain_.differsFrom(controls_.feedrate);
+  return !controls_.stopped && !chain_.isNextAtGate() && has_feedrate;
+}
+
+std::optional<PathWork> PathGoals::takeReplan() {
+  const bool is_needed = kept_from_ != controls_.feedrate && chain_.differsFrom(controls_.feedrate);
+  if (!is_needed || replanning_ == chain_.nextKey()) return std::nullopt;
+  replanning_ = chain_.nextKey();
+  return [rest = *chain_.rest(), feedrate = controls_.feedrate]() {
+    auto loaded = loadAgain(rest, feedrate);
+    if (loaded) return Detail(Reloaded{*std::move(loaded), ""});
+    return Detail(Reloaded{{}, fmt::format("point {}: {}", loaded.error().index, loaded.error().found)});
+  };
+}
+
+std::optional<std::string> PathGoals::replanned(const Detail& found) {
+  const bool is_of_now = replanning_ == chain_.nextKey();
+  replanning_.reset();
+  if (!is_of_now) return std::nullopt;  // asked for once more
+  const auto& reloaded = found.as<Reloaded>();
+  if (!reloaded.loaded.empty() && reloaded.loaded.front()->feedrate == controls_.feedrate) {
+    chain_.reload(reloaded.loaded);
+    return std::nullopt;
+  }
+  if (!reloaded.loaded.empty()) return std::nullopt;  // it has changed since
+  kept_from_ = controls_.feedrate;
+  return fmt::format(
+      "the path keeps its feedrate: at {:.6g} % {}", 100 * controls_.feedrate,
+      reloaded.refusal.empty() ? "it could not be planned in the time there was" : reloaded.refusal);
+}
+
+/// Once the last point in front is under way: what is automatic would be in its way until then.
+std::optional<path::TrackingFlags> PathGoals::wantedTracking() const {
+  const Member* const waits = chain_.firstAtGate();
+  const bool is_next = waits != nullptr && place_.behind_active >= waits->first;
+  return is_next ? std::optional(waits->loaded->tracking) : std::nullopt;
+}
+
+// --- Ends.
+
+void PathGoals::dropUntouched(const std::string& why, Instant now) {
+  const std::size_t untouched = chain_.members().size() - waiting();
+  if (untouched < chain_.members().size()) dropFrom(untouched, why, now);
+}
+
+/// Of the goals from that one on nothing was sent.
+void PathGoals::dropFrom(std::size_t member, const std::string& why, Instant now) {
+  const auto& members = chain_.members();
+  const int culprit = members[member].loaded->method_id;
+  for (std::size_t i = members.size(); i-- > member;) {
+    const std::string text = i == member ? why : fmt::format("load_path {} in front of it: {}", culprit, why);
+    reports_.end(members[i].goal, complete(members[i], commandAborted(text), now), reports_.goal());
+  }
+  chain_.dropFrom(member);
+}
+
+Outcome PathGoals::endAll(const std::vector<Outcome>& outcomes, Instant now) {
+  const auto& members = chain_.members();
+  for (std::size_t i = members.size(); i-- > 1;) {
+    reports_.end(members[i].goal, complete(members[i], outcomes[i], now), reports_.goal());
+  }
+  return complete(members.front(), outcomes.front(), now);
+}
+
+Outcome PathGoals::complete(const Member& member, Outcome outcome, Instant now) const {
+  outcome = completed(std::move(outcome), member, progress_.deviation(), now);
+  outcome.final_joints_deg = joints_;
+  outcome.final_pose_mm_deg = pose_;
+  return outcome;
+}
+
+}  // namespace cobot_command::blocks

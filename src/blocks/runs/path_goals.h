@@ -1,0 +1,97 @@
+// The goals of a chain that is under way: where their points are, what they are told of that, and how those
+// end that end before the chain does.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runs/path_chain.h"
+#include "runs/path_progress.h"
+
+#include "cobot_command/blocks/shared/path_controlled.h"
+#include "cobot_command/blocks/shared/run.h"
+#include "cobot_command/path/path_controls.h"
+#include "cobot_command/robot/robot_watch.h"
+
+namespace cobot_command::blocks {
+
+class PathGoals final : public GoalChain {
+ public:
+  using Member = PathChain::Member;
+
+  /// `reports` has to live longer.
+  PathGoals(RunReports& reports, GoalId first, const PathReport& planned);
+
+  [[nodiscard]] PathChain& pieces() { return chain_; }
+  [[nodiscard]] const PathChain& pieces() const { return chain_; }
+  [[nodiscard]] const PathChain::Place& place() const { return place_; }
+
+  // --- GoalChain.
+  [[nodiscard]] bool isJoinedBy(Block block) const override;
+  [[nodiscard]] Detail end() const override;
+  [[nodiscard]] bool join(GoalId goal, const Outcome& planned, Instant now) override;
+  [[nodiscard]] bool takeOut(GoalId goal, const std::string& why, Instant now) override;
+  [[nodiscard]] std::size_t waiting() const override;
+
+  // --- What becomes of the pieces.
+  /// Of the command of the first piece.
+  void progressed(const Progress& progress, Instant now);
+  /// The first piece moves the robot, as the one in front of it is done.
+  void begin(Instant now);
+  void pieceEnded();
+  /// By a tag: the points in front of that one are done. True: that is the whole chain, whose last goal is to
+  /// end with it.
+  [[nodiscard]] bool done(std::size_t points, Instant now);
+  void robotChanged(const robot::RobotWatch& robot, Instant now);
+  void use(const path::PathControls& controls, Instant now);
+  /// Nothing more is sent: what is not under way stays where it is.
+  void stay() { stays_ = true; }
+
+  // --- What is known.
+  /// When the piece under way should be done.
+  [[nodiscard]] std::optional<Instant> pieceEnd() const { return piece_end_; }
+  /// Nothing: the robot is as near to its path as the goal that moves it allows.
+  [[nodiscard]] std::optional<Failure> deviation() const;
+  [[nodiscard]] PathPace pace() const;
+  /// Nothing: all that is not sent has the feedrate that is asked for, or cannot have it.
+  [[nodiscard]] std::optional<PathWork> takeReplan();
+  [[nodiscard]] std::optional<std::string> replanned(const Detail& found);
+  /// What is next may be sent, as far as feedrate and gates go.
+  [[nodiscard]] bool mayGoOn() const;
+  /// What automatic tracking objects are to be, for the goal that is at its gate.
+  [[nodiscard]] std::optional<path::TrackingFlags> wantedTracking() const;
+
+  // --- Ends.
+  /// Of goals behind the first one, of which nothing was sent.
+  void dropUntouched(const std::string& why, Instant now);
+  /// Of all behind the first one, with these outcomes; returns what is that one's.
+  [[nodiscard]] Outcome endAll(const std::vector<Outcome>& outcomes, Instant now);
+  /// With all that is known of how that goal went.
+  [[nodiscard]] Outcome complete(const Member& member, Outcome outcome, Instant now) const;
+
+ private:
+  void dropFrom(std::size_t member, const std::string& why, Instant now);
+  void follow(Instant now);
+  void tell(Instant now);
+  [[nodiscard]] Progress progressOf(const Member& member, const PathPlace& place) const;
+
+  RunReports& reports_;
+  PathChain chain_;
+  PathProgress progress_;
+  PathChain::Place place_;
+  path::PathControls controls_;
+  Phase phase_ = Phase::Sent;
+  std::string text_;
+  double rate_ = 1.0;
+  std::optional<Instant> piece_end_;  ///< by the clock
+  std::optional<double> speed_;       ///< of the project, as streamed last
+  std::optional<SixValues> joints_;   ///< that were streamed last [deg]
+  std::optional<SixValues> pose_;
+  bool stays_ = false;
+  std::optional<CommandKey> replanning_;  ///< of the chain as it was when that began
+  double kept_from_ = 0;                  ///< a feedrate that cannot be, so that the old one is kept; 0: none
+};
+
+}  // namespace cobot_command::blocks
