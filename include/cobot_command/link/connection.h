@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "cobot_command/common/path_settings.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/common/units.h"
 
@@ -59,15 +60,7 @@ struct LinkSettings {
   bool auto_reconnect = false;
   /// A robot that still moves when a link is made, from before, is told to stop.
   bool stop_orphaned_motion = true;
-  /// load_path takes goals while the status stream shows the manual mode.
-  bool path_in_manual_mode = false;
-  /// Of load_path: places of the buffer beside the active point.
-  int path_buffer = 5;
-  /// So long a path that ends with a blend waits for the next one before it comes to rest.
-  Duration path_chain_wait = std::chrono::milliseconds(200);
-  /// Of a PVT at least: whole milliseconds, 25 at least.
-  Duration pvt_segment = std::chrono::milliseconds(25);
-  int pvt_block_points = 5000;  ///< of one PVT, at most
+  PathSettings path = {};  ///< of load_path
 };
 
 }  // namespace cobot_command::link

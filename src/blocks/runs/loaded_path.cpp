@@ -77,7 +77,7 @@ LoadedPiecePtr toLoaded(path::PathPiece piece, const arm::ArmModel& arm) {
   return std::make_shared<const LoadedPiece>(std::move(loaded));
 }
 
-Pieces toLoaded(const PathPlan& plan, const path::PathScene& scene, const path::PathSettings& settings) {
+Pieces toLoaded(const PathPlan& plan, const path::PathScene& scene, const PathSettings& settings) {
   auto pieces =
       path::piecesOf(plan, scene, {settings.segment, static_cast<std::size_t>(settings.block_points)});
   if (!pieces) return refuse(pieces.error());

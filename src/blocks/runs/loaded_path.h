@@ -10,6 +10,7 @@
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/order.h"
 #include "cobot_command/blocks/shared/planning_scene.h"
+#include "cobot_command/common/path_settings.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/path/path_controls.h"
@@ -17,7 +18,6 @@
 #include "cobot_command/path/path_planner.h"
 #include "cobot_command/path/path_refusal.h"
 #include "cobot_command/path/path_script.h"
-#include "cobot_command/path/path_settings.h"
 
 namespace cobot_command::blocks {
 
@@ -70,7 +70,7 @@ struct LoadedPath {
   double max_deviation = 0;            ///< [m]; 0: any
   bool allow_approximation = false;
   std::vector<StepReport> report;  ///< of each point
-  path::PathSettings settings;
+  PathSettings settings;
 };
 
 using LoadedPathPtr = std::shared_ptr<const LoadedPath>;

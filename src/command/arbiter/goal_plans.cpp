@@ -35,11 +35,9 @@ void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, Instant now) 
 blocks::PlanningScene GoalPlans::sceneOf(const blocks::Goal& goal) const {
   blocks::PlanningScene scene;
   scene.number = parts_.board.accepted(blockOf(goal)) + 1;
-  const link::LinkSettings& settings = parts_.settings;
   scene.feedrate = parts_.paths.controls().feedrate;
-  scene.angle_tolerance = settings.angle_tolerance;
-  scene.path = {settings.path_buffer, settings.path_chain_wait, settings.pvt_segment,
-                settings.pvt_block_points};
+  scene.angle_tolerance = parts_.settings.angle_tolerance;
+  scene.path = parts_.settings.path;
   return scene;
 }
 

@@ -38,7 +38,7 @@ std::vector<blocks::Failure> Occupancy::objectionsToAny(blocks::BufferMode mode,
   }
   if (parts_.robot.emergencyStop()) failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
   if (parts_.robot.inError()) failures.push_back(blocks::robotError(parts_.robot));
-  if (needs_automatic && parts_.robot.manualMode() && !parts_.settings.path_in_manual_mode) {
+  if (needs_automatic && parts_.robot.manualMode() && !parts_.settings.path.in_manual_mode) {
     failures.push_back({blocks::own_error::kManualMode, "", ""});
   }
   if (mode == blocks::BufferMode::Refuse && stops_.holdsBack() && !stops_.busy()) {

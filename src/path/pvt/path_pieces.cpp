@@ -9,6 +9,7 @@
 #include "pvt/pvt_points.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/path_settings.h"
 #include "cobot_command/motion/planner.h"
 #include "cobot_command/motion/pvt.h"
 
@@ -77,6 +78,9 @@ class Pieces {
   arm::JointVector start_;  // of the next piece
   std::vector<PathPiece> pieces_;
 };
+
+// What is set by default, in a room that knows no motion.
+static_assert(PathSettings().segment == motion::kLeastSegment);
 
 /// A shorter segment, or part of a millisecond, nobody could send.
 PieceLimits sendable(PieceLimits limits) {

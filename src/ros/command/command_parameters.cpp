@@ -132,15 +132,15 @@ SettingTable deadlineTable(link::LinkSettings& l) {
 
 SettingTable pathTable(link::LinkSettings& l) {
   return {
-      {"path_in_manual_mode", flag(l.path_in_manual_mode),
+      {"path_in_manual_mode", flag(l.path.in_manual_mode),
        "load_path takes goals also while the status stream shows the manual mode, which its manual refuses"},
-      {"path_buffer", whole(l.path_buffer, 1, 14),
+      {"path_buffer", whole(l.path.buffer, 1, 14),
        "of load_path: places of the buffer beside the active point"},
-      {"path_chain_wait", seconds(l.path_chain_wait, 0, 10),
+      {"path_chain_wait", seconds(l.path.chain_wait, 0, 10),
        "so long a path that ends with a blend waits for the next one, before it is sent with a stop at its "
        "end"},
-      {"pvt_segment", seconds(l.pvt_segment, 0.025, 0.1), "between two points of a PVT at least; whole ms"},
-      {"pvt_block_points", whole(l.pvt_block_points, 100, 6000),
+      {"pvt_segment", seconds(l.path.segment, 0.025, 0.1), "between two points of a PVT at least; whole ms"},
+      {"pvt_block_points", whole(l.path.block_points, 100, 6000),
        "of one PVT at most: from stop to stop (16#277)"},
   };
 }

@@ -143,7 +143,7 @@ LoadPathGoal thousandLines() {
 /// Oracle 19.
 TEST(LoadPathOfAThousandPoints, isOnePvtThatTheRobotFollows) {
   link::LinkSettings settings;
-  settings.pvt_block_points = 20000;
+  settings.path.block_points = 20000;
   CoreAndRobot cell("tm5-900", {}, settings);
   cell.connect();
   const GoalId id = cell.submit(thousandLines());

@@ -110,7 +110,7 @@ TEST_F(LoadPathTest, refusesWrongPointsAsTheyCome) {
 
 TEST_F(LoadPathTest, goesInManualModeWhereThatIsAllowed) {
   link::LinkSettings settings;
-  settings.path_in_manual_mode = true;
+  settings.path.in_manual_mode = true;
   CoreRig manual(*arm::ArmModel::named("tm5-900"), settings);
   manual.connect();
   manual.status(StatusFrames().with(protocol::item::ofInt("MA_Mode", 2)));

@@ -139,7 +139,7 @@ TEST(ParametersOfTheCommandNode, canAllBeSet) {
   EXPECT_EQ(link.position_tolerance, 0.002);
   EXPECT_EQ(link.angle_tolerance, 0.01);
   EXPECT_DOUBLE_EQ(parameters->arm->ratings().turn_speed, degToRad(90));
-  EXPECT_TRUE(parameters->auto_connect && link.auto_reconnect && link.path_in_manual_mode);
+  EXPECT_TRUE(parameters->auto_connect && link.auto_reconnect && link.path.in_manual_mode);
   EXPECT_FALSE(link.stop_orphaned_motion || parameters->tf_from_start);
   EXPECT_EQ(parameters->simulated_controller, "/cell/simulator");
   EXPECT_EQ(parameters->diagnostic_period, 0.5);

@@ -6,7 +6,7 @@
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/shared/detail.h"
-#include "cobot_command/path/path_settings.h"
+#include "cobot_command/common/path_settings.h"
 #include "cobot_command/planning/script_planner.h"
 #include "cobot_command/tables/data_tables.h"
 
@@ -21,9 +21,9 @@ struct PlanningScene {
   std::optional<planning::ScriptPlanner::Start> start;
   GiveUp give_up;                  ///< may be empty: never
   tables::DataTables tables = {};  ///< as they are when the planning begins
-  Detail chain = {};             ///< of the run that the goal is to join (Run::chain); none: it is the first
-  path::PathSettings path = {};  ///< how paths are loaded
-  double feedrate = 1.0;         ///< of paths
+  Detail chain = {};       ///< of the run that the goal is to join (GoalChain::end); none: it is the first
+  PathSettings path = {};  ///< how paths are loaded
+  double feedrate = 1.0;   ///< of paths
   double angle_tolerance = 0.0017453;  ///< within this of a target a joint is there [rad]
   int number = 1;                      ///< the goal would be so many-th of its block that is accepted
 };
