@@ -1,7 +1,5 @@
 #include "cobot_command/blocks/load_path.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "runs/load_path_run.h"
@@ -13,6 +11,7 @@
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/joint_path.h"
 #include "cobot_command/path/path_planner.h"
 
 namespace cobot_command::blocks {
@@ -23,9 +22,6 @@ using path::PathPoint;
 using path::PathRefusal;
 
 constexpr double kMostDeviation = 100000;  // [mm]
-/// Of a path that is checked, at most every 20 ms.
-constexpr std::size_t kMostPathPoints = 5000;
-constexpr Duration kPathPoint = std::chrono::milliseconds(20);
 
 path::PathSection sectionOf(const LoadPathGoal& goal) {
   return {goal.path, goal.start_index, goal.number_of_moves, 0};
@@ -124,22 +120,6 @@ Failure refused(const LoadPathGoal& goal, const PathRefusal& refusal, const Plan
   std::vector<StepReport> points = (*loaded)->report;
   points.push_back(blame(refusal));
   return toFailure(refusal, std::move(points));
-}
-
-std::vector<JointPathPoint> wholeJointPath(const path::PathPlan& plan) {
-  const auto parts = std::clamp<std::size_t>(static_cast<std::size_t>(plan.duration() / kPathPoint) + 1, 1,
-                                             kMostPathPoints - 1);
-  std::vector<JointPathPoint> points;
-  for (std::size_t i = 0; i <= parts; ++i) {
-    const Duration time = plan.duration() * static_cast<Duration::rep>(i) / static_cast<Duration::rep>(parts);
-    const motion::JointState state = plan.at(time);
-    JointPathPoint point;
-    point.time = time;
-    std::copy_n(state.position.data(), point.joints.size(), point.joints.begin());
-    std::copy_n(state.velocity.data(), point.velocities.size(), point.velocities.begin());
-    points.push_back(point);
-  }
-  return points;
 }
 
 const char* reasonOf(const LoadPathGoal& goal) {

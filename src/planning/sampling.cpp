@@ -6,15 +6,23 @@
 
 namespace cobot_command::planning {
 
+std::vector<Duration> evenTimes(Duration last, std::size_t steps) {
+  const auto count = static_cast<Duration::rep>(steps);
+  std::vector<Duration> times{Duration::zero()};
+  times.reserve(steps + 1);
+  for (Duration::rep i = 1; i <= count; ++i) {
+    // Whole steps first: hours in nanoseconds times the count could overflow.
+    times.push_back(last / count * i + last % count * i / count);
+  }
+  return times;
+}
+
 std::vector<JointPoint> jointPath(const motion::Trajectory& trajectory, std::size_t count, Duration until) {
   const Duration last = std::clamp(until, Duration::zero(), trajectory.duration());
-  const auto steps =
-      last == Duration::zero() ? 0 : static_cast<Duration::rep>(std::max<std::size_t>(count, 2) - 1);
+  const std::size_t steps = last == Duration::zero() ? 0 : std::max<std::size_t>(count, 2) - 1;
   std::vector<JointPoint> points;
-  points.reserve(static_cast<std::size_t>(steps) + 1);
-  for (Duration::rep i = 0; i <= steps; ++i) {
-    // Whole steps first: hours in nanoseconds times the count could overflow.
-    const Duration time = steps == 0 ? Duration::zero() : last / steps * i + last % steps * i / steps;
+  points.reserve(steps + 1);
+  for (const Duration time : evenTimes(last, steps)) {
     const motion::JointState state = trajectory.at(time);
     points.push_back({time, state.position, state.velocity});
   }

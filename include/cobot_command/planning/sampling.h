@@ -17,6 +17,9 @@ struct JointPoint {
   arm::JointVector velocity;  ///< [rad/s]
 };
 
+/// So many steps after each other, from zero to `last`; 0: zero alone.
+[[nodiscard]] std::vector<Duration> evenTimes(Duration last, std::size_t steps);
+
 /// `count` points (at least 2), evenly from the start to `until`, or to the end where that is earlier; one
 /// where there is no time between them.
 [[nodiscard]] std::vector<JointPoint> jointPath(const motion::Trajectory& trajectory, std::size_t count,

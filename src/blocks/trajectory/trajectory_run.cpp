@@ -1,6 +1,5 @@
 #include "trajectory/trajectory_run.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/joint_path.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
 #include "cobot_command/common/deadline.h"
 #include "cobot_command/common/units.h"
@@ -17,12 +17,6 @@ namespace {
 
 /// Twenty times a second.
 constexpr Duration kTellEvery = std::chrono::milliseconds(50);
-
-SixValues toSix(const arm::JointVector& values) {
-  SixValues six{};
-  std::copy_n(values.data(), six.size(), six.begin());
-  return six;
-}
 
 Failure blaming(Failure failure, int joint) {
   TrajectoryReport report;
@@ -194,9 +188,9 @@ void TrajectoryRun::tell(Instant now) {
     TrajectoryPlace place;
     place.time = follower_->time(now);
     const motion::JointState desired = plan_->motion->at(place.time);
-    place.desired = toSix(desired.position);
-    place.desired_velocities = toSix(desired.velocity);
-    if (joints_) place.actual = toSix(*joints_);
+    place.desired = toArray(desired.position);
+    place.desired_velocities = toArray(desired.velocity);
+    if (joints_) place.actual = toArray(*joints_);
     progress.fraction = toSeconds(place.time) / toSeconds(plan_->motion->duration());
     progress.remaining = follower_->remaining(now);
     progress.detail = Detail(place);

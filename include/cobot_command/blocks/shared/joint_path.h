@@ -4,8 +4,13 @@
 #include <array>
 #include <vector>
 
+#include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/motion/trajectory.h"
+
+namespace cobot_command::path {
+class PathPlan;
+}  // namespace cobot_command::path
 
 namespace cobot_command::blocks {
 
@@ -14,6 +19,8 @@ struct JointPathPoint {
   std::array<double, 6> joints{};      ///< [rad]
   std::array<double, 6> velocities{};  ///< [rad/s]
 };
+
+[[nodiscard]] std::array<double, 6> toArray(const arm::JointVector& joints);
 
 /// See check_only.
 struct CheckedMotion {
@@ -24,6 +31,9 @@ struct CheckedMotion {
 /// 100 points.
 [[nodiscard]] std::vector<JointPathPoint> jointPath(const motion::Trajectory& motion,
                                                     Duration until = Duration::max());
+
+/// From its start to its end, both in any case: at least every 20 ms, but at most 5000 points.
+[[nodiscard]] std::vector<JointPathPoint> wholeJointPath(const path::PathPlan& plan);
 
 /// One behind the other, each as above; time since the start of the first.
 [[nodiscard]] std::vector<JointPathPoint> jointPath(const std::vector<motion::TrajectoryPtr>& motions);
