@@ -59,16 +59,10 @@ double fastestOf(const PathPlan& plan, const arm::ArmModel& arm) {
 }
 
 LoadedPiecePtr toLoaded(path::PathPiece piece, const arm::ArmModel& arm) {
-  LoadedPiece loaded{std::move(piece.plan), {}};
+  // A motion also without a way: it is stopped with the others.
+  LoadedPiece loaded{std::move(piece.plan), motionOrder(path::scriptOf(piece.block, {}))};
   loaded.fastest = fastestOf(loaded.plan, arm);
-  const auto commands = path::scriptOf(piece.block, {});
-  loaded.order.moves = true;  // also without a way: it is stopped with the others
-  loaded.order.lines.reserve(commands.size());
-  for (const script::ScriptCommand& command : commands) {
-    loaded.order.lines.push_back(script::toText(command));
-  }
-  loaded.order.commands = commands;
-  if (!commands.empty()) {
+  if (!loaded.order.lines.empty()) {
     loaded.marked = markedPoints(loaded.plan);
     for (const std::size_t point : loaded.marked) {
       loaded.order.marks.push_back(lineBehind(piece.block, point));
@@ -150,29 +144,18 @@ bool setsFrames(const path::PointScript& point) {
   return point.lines.size() > 1;
 }
 
-void append(const std::vector<script::ScriptCommand>& commands, Order& order) {
-  for (const script::ScriptCommand& command : commands) {
-    order.lines.push_back(script::toText(command));
-    order.commands->push_back(command);
-  }
-}
-
 /// What was active in front of the path; what is not known stays as the path has set it.
 Order restoring(const path::ScriptFrames& frames) {
-  Order order;
-  order.commands.emplace();
-  if (frames.base) append({script::ChangeBase{arm::toControllerPose(*frames.base)}}, order);
-  if (frames.tcp) append({script::ChangeTcp{arm::toControllerPose(*frames.tcp), {}, {}}}, order);
-  return order;
+  std::vector<script::ScriptCommand> commands;
+  if (frames.base) commands.emplace_back(script::ChangeBase{arm::toControllerPose(*frames.base)});
+  if (frames.tcp) commands.emplace_back(script::ChangeTcp{arm::toControllerPose(*frames.tcp), {}, {}});
+  return settingOrder(std::move(commands));
 }
 
 LoadedPiecePtr toLoaded(const PathPlan& point, const path::PointScript& script, const arm::ArmModel& arm) {
-  LoadedPiece piece{point, {}};
+  LoadedPiece piece{point, motionOrder(script.lines)};
   piece.fastest = fastestOf(point, arm);
   piece.is_exact = false;
-  piece.order.moves = true;
-  piece.order.commands.emplace();
-  append(script.lines, piece.order);
   return std::make_shared<const LoadedPiece>(std::move(piece));
 }
 

@@ -16,7 +16,6 @@
 #include "cobot_command/motion/planner.h"
 #include "cobot_command/path/pvt_block.h"
 #include "cobot_command/planning/script_planner.h"
-#include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -153,12 +152,7 @@ std::optional<Failure> checkLeftOut(const Points& points, const TrajectoryPlan& 
 Order orderOf(Segments segments) {
   path::PvtBlock block;
   block.points = std::move(segments);
-  Order order;
-  order.moves = true;
-  order.commands = path::scriptOf(block, {});
-  order.lines.reserve(order.commands->size());
-  for (const script::ScriptCommand& command : *order.commands) order.lines.push_back(toText(command));
-  return order;
+  return motionOrder(path::scriptOf(block, {}));
 }
 
 }  // namespace

@@ -26,9 +26,11 @@ struct Order {
   bool stops_unanswered = false;
 };
 
-/// Of one command that moves the arm.
+/// A line for each command, in this order; the arm moves.
 [[nodiscard]] Order motionOrder(script::ScriptCommand command);
-/// Of one command that does not.
+[[nodiscard]] Order motionOrder(std::vector<script::ScriptCommand> commands);
+/// The same; the arm does not move.
 [[nodiscard]] Order settingOrder(script::ScriptCommand command);
+[[nodiscard]] Order settingOrder(std::vector<script::ScriptCommand> commands);
 
 }  // namespace cobot_command::blocks
