@@ -25,7 +25,6 @@ constexpr double kLongestWait = 3600;    // [s]
 constexpr double kLatest = 1;
 /// From rest to rest, within the rounding of who plans [rad/s].
 constexpr double kRest = 0.01;
-constexpr double kLeastTime = toSeconds(motion::kLeastSegment);
 
 /// Empty: they are one for each joint, and each may be.
 std::string faultOf(const std::vector<double>& values, const char* what, const char* unit) {

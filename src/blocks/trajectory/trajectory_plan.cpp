@@ -25,7 +25,6 @@ using Segments = std::vector<motion::PvtJointPoint>;
 
 /// Where none is given: far more than an arm that follows is off, far less than one that goes elsewhere.
 constexpr double kPathTolerance = degToRad(5.0);
-constexpr double kLeastSegment = toSeconds(motion::kLeastSegment);
 /// Times that are a multiple of the least segment are so within their rounding [s].
 constexpr double kTimeRounding = 1e-6;
 
@@ -85,7 +84,7 @@ std::optional<Failure> checkStart(const FollowJointTrajectoryGoal& goal, const a
 
 /// Indices of the points that are far enough apart, and of the last one.
 std::vector<std::size_t> keptPoints(const Points& points) {
-  const auto is_near = [](double from, double to) { return to - from < kLeastSegment - kTimeRounding; };
+  const auto is_near = [](double from, double to) { return to - from < kLeastTime - kTimeRounding; };
   std::vector<std::size_t> kept;
   const auto end = [&] { return kept.empty() ? 0.0 : points[kept.back()].time; };
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -154,10 +153,6 @@ Order orderOf(Segments segments) {
   block.points = std::move(segments);
   return motionOrder(path::scriptOf(block, {}));
 }
-
-}  // namespace
-
-namespace {
 
 /// So that no cubic goes beyond the two points that it is between (Fritsch and Carlson): a joint that turns
 /// round at a point rests there, and any other is at most three times as fast as on either side.

@@ -10,10 +10,14 @@
 #include "cobot_command/blocks/shared/order.h"
 #include "cobot_command/blocks/shared/planning_scene.h"
 #include "cobot_command/common/result.h"
+#include "cobot_command/common/time.h"
 #include "cobot_command/motion/command.h"
 #include "cobot_command/motion/trajectory.h"
 
 namespace cobot_command::blocks {
+
+/// Between points that go to the controller, and from the start to the first one [s].
+inline constexpr double kLeastTime = toSeconds(motion::kLeastSegment);
 
 struct TrajectoryPlan {
   motion::TrajectoryPtr motion;  ///< nullptr: there is nothing to move
