@@ -1,0 +1,126 @@
+// What of a goal of load_path arrives in the core.
+#include "block_messages.h"
+#include "files/path_file.h"
+#include "no_lookups.h"
+#include "source_tree.h"
+#include <gmock/gmock.h>
+
+#include "cobot_command/ros/shared/conversions.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const Lookups onlyPaths{noFrame, noSteps, readPathFile};
+
+/// Each field another value.
+cobot_command::PathPoint pathPoint() {
+  cobot_command::PathPoint point;
+  point.move_id = 101;
+  point.move_type = 102;
+  point.target_point_type = 103;
+  point.interpolation_type = 104;
+  point.pose = toTransformation({105, 106, 107, 108, 109, 110});
+  point.pose_type = 106;
+  point.pose_id = 107;
+  point.ref_frame_type = 108;
+  point.ref_frame_id = 109;
+  for (std::size_t i = 0; i < point.joints.size(); ++i) point.joints[i] = 110 + static_cast<double>(i);
+  point.via_pose = toTransformation({120, 121, 122, 123, 124, 125});
+  point.termination_type = 130;
+  point.command_tolerance = 131;
+  point.robot_configuration = 132;
+  point.profile_type = 133;
+  point.speed = 134;
+  point.acceleration = 135;
+  point.deceleration = 136;
+  point.acceleration_jerk = 137;
+  point.deceleration_jerk = 138;
+  point.orientation_speed = 139;
+  point.orientation_acceleration = 140;
+  point.orientation_deceleration = 141;
+  point.tracking_axis_position = 142;
+  return point;
+}
+
+TEST(PathGoalMessages, everyFieldOfAPathPointArrives) {
+  cobot_command::LoadPathGoal message;
+  message.path.push_back(pathPoint());
+  const auto goal = toGoal(message, onlyPaths);
+  ASSERT_EQ(goal.path.size(), 1U);
+  const path::PathPoint& point = goal.path.front();
+  EXPECT_EQ(point.move_id, 101);
+  EXPECT_EQ(point.move_type, 102);
+  EXPECT_EQ(point.target_type, 103);
+  EXPECT_EQ(point.interpolation, 104);
+  EXPECT_THAT(point.pose, ElementsAre(105, 106, 107, 108, 109, 110));
+  EXPECT_EQ(point.pose_type, 106);
+  EXPECT_EQ(point.pose_id, 107);
+  EXPECT_EQ(point.ref_frame_type, 108);
+  EXPECT_EQ(point.ref_frame_id, 109);
+  EXPECT_THAT(point.joints, ElementsAre(110, 111, 112, 113, 114, 115, 116, 117, 118));
+  EXPECT_THAT(point.via_pose, ElementsAre(120, 121, 122, 123, 124, 125));
+  EXPECT_EQ(point.termination_type, 130);
+  EXPECT_EQ(point.command_tolerance, 131);
+  EXPECT_EQ(point.robot_configuration, 132);
+  EXPECT_EQ(point.profile_type, 133);
+  EXPECT_EQ(point.speed, 134);
+  EXPECT_EQ(point.acceleration, 135);
+  EXPECT_EQ(point.deceleration, 136);
+  EXPECT_EQ(point.acceleration_jerk, 137);
+  EXPECT_EQ(point.deceleration_jerk, 138);
+  EXPECT_EQ(point.orientation_speed, 139);
+  EXPECT_EQ(point.orientation_acceleration, 140);
+  EXPECT_EQ(point.orientation_deceleration, 141);
+  EXPECT_EQ(point.tracking_axis_position, 142);
+}
+
+TEST(PathGoalMessages, everyFieldOfLoadPathArrives) {
+  cobot_command::LoadPathGoal message;
+  message.start_index = 3;
+  message.number_of_moves = 4;
+  message.enable_tracking_0 = true;
+  message.execution = cobot_command::LoadPathGoal::PVT;
+  message.allow_approximation = true;
+  message.buffer_mode = 2;
+  message.max_deviation = 1.5;
+  message.check_only = true;
+  const auto goal = toGoal(message, onlyPaths);
+  EXPECT_EQ(goal.start_index, 3);
+  EXPECT_EQ(goal.number_of_moves, 4);
+  EXPECT_TRUE(goal.enable_tracking[0] && !goal.enable_tracking[1]);
+  EXPECT_EQ(goal.execution, 2);
+  EXPECT_TRUE(goal.allow_approximation);
+  EXPECT_EQ(goal.buffer_mode, 2);
+  EXPECT_EQ(goal.max_deviation, 1.5);
+  EXPECT_TRUE(goal.check_only);
+  EXPECT_EQ(goal.path_fault, "");
+  message.enable_tracking_0 = false;
+  message.enable_tracking_1 = true;
+  EXPECT_TRUE(toGoal(message, onlyPaths).enable_tracking_1);
+}
+
+TEST(PathGoalMessages, thePointsOfAPathMayStandInAFile) {
+  cobot_command::LoadPathGoal message;
+  message.path_file = test_support::inSourceTree("config/path.yaml");
+  EXPECT_EQ(toGoal(message, onlyPaths).path_fault, "");
+  EXPECT_EQ(toGoal(message, onlyPaths).path.size(), 7U);
+  message.path.resize(1);
+  EXPECT_THAT(toGoal(message, onlyPaths).path_fault, HasSubstr("give one"));
+  message.path.clear();
+  message.path_file = "/no/such/file.yaml";
+  EXPECT_THAT(toGoal(message, onlyPaths).path_fault, HasSubstr("/no/such/file.yaml"));
+}
+
+TEST(PathGoalMessages, tooManyPointsAreOnlyCounted) {
+  cobot_command::LoadPathGoal message;
+  message.path.assign(1001, pathPoint());
+  const auto goal = toGoal(message, onlyPaths);
+  EXPECT_EQ(goal.path.size(), 1001U);
+  EXPECT_EQ(goal.path.front().move_id, 0);
+}
+
+}  // namespace
+}  // namespace cobot_command::ros_adapter
