@@ -24,7 +24,21 @@ tcp::socket rawPeer(boost::asio::io_context& context, std::uint16_t port) {
   return socket;
 }
 
-using TcpTrafficTest = Network;
+class TcpTrafficTest : public Network {
+ protected:
+  /// So many bytes at least, in small pieces.
+  std::string readSlowly(tcp::socket& peer, std::size_t size) {
+    peer.non_blocking(true);
+    std::string received;
+    std::string piece(20'000, ' ');
+    EXPECT_TRUE(runUntil([&] {
+      boost::system::error_code code;
+      received.append(piece, 0, peer.read_some(boost::asio::buffer(piece), code));
+      return received.size() >= size;
+    }));
+    return received;
+  }
+};
 
 TEST_F(TcpTrafficTest, carriesAnyBytesOfAnySizeBothWays) {
   const std::string bytes = noise(8'000'000);
@@ -194,15 +208,7 @@ TEST_F(TcpTrafficTest, carriesTwoPvtsOfAPathAndAStopToAPeerThatReadsLate) {
   settle(context);
   EXPECT_TRUE(server.disconnected.empty()) << server.disconnected.begin()->second;
 
-  peer.non_blocking(true);
-  std::string received;
-  std::string piece(20'000, ' ');
-  ASSERT_TRUE(runUntil([&] {
-    boost::system::error_code code;
-    received.append(piece, 0, peer.read_some(boost::asio::buffer(piece), code));
-    return received.size() >= sent.size();
-  }));
-  EXPECT_TRUE(received == sent);
+  EXPECT_TRUE(readSlowly(peer, sent.size()) == sent);
   EXPECT_TRUE(server.disconnected.empty());
 }
 
@@ -213,15 +219,7 @@ TEST_F(TcpTrafficTest, keepsAPeerThatReadsSlowlyButReads) {
   const std::string bytes = noise(6'000'000);
   server.tcp.send(server.clients.front(), bytes);
   EXPECT_GT(server.tcp.backlog(), 0u);
-  peer.non_blocking(true);
-  std::string received;
-  std::string piece(20'000, ' ');
-  ASSERT_TRUE(runUntil([&] {
-    boost::system::error_code code;
-    received.append(piece, 0, peer.read_some(boost::asio::buffer(piece), code));
-    return received.size() >= bytes.size();
-  }));
-  EXPECT_TRUE(received == bytes);
+  EXPECT_TRUE(readSlowly(peer, bytes.size()) == bytes);
   EXPECT_TRUE(server.disconnected.empty());
 }
 

@@ -4,6 +4,7 @@
 #include "catalogue_scenarios.h"
 #include "core_rig.h"
 #include "status_frames.h"
+#include "wire_faults.h"
 
 #include "cobot_command/common/overloaded.h"
 
@@ -43,15 +44,7 @@ Outcome until(const Goal& goal, const std::function<void(CoreRig&, const std::st
   connect(rig);
   const GoalId id = rig.submit(goal);
   fault(rig, rig.takeScript().id);
-  rig.discardSent();
-  EXPECT_NE(rig.outcome(id), nullptr);
-  return rig.outcome(id) == nullptr ? Outcome{} : *rig.outcome(id);
-}
-
-/// The link drops, and the status stream, which might tell why, hangs.
-void lose(CoreRig& rig, const std::string& /*script_id*/) {
-  rig.close("gone");
-  rig.pass(500ms);
+  return endOf(rig, id);
 }
 
 /// The end of a goal that comes after `before`.
@@ -59,9 +52,7 @@ Outcome after(const Goal& goal, const std::function<void(CoreRig&)>& before) {
   CoreRig rig(std::nullopt, link::LinkSettings{});
   before(rig);
   const GoalId id = rig.submit(goal);
-  EXPECT_NE(rig.outcome(id), nullptr);
-  rig.discardSent();
-  return rig.outcome(id) == nullptr ? Outcome{} : *rig.outcome(id);
+  return endOf(rig, id);
 }
 
 }  // namespace
@@ -177,28 +168,11 @@ Scenarios motionScenarios(const Goal& goal) {
       {row(motion_error::kReceiveTag), [=] { return overdue([](CoreRig& rig) { rig.pass(1s); }); }},
       {row(motion_error::kMotionFailed),
        [=] { return overdue([](CoreRig& rig) { rig.tag(1, TagState::Incomplete); }); }},
-      {row(own_error::kNotAtTarget),
-       [=] {
-         return until(goal, [](CoreRig& rig, const std::string& id) {
-           rig.reply(id);
-           rig.tag(1);
-           for (int i = 0; i < 2; ++i) {
-             rig.status(StatusFrames().moving());
-             rig.pass(500ms);
-           }
-         });
-       }},
+      {row(own_error::kNotAtTarget), [=] { return until(goal, tellTheEndTooEarly); }},
       {row(own_error::kStoppedElsewhere),
        [=] {
          return until(goal, [](CoreRig& rig, const std::string& id) {
-           rig.reply(id);
-           rig.status(StatusFrames().moving());
-           while (rig.nothingSent()) {
-             rig.pass(100ms);
-             rig.status(StatusFrames().at({33, 0, 90, 0, 90, 0}));
-           }
-           rig.takeTagQuery();
-           rig.tag(1, TagState::Unknown);
+           standAt({33, 0, 90, 0, 90, 0}, rig, id);
          });
        }},
       {row(own_error::kTagLost),

@@ -7,6 +7,7 @@
 #include "catalogue_scenarios.h"
 #include "core_rig.h"
 #include "status_frames.h"
+#include "wire_faults.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -36,12 +37,6 @@ struct Ready : CoreRig {
     status(frame);
   }
 };
-
-Outcome endOf(CoreRig& rig, GoalId id) {
-  rig.discardSent();
-  EXPECT_NE(rig.outcome(id), nullptr);
-  return rig.outcome(id) == nullptr ? Outcome{} : *rig.outcome(id);
-}
 
 /// On a robot that stands at `frame`.
 Outcome planned(const Goal& goal, const StatusFrames& frame = StatusFrames()) {
@@ -244,13 +239,7 @@ Scenarios wireScenarios() {
       {row(motion_error::kReceiveReply), [] { return until([](auto& rig, const auto&) { rig.pass(1s); }); }},
       {row(motion_error::kRejected),
        [] { return until([](auto& rig, const auto& id) { rig.reply(id, false, {1}); }); }},
-      {row(1002),
-       [] {
-         return until([](auto& rig, const auto&) {
-           rig.close("gone");
-           rig.pass(500ms);
-         });
-       }},
+      {row(1002), [] { return until(lose); }},
       {row(own_error::kCommunication),
        [] {
          return until([](auto& rig, const auto&) {
@@ -263,29 +252,10 @@ Scenarios wireScenarios() {
          rig.tag(1, TagState::Incomplete);
        })},
       {row(own_error::kTagLost), overdue([](CoreRig& rig) { rig.tag(1, TagState::Unknown); })},
-      {row(own_error::kNotAtTarget),
-       [] {
-         return until([](CoreRig& rig, const std::string& id) {
-           rig.reply(id);
-           rig.tag(1);
-           for (int i = 0; i < 2; ++i) {
-             rig.status(StatusFrames().moving());
-             rig.pass(500ms);
-           }
-         });
-       }},
+      {row(own_error::kNotAtTarget), [] { return until(tellTheEndTooEarly); }},
       {row(own_error::kStoppedElsewhere),
        [] {
-         return until([](CoreRig& rig, const std::string& id) {
-           rig.reply(id);
-           rig.status(StatusFrames().moving());
-           while (rig.nothingSent()) {
-             rig.pass(100ms);
-             rig.status(StatusFrames().at({3, 0, 90, 0, 90, 0}));
-           }
-           rig.takeTagQuery();
-           rig.tag(1, TagState::Unknown);
-         });
+         return until([](CoreRig& rig, const std::string& id) { standAt({3, 0, 90, 0, 90, 0}, rig, id); });
        }},
       {row(1007),
        [] {

@@ -8,6 +8,7 @@
 #include "catalogue_scenarios.h"
 #include "core_rig.h"
 #include "status_frames.h"
+#include "wire_faults.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -29,12 +30,6 @@ struct Ready : CoreRig {
     status(StatusFrames());
   }
 };
-
-Outcome endOf(CoreRig& rig, GoalId id) {
-  rig.discardSent();
-  EXPECT_NE(rig.outcome(id), nullptr);
-  return rig.outcome(id) == nullptr ? Outcome{} : *rig.outcome(id);
-}
 
 template <class Change>
 Scenario withGoal(const Change& change) {
@@ -106,10 +101,7 @@ Scenarios wireScenarios() {
   return {
       {row(motion_error::kReceiveReply), until([](auto& rig, const auto&) { rig.pass(1s); })},
       {row(motion_error::kRejected), until([](auto& rig, const auto& id) { rig.reply(id, false, {1}); })},
-      {row(motion_error::kLinkDropped), until([](auto& rig, const auto&) {
-         rig.close("gone");
-         rig.pass(500ms);
-       })},
+      {row(motion_error::kLinkDropped), until(lose)},
       {row(own_error::kCommunication), until([](auto& rig, const auto&) {
          rig.say(protocol::CommunicationError{protocol::CommunicationErrorCode::Checksum});
        })},
@@ -128,14 +120,7 @@ Scenarios wireScenarios() {
          }
        })},
       {row(own_error::kStoppedElsewhere), until([](CoreRig& rig, const std::string& id) {
-         rig.reply(id);
-         rig.status(StatusFrames().at({3, 0, 90, 0, 90, 0}).moving());
-         while (rig.nothingSent()) {
-           rig.pass(100ms);
-           rig.status(StatusFrames().at({3, 0, 90, 0, 90, 0}));
-         }
-         rig.takeTagQuery();
-         rig.tag(1, TagState::Unknown);
+         standAt({3, 0, 90, 0, 90, 0}, rig, id);
        })},
       {row(own_error::kPathTolerance), until([](CoreRig& rig, const std::string& id) {
          rig.reply(id);

@@ -1,0 +1,22 @@
+// How a goal ends, and what controller and wire do to a command that was sent, for scenarios of any block.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core_rig.h"
+
+namespace cobot_command::testing {
+
+/// Of a goal that has ended.
+[[nodiscard]] blocks::Outcome endOf(CoreRig& rig, blocks::GoalId id);
+
+// Each takes the id of the script that the command went out with.
+/// The link drops, and the status stream, which might tell why, hangs.
+void lose(CoreRig& rig, const std::string& script_id);
+/// Its tag comes, and the robot moves on.
+void tellTheEndTooEarly(CoreRig& rig, const std::string& script_id);
+/// The robot comes to rest at these joints, which are not its target, and its tag is unknown.
+void standAt(const std::vector<float>& joints_deg, CoreRig& rig, const std::string& script_id);
+
+}  // namespace cobot_command::testing
