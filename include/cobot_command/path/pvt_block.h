@@ -34,6 +34,10 @@ struct PvtBlock {
 /// the last.
 [[nodiscard]] std::vector<std::size_t> taggedPoints(std::size_t first, std::size_t last, std::size_t most);
 
+/// Behind which points of a piece, its plan, it is told that it has come so far, at most `most` times: those
+/// that end a goal, and others, evenly. Never the last one, which has the tag of the piece.
+[[nodiscard]] std::vector<std::size_t> markedPoints(const PathPlan& plan, std::size_t most);
+
 /// The lines of a block: enter, points, `tags` (point of the plan -> tag) behind what they tell of, exit; of
 /// a block without a way the tags alone. Precondition: the tags are those of its points.
 [[nodiscard]] std::vector<script::ScriptCommand> scriptOf(const PvtBlock& block,

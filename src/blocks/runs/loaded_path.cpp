@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,19 +22,6 @@ using Pieces = Result<std::vector<LoadedPiecePtr>, PathRefusal>;
 
 /// Two PVTs are at the controller, and it has fifteen tags; one of each is for its end.
 constexpr std::size_t kMostMarks = 6;
-
-/// Points of the piece behind which a mark stands: those that end a goal, and others for how far it is.
-std::vector<std::size_t> markedPoints(const PathPlan& plan) {
-  const auto& points = plan.points();
-  std::set<std::size_t> marked;
-  for (std::size_t i = 0; i + 1 < points.size() && marked.size() < kMostMarks; ++i) {
-    if (points[i].goal != points[i + 1].goal) marked.insert(i);
-  }
-  for (const std::size_t point : path::taggedPoints(0, points.size() - 1, kMostMarks + 1)) {
-    if (point + 1 < points.size() && marked.size() < kMostMarks) marked.insert(point);
-  }
-  return {marked.begin(), marked.end()};
-}
 
 /// Behind the line that enters, and as many points as it is done behind.
 std::size_t lineBehind(const path::PvtBlock& block, std::size_t point) {
@@ -63,7 +49,7 @@ LoadedPiecePtr toLoaded(path::PathPiece piece, const arm::ArmModel& arm) {
   LoadedPiece loaded{std::move(piece.plan), motionOrder(path::scriptOf(piece.block, {}))};
   loaded.fastest = fastestOf(loaded.plan, arm);
   if (!loaded.order.lines.empty()) {
-    loaded.marked = markedPoints(loaded.plan);
+    loaded.marked = path::markedPoints(loaded.plan, kMostMarks);
     for (const std::size_t point : loaded.marked) {
       loaded.order.marks.push_back(lineBehind(piece.block, point));
     }

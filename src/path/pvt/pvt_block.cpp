@@ -1,11 +1,40 @@
 #include "cobot_command/path/pvt_block.h"
 
+#include <algorithm>
+
 #include "pvt/pvt_phases.h"
 #include "pvt/pvt_points.h"
 
 #include "cobot_command/arm/controller_pose.h"
 
 namespace cobot_command::path {
+namespace {
+
+/// Points up to one that is told of in any case, and the parts that they are told of in.
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::size_t parts = 1;
+
+  [[nodiscard]] double pointsOfAPart() const {
+    return static_cast<double>(last - first + 1) / static_cast<double>(parts);
+  }
+};
+
+/// Up to the last point, and to those that end a goal, at most so many of these.
+std::vector<Stretch> stretchesOf(const PathPlan& plan, std::size_t most_ends) {
+  const auto& points = plan.points();
+  std::vector<Stretch> stretches(1);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    stretches.back().last = i + 1;
+    if (points[i].goal == points[i + 1].goal || stretches.size() > most_ends) continue;
+    stretches.back().last = i;
+    stretches.push_back({i + 1, i + 1});
+  }
+  return stretches;
+}
+
+}  // namespace
 
 std::size_t endOfBlock(const PathPlan& plan, std::size_t first) {
   std::size_t last = first;
@@ -43,6 +72,23 @@ std::vector<std::size_t> taggedPoints(std::size_t first, std::size_t last, std::
   for (std::size_t point = first + step - 1; point < last; point += step) tagged.push_back(point);
   tagged.push_back(last);
   return tagged;
+}
+
+std::vector<std::size_t> markedPoints(const PathPlan& plan, std::size_t most) {
+  std::vector<Stretch> stretches = stretchesOf(plan, most);
+  const auto is_finer = [](const Stretch& one, const Stretch& other) {
+    return one.pointsOfAPart() < other.pointsOfAPart();
+  };
+  for (std::size_t marks = stretches.size() - 1; marks < most; ++marks) {
+    ++std::max_element(stretches.begin(), stretches.end(), is_finer)->parts;
+  }
+  std::vector<std::size_t> marked;
+  for (const Stretch& stretch : stretches) {
+    for (const std::size_t point : taggedPoints(stretch.first, stretch.last, stretch.parts)) {
+      if (point + 1 < plan.points().size()) marked.push_back(point);
+    }
+  }
+  return marked;
 }
 
 std::vector<script::ScriptCommand> scriptOf(const PvtBlock& block, const std::map<std::size_t, int>& tags) {

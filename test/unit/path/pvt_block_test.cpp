@@ -15,6 +15,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 constexpr Duration kSegment = milliseconds(25);
 
@@ -145,6 +146,27 @@ TEST_F(PvtBlocks, haveATagForEachPointOrForEverySoMany) {
   EXPECT_THAT(taggedPoints(3, 6, 7), ElementsAre(3, 4, 5, 6));
   EXPECT_THAT(taggedPoints(0, 19, 7), ElementsAre(2, 5, 8, 11, 14, 17, 19));
   EXPECT_THAT(taggedPoints(0, 999, 7), ElementsAre(142, 285, 428, 571, 714, 857, 999));
+}
+
+TEST_F(PvtBlocks, areMarkedWhereGoalsEndAndEvenlyBetween) {
+  const auto marks = [this](const std::vector<int>& points_of_goals) {
+    PathPlanner planner(scene);
+    int goal = 0;
+    for (const int count : points_of_goals) {
+      PathSection section = sectionOf({});
+      section.goal = ++goal;
+      section.points.assign(static_cast<std::size_t>(count), toJoints({0, 0, 90, 0, 90, 0}));
+      section.number_of_moves = count;
+      EXPECT_FALSE(planner.append(section));
+    }
+    return markedPoints(planner.plan(), 6);
+  };
+  EXPECT_THAT(marks({1}), IsEmpty());
+  EXPECT_THAT(marks({4}), ElementsAre(0, 1, 2));
+  EXPECT_THAT(marks({20}), ElementsAre(2, 5, 8, 11, 14, 17));
+  EXPECT_THAT(marks({40, 30}), ElementsAre(9, 19, 29, 39, 49, 59));
+  EXPECT_THAT(marks({1, 1, 1, 60}), ElementsAre(0, 1, 2, 17, 32, 47)) << "not one by one behind the ends";
+  EXPECT_THAT(marks({2, 2, 2, 2, 2, 2, 2, 2}), ElementsAre(1, 3, 5, 7, 9, 11)) << "of more ends the first";
 }
 
 TEST_F(PvtBlocks, tellTheirTagsBehindTheSegmentInWhichAPointEnds) {
