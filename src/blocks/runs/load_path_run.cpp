@@ -165,8 +165,9 @@ void LoadPathRun::robotChanged(const robot::RobotWatch& robot, Instant now) {
     failure_ = robot.emergencyStop() ? emergencyStop() : robotError(robot);
     fire(Event::Failed, now);
     endWhenNothingIsLeft(now);
-  } else if (state_ == State::Explaining && (!robot.status() || reason_.endsWithFrame(now))) {
-    fire(Event::Failed, now);
+  } else if (state_ == State::Explaining) {
+    tellStoppedProject(robot, *failure_);
+    if (!robot.status() || reason_.endsWithFrame(now)) fire(Event::Failed, now);
   }
 }
 

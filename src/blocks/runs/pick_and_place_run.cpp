@@ -184,6 +184,7 @@ void PickAndPlaceRun::robotChanged(const robot::RobotWatch& robot, Instant now) 
     return;
   }
   if (state_ == State::Explaining) {
+    tellStoppedProject(robot, failure_);
     if (!robot.status() || reason_.endsWithFrame(now)) fire(Event::Failed, now);
     return;
   }

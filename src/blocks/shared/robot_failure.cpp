@@ -5,6 +5,11 @@
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
+namespace {
+
+constexpr const char* kStartTheProject = "Start the project on the controller, then connect again";
+
+}  // namespace
 
 Failure emergencyStop() {
   return {motion_error::kLinkDropped, "emergency stop",
@@ -12,9 +17,9 @@ Failure emergencyStop() {
 }
 
 void tellStoppedProject(const robot::RobotWatch& robot, Failure& loss) {
-  if (!robot.projectStopped()) return;
+  if (!robot.projectStopped() || loss.remedy == kStartTheProject) return;
   loss.found = "the project was stopped: " + loss.found;
-  loss.remedy = "Start the project on the controller, then connect again";
+  loss.remedy = kStartTheProject;
 }
 
 Failure robotError(const robot::RobotWatch& robot) {

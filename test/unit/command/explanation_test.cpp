@@ -1,6 +1,7 @@
 // The script port tells first that something failed, the status stream a frame later why: the end waits for
 // it.
 
+#include "block_goals.h"
 #include "core_rig.h"
 #include "status_frames.h"
 #include <gmock/gmock.h>
@@ -127,6 +128,43 @@ TEST_F(Explanation, ofALostLinkIsTheProjectThatWasStopped) {
   EXPECT_THAT(rig.outcome(motion)->remedy, HasSubstr("Start the project"));
   expectEnd(connect, connect_error::kDisconnected, "the project was stopped");
   EXPECT_THAT(rig.outcome(connect)->remedy, HasSubstr("Start the project"));
+}
+
+/// Each frame shows it.
+TEST_F(Explanation, thatTheProjectWasStoppedIsToldOnceToWhatHasNothingAtTheController) {
+  const Goal goals[] = {with<LoadPathGoal>([](auto& g) {
+                          g.number_of_moves = 1;
+                          g.path[0].termination_type = static_cast<int>(path::Termination::Blend);
+                          g.path[0].command_tolerance = 2;
+                        }),
+                        with<FollowJointTrajectoryGoal>([](auto& g) { g.starts_in = 5; }),
+                        good<WaitForInputGoal>(), with<PickAndPlaceGoal>([](auto& g) {
+                          g.steps = {{CoreRig::move(), std::nullopt, std::nullopt, 60}};
+                        })};
+  for (const Goal& goal : goals) {
+    CoreRig other(*arm::ArmModel::named("tm5-900"), link::LinkSettings{});
+    other.connect();
+    other.status(StatusFrames().input("Ctrl_DI3", false));
+    const GoalId id = other.submit(goal);
+    if (std::holds_alternative<PickAndPlaceGoal>(goal)) {
+      other.reply(other.takeScript().id);
+      other.tag(1);
+      other.stream(StatusFrames());
+    }
+    ASSERT_TRUE(other.nothingSent() && other.outcome(id) == nullptr) << toString(blockOf(goal));
+    other.close("closed by the peer");
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(other.outcome(id), nullptr);
+      other.pass(15ms);
+      other.status(StatusFrames().with(protocol::item::ofBool("Project_Run", false)));
+    }
+    ASSERT_NE(other.outcome(id), nullptr) << toString(blockOf(goal));
+    const std::string told = other.outcome(id)->error_description;
+    EXPECT_THAT(told, HasSubstr("the project was stopped: ")) << toString(blockOf(goal));
+    EXPECT_EQ(told.find("the project"), told.rfind("the project")) << told;
+    EXPECT_THAT(other.outcome(id)->remedy, HasSubstr("Start the project")) << toString(blockOf(goal));
+    other.discardSent();
+  }
 }
 
 TEST_F(Explanation, ofALostLinkWithoutOneIsTheLossItself) {

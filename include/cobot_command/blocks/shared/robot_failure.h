@@ -9,7 +9,8 @@ namespace cobot_command::blocks {
 /// What ends everything that is under way (16#99).
 [[nodiscard]] Failure emergencyStop();
 
-/// What a stopped project has to do with the loss of the link, for its error: that has another remedy.
+/// What a stopped project has to do with the loss of the link, for its error: that has another remedy. Each
+/// frame may show it; it is told once.
 void tellStoppedProject(const robot::RobotWatch& robot, Failure& loss);
 
 /// 16#222 with the error that the robot shows. The way out is another one when the arm carries too much: the
