@@ -2,6 +2,8 @@
 #include "path_goals.h"
 #include <gmock/gmock.h>
 
+#include "cobot_command/common/units.h"
+
 namespace cobot_command::testing {
 namespace {
 
@@ -66,7 +68,7 @@ TEST_F(LoadPathChains, loseTheBlendOfAGoalThatComesTooLate) {
   expectDone(first);
   expectDone(second);
   EXPECT_THAT(reportOf(first).blends_lost, ::testing::ElementsAre(4));
-  EXPECT_NEAR(cell.robot().joints[0] * 57.29577951, 30, 0.01);
+  EXPECT_NEAR(radToDeg(cell.robot().joints[0]), 30, 0.01);
 }
 
 TEST_F(LoadPathChains, waitForTheNextGoalAsLongAsTheyAreToldTo) {
@@ -116,7 +118,7 @@ TEST_F(LoadPathChains, rememberTheTargetInFrontForIncrements) {
   const GoalId second = cell.submit(goal);
   expectDone(first);
   expectDone(second);
-  EXPECT_NEAR(cell.robot().joints[0] * 57.29577951, 11, 0.01);
+  EXPECT_NEAR(radToDeg(cell.robot().joints[0]), 11, 0.01);
 }
 
 TEST_F(LoadPathChains, loseOnlyWhatNothingWasSentOf) {
@@ -128,7 +130,7 @@ TEST_F(LoadPathChains, loseOnlyWhatNothingWasSentOf) {
   EXPECT_EQ(cell.endOf(third).ending, Ending::CommandAborted);
   EXPECT_THAT(cell.endOf(third).error_description, HasSubstr("load_path 2"));
   expectDone(first);
-  EXPECT_NEAR(cell.robot().joints[0] * 57.29577951, 15, 0.01);
+  EXPECT_NEAR(radToDeg(cell.robot().joints[0]), 15, 0.01);
 }
 
 TEST_F(LoadPathChains, endAllWhenAGoalIsCancelledThatIsUnderWayWithTheOnesInFront) {
@@ -148,7 +150,7 @@ TEST_F(LoadPathChains, endEachGoalWhenItsOwnLastPointIsDone) {
   const GoalId second = cell.submit(section(tenPoints(), 5, 5));
   expectDone(first);
   EXPECT_EQ(cell.outcome(second), nullptr);
-  EXPECT_LT(cell.robot().joints[0] * 57.29577951, 20);
+  EXPECT_LT(radToDeg(cell.robot().joints[0]), 20);
   expectDone(second);
 }
 

@@ -2,6 +2,8 @@
 #include "path_goals.h"
 #include <gmock/gmock.h>
 
+#include "cobot_command/common/units.h"
+
 namespace cobot_command::testing {
 namespace {
 
@@ -69,7 +71,7 @@ TEST_F(LoadPathScript, hasFivePointsAtTheControllerBesideTheActiveOne) {
   for (const std::string& script : cell.scripts()) EXPECT_THAT(script, HasSubstr("QueueTag("));
   expectDone(id);
   EXPECT_EQ(cell.scripts().size(), 10U);
-  EXPECT_NEAR(cell.robot().joints[0] * 57.29577951, 30, 0.01);
+  EXPECT_NEAR(radToDeg(cell.robot().joints[0]), 30, 0.01);
 }
 
 TEST_F(LoadPathScript, blendsFromPointToPoint) {
@@ -87,7 +89,7 @@ TEST_F(LoadPathScript, isJoinedByOtherGoals) {
   const GoalId second = cell.submit(asScript(turns(4, true, 4)));
   expectDone(first);
   expectDone(second);
-  EXPECT_NEAR(cell.robot().joints[0] * 57.29577951, 24, 0.01);
+  EXPECT_NEAR(radToDeg(cell.robot().joints[0]), 24, 0.01);
 }
 
 TEST_F(LoadPathScript, beginsAtRestBehindAPvtAndAPvtBehindIt) {
@@ -97,7 +99,7 @@ TEST_F(LoadPathScript, beginsAtRestBehindAPvtAndAPvtBehindIt) {
   expectDone(first);
   expectDone(second);
   expectDone(third);
-  EXPECT_NEAR(cell.robot().joints[0] * 57.29577951, 36, 0.01);
+  EXPECT_NEAR(radToDeg(cell.robot().joints[0]), 36, 0.01);
   EXPECT_THAT(reportOf(first).blends_lost, ::testing::ElementsAre(3));
 }
 
