@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "command/action_servers.h"
+#include "paths/path_services.h"
 #include "tables/table_services.h"
 #include "tables/tables_file.h"
 #include <fmt/format.h>
@@ -62,7 +63,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       diagnostics_(node, self, parameters.diagnostic_period, parameters.link.status_port != 0),
       frames_(parameters.prefix + "base", parameters.tf_from_start),
       intake_([this](const std_msgs::Header& header) { return frames_.find(header); },
-              [this] { return frames_.patience(); }, fileSource(), intakeCore()) {
+              [this] { return frames_.patience(); }, fileSource(), intakeCore(), parameters.world_frame) {
   if (!parameters.arm) {
     ROS_WARN("no robot model: moves are sent to the controller without planning them first");
   }
@@ -78,6 +79,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   const GoalSink goal_sink = sink();
   servers_ = serveActions({node, joint_names, goal_sink});
   tables_ = tableServices(node, parameters.tables);
+  paths_ = pathServices(node);
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
@@ -94,6 +96,15 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
     target.port = default_port_;
     runtime_->keepConnected(std::move(target));
   }
+}
+
+std::unique_ptr<PathServices> CommandNode::pathServices(const ros::NodeHandle& node) {
+  PathServices::Core core;
+  core.feedrate = [this](const command::FeedrateRequest& request) { return runtime_->setFeedrate(request); };
+  core.tracking = [this](const command::TrackingSwitch& request) {
+    return runtime_->switchTracking(request);
+  };
+  return std::make_unique<PathServices>(node, std::move(core));
 }
 
 CommandNode::~CommandNode() {
@@ -223,6 +234,7 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
           },
           [&](const command::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
           [&](const command::TablesChanged& a) { tables_->take(a.tables); },
+          [&](const command::PathControlsChanged& a) { paths_->take(a.controls); },
           [&](const command::PathPlanned& a) { publisher_.publish(a); },
           [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
           [&](const command::LogMessage& a) { log(a); },

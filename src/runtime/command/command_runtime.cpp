@@ -237,6 +237,24 @@ std::optional<std::future<command::TableAnswer>> CommandRuntime::tryTable(comman
   return posted ? std::optional(std::move(answered)) : std::nullopt;
 }
 
+std::optional<std::future<command::FeedrateAnswer>> CommandRuntime::setFeedrate(
+    command::FeedrateRequest request) {
+  const auto answer = std::make_shared<std::promise<command::FeedrateAnswer>>();
+  auto answered = answer->get_future();
+  const auto reply = [answer](const command::FeedrateAnswer& given) { answer->set_value(given); };
+  const bool posted = impl_->post([=](auto& core, Instant now) { core.setFeedrate(request, reply, now); });
+  return posted ? std::optional(std::move(answered)) : std::nullopt;
+}
+
+std::optional<std::future<std::optional<std::string>>> CommandRuntime::switchTracking(
+    command::TrackingSwitch request) {
+  const auto answer = std::make_shared<std::promise<std::optional<std::string>>>();
+  auto answered = answer->get_future();
+  const bool posted =
+      impl_->post([=](auto& core, Instant now) { answer->set_value(core.switchTracking(request, now)); });
+  return posted ? std::optional(std::move(answered)) : std::nullopt;
+}
+
 void CommandRuntime::keepConnected(blocks::ConnectGoal target) {
   impl_->post([target = std::move(target)](auto& core, Instant now) { core.keepConnected(target, now); });
 }

@@ -27,6 +27,7 @@
 
 namespace cobot_command::ros_adapter {
 
+class PathServices;
 class TableServices;
 
 class CommandNode {
@@ -52,6 +53,7 @@ class CommandNode {
   [[nodiscard]] FileSource fileSource();
   [[nodiscard]] std::unique_ptr<TableServices> tableServices(const ros::NodeHandle& node,
                                                              const TableParameters& parameters);
+  [[nodiscard]] std::unique_ptr<PathServices> pathServices(const ros::NodeHandle& node);
   [[nodiscard]] GoalListener& of(blocks::Block block) const {
     return *servers_[static_cast<std::size_t>(block)];
   }
@@ -75,6 +77,7 @@ class CommandNode {
   std::vector<std::unique_ptr<GoalListener>> servers_;  ///< by their blocks
   std::unique_ptr<runtime::CommandRuntime> runtime_;
   std::unique_ptr<TableServices> tables_;
+  std::unique_ptr<PathServices> paths_;
   ros::SteadyTimer retry_;
   ros::ServiceServer finish_;
   bool stopped_ = false;

@@ -9,6 +9,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/goal.h"
@@ -53,6 +54,10 @@ class CommandRuntime {
   /// See CommandCore; the answer as with finish().
   std::optional<std::future<command::TableAnswer>> writeTable(command::TableWrite write);
   std::optional<std::future<command::TableAnswer>> tryTable(command::TableWrite write);
+  /// See CommandCore; the answers as with finish(), and behind a Pause() or Resume() when the controller has
+  /// taken it.
+  std::optional<std::future<command::FeedrateAnswer>> setFeedrate(command::FeedrateRequest request);
+  std::optional<std::future<std::optional<std::string>>> switchTracking(command::TrackingSwitch request);
   /// See CommandCore.
   void keepConnected(blocks::ConnectGoal target);
 
