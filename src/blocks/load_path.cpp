@@ -111,7 +111,10 @@ Failure cannotPlan(const LoadPathGoal& goal, bool has_model) {
 }
 
 /// With what was planned in front of the point to blame.
-Failure refused(const LoadPathGoal& goal, const PathRefusal& refusal, const PlanningScene& scene) {
+Failure refused(const LoadPathGoal& goal, PathRefusal refusal, const PlanningScene& scene) {
+  if (refusal.error_id == path::path_error::kWorldUnknown && !goal.world_fault.empty()) {
+    refusal.found += "; " + goal.world_fault;
+  }
   if (refusal.index <= goal.start_index) return toFailure(goal, refusal);
   LoadPathGoal in_front = goal;
   in_front.number_of_moves = refusal.index - goal.start_index;

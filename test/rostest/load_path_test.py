@@ -143,6 +143,18 @@ class LoadPath(MotionTestCase):
         connect.cancel()
         self.assert_done(connect.finish())
 
+    def test_takes_targets_in_the_world(self):
+        connect = self.robot.send(self.robot.connect_goal(), "in_cell/")
+        Latest("in_cell/command_status", CommandStatus).wait_for(
+            lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a ready link")
+        in_world = path(above(-150, ref_frame_type=PathPoint.WORLD), check_only=True)
+        in_robot = path(above(-50), check_only=True)
+        ends = [self.assert_done(self.robot.run(goal, "in_cell/")).joint_path.points[-1].positions for goal in (in_world, in_robot)]
+        for found, wanted in zip(*ends):
+            self.assertAlmostEqual(found, wanted, places=6)
+        connect.cancel()
+        self.assert_done(connect.finish())
+
     def test_is_given_up_when_its_plan_takes_too_long(self):
         points = [above(10 * (i % 2), **BLEND) for i in range(1000)]
         connect = self.robot.send(self.robot.connect_goal(), "hurried/")

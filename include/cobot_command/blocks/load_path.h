@@ -33,6 +33,8 @@ struct LoadPathGoal {
   bool allow_approximation = false;  ///< SCRIPT may round what a script cannot say
   int buffer_mode = 0;               ///< against other blocks; behind another load_path it joins its chain
   double max_deviation = 0;          ///< [mm]; 0: none
+  std::optional<arm::Pose> world;    ///< in the robot base [m], for targets in WORLD; nothing: not known
+  std::string world_fault;           ///< why it is not
   bool check_only = false;
 };
 

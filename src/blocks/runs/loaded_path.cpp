@@ -96,11 +96,10 @@ void retime(LoadedPath& loaded) {
   loaded.planned += fromSeconds(toSeconds(after - before) / loaded.project_speed);
 }
 
-path::PathPlanner plannerFor(const PlanningScene& scene) {
+path::PathPlanner plannerFor(const LoadPathGoal& goal, const PlanningScene& scene) {
   const ChainEnd& chain = scene.chain.as<ChainToJoin>().end;
-  // Where the world is comes with the goal, once ROS tells it from tf; until then a target in it is 1040.
   const path::PathScene here{*scene.arm, chain ? chain->scene().start : *scene.start->joints, scene.tables,
-                             std::nullopt, scene.feedrate};
+                             goal.world, scene.feedrate};
   if (!chain) return path::PathPlanner(here);
   path::PathPlanner planner = *chain;
   planner.setScene(here);
@@ -185,7 +184,7 @@ Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   const auto execution = path::is(goal.execution, Execution::Script) ? Execution::Script : Execution::Pvt;
   const bool is_otherwise = chain.execution != execution || chain.tracking != goal.enable_tracking;
   const bool from_rest = chain.end && is_otherwise;
-  path::PathPlanner planner = plannerFor(scene);
+  path::PathPlanner planner = plannerFor(goal, scene);
   if (from_rest) closeEnd(planner);
   const std::size_t in_front = planner.plan().points().size();
   if (auto refusal = planner.append({goal.path, goal.start_index, goal.number_of_moves, scene.number})) {

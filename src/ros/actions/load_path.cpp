@@ -68,6 +68,21 @@ void readFile(blocks::LoadPathGoal& goal, const std::string& file, const Lookups
   }
 }
 
+bool isInWorld(const path::PathPoint& point) {
+  return path::is(point.ref_frame_type, path::Reference::World) &&
+         !path::is(point.target_type, path::TargetType::Joint);
+}
+
+/// As the goal comes, as every frame of a goal is.
+void findTheWorld(blocks::LoadPathGoal& goal, const Lookups& lookups) {
+  if (!std::any_of(goal.path.begin(), goal.path.end(), isInWorld)) return;
+  std_msgs::Header header;
+  header.frame_id = lookups.world_frame;
+  FramePlace place = lookups.frames(header);
+  goal.world = std::move(place.in_robot_base);
+  goal.world_fault = std::move(place.fault);
+}
+
 std::uint8_t toMessage(blocks::ProgressSource source) {
   using Message = cobot_command::LoadPathFeedback;
   switch (source) {
@@ -113,6 +128,7 @@ blocks::LoadPathGoal toGoal(const cobot_command::LoadPathGoal& message, const Lo
   } else {
     readFile(goal, message.path_file, lookups);
   }
+  findTheWorld(goal, lookups);
   return goal;
 }
 

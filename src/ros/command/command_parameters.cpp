@@ -22,6 +22,12 @@ TextRule hostName() {
   return {fmt::format("a host without blanks, of at most {} characters", kMaxHostLength), isHostName};
 }
 
+TextRule frameName() {
+  return {"a name of a tf frame, without a slash in front", [](const std::string& name) {
+            return !name.empty() && name.front() != '/' && name.find(' ') == std::string::npos;
+          }};
+}
+
 TextRule nodeName() {
   return {"the name of a node", [](const std::string& name) {
             std::string reason;
@@ -157,6 +163,8 @@ SettingTable behaviourTable(CommandParameters& p) {
        "a robot that still moves when a link is made, or that a pause or a safeguard holds, is stopped, also "
        "one that another command node moves: to start a second node stops the robot of the first. False: it "
        "is left alone, and nothing is sent before it stands; for several clients of one controller"},
+      {"world_frame", text(p.world_frame, frameName()),
+       "of tf, in which poses of `load_path` in WORLD are; looked up when a goal comes"},
       {"simulated_controller", text(p.simulated_controller, orEmpty(nodeName())),
        "node whose `~listening` ports are used, for ports that it was free to choose"},
       {"diagnostic_period", real(p.diagnostic_period, 0.1, 3600, "s"), "of `/diagnostics`"},

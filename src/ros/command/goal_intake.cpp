@@ -20,11 +20,13 @@ bool neverWaits(const blocks::Goal& goal) {
 
 }  // namespace
 
-GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core)
+GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core,
+                       std::string world_frame)
     : frames_(std::move(frames)),
       patience_(std::move(patience)),
       files_(std::move(files)),
-      core_(std::move(core)) {}
+      core_(std::move(core)),
+      world_frame_(std::move(world_frame)) {}
 
 void GoalIntake::submit(blocks::GoalId id, GoalReader read, Instant now) {
   Reading reading = readNow(id, read);
@@ -95,7 +97,7 @@ GoalIntake::Reading GoalIntake::readNow(blocks::GoalId id, const GoalReader& rea
     auto answer = find_file(FileKind::Points, location);
     return answer ? std::make_optional(std::get<PointsAnswer>(std::move(*answer))) : std::nullopt;
   };
-  reading.goal = read({find_frame, find_steps, find_points});
+  reading.goal = read({find_frame, find_steps, find_points, world_frame_});
   return reading;
 }
 

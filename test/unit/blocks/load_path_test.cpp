@@ -1,5 +1,6 @@
 // Path loading: what is wrong with a goal by itself, what its plan finds, and where.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::testing {
@@ -143,6 +145,27 @@ TEST(LoadPathCheck, looksAtItsOwnParameters) {
               g.path_fault = "no such file";
             }),
             own_error::kPathUnreadable);
+}
+
+TEST(LoadPathPlan, isInTheWorldWhereThatIs) {
+  PathPoint point = pathPoint(kStartDeg);
+  point.target_type = static_cast<int>(path::TargetType::Cartesian);
+  point.ref_frame_type = static_cast<int>(path::Reference::World);
+  point.pose = besideStart(0, 0, 0);
+  LoadPathGoal goal = goalOf({point});
+  goal.check_only = true;
+  goal.world_fault = "nobody publishes it";
+  const Outcome refused = plan(goal, scene());
+  EXPECT_EQ(refused.error_id, 1040);
+  EXPECT_THAT(refused.error_description, HasSubstr("nobody publishes it"));
+  goal.world = arm::Pose::Identity();
+  goal.world->translation().z() = -0.1;
+  const Outcome planned = plan(goal, scene());
+  ASSERT_EQ(planned.ending, Ending::Done) << planned.error_description;
+  const auto& end = reportOf(planned).joint_path.back().joints;
+  arm::JointVector joints;
+  std::copy(end.begin(), end.end(), joints.data());
+  EXPECT_NEAR(arm::forwardKinematics(model(), joints).translation().z(), 0.36105, 1e-6);
 }
 
 TEST(LoadPathCheck, refusesToFollowAConveyor) {

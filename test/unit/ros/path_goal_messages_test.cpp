@@ -45,6 +45,29 @@ cobot_command::PathPoint pathPoint() {
   return point;
 }
 
+TEST(PathGoalMessages, theWorldIsLookedUpForPosesThatAreInIt) {
+  cobot_command::LoadPathGoal message;
+  message.path.resize(2);
+  message.path[0].target_point_type = cobot_command::PathPoint::CARTESIAN;
+  message.path[0].ref_frame_type = cobot_command::PathPoint::ROBOT;
+  message.path[1].target_point_type = cobot_command::PathPoint::JOINT;
+  EXPECT_FALSE(toGoal(message, onlyPaths).world) << "none is in it";
+  std::string asked;
+  Lookups lookups = onlyPaths;
+  lookups.world_frame = "cell";
+  lookups.frames = [&](const std_msgs::Header& header) {
+    asked = header.frame_id;
+    return FramePlace{std::nullopt, "nobody publishes it"};
+  };
+  message.path[0].ref_frame_type = cobot_command::PathPoint::WORLD;
+  EXPECT_EQ(toGoal(message, lookups).world_fault, "nobody publishes it");
+  EXPECT_EQ(asked, "cell");
+  arm::Pose place = arm::Pose::Identity();
+  place.translation().z() = 0.5;
+  lookups.frames = [&](const std_msgs::Header&) { return FramePlace{place, ""}; };
+  EXPECT_EQ(toGoal(message, lookups).world->translation().z(), 0.5);
+}
+
 TEST(PathGoalMessages, everyFieldOfAPathPointArrives) {
   cobot_command::LoadPathGoal message;
   message.path.push_back(pathPoint());

@@ -25,6 +25,7 @@ struct CommandParameters {
   int script_port = 5890;                    ///< for Connect goals without a port
   bool auto_connect = false;                 ///< connect by itself, and keep it up
   bool tf_from_start = true;                 ///< listen to tf before a goal asks for a frame
+  std::string world_frame = "world";         ///< of tf, that paths in WORLD are in
   std::string simulated_controller;          ///< the node whose ports are used; empty: the ports above
   double diagnostic_period = 1.0;            ///< [s]
   link::LinkSettings link;

@@ -44,7 +44,9 @@ class GoalIntake {
     std::function<void(blocks::Block, blocks::GoalId, blocks::Outcome)> end;
   };
 
-  GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core);
+  /// `world_frame`: see Lookups.
+  GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core,
+             std::string world_frame = "world");
 
   void submit(blocks::GoalId id, GoalReader read, Instant now);
   void cancel(blocks::GoalId id);
@@ -78,6 +80,7 @@ class GoalIntake {
   FramePatience patience_;
   FileSource files_;
   Core core_;
+  std::string world_frame_;
   std::deque<Waiting> waiting_;
 };
 

@@ -40,6 +40,7 @@ struct Lookups {
   FrameLookup frames;
   StepsLookup steps;
   PointsLookup points;
+  std::string world_frame = "world";  ///< that poses of paths in WORLD are in
 };
 
 }  // namespace cobot_command::ros_adapter
