@@ -53,20 +53,26 @@ std::string foundAt(int index, const std::string& found) {
   return index < 0 ? found : fmt::format("point {}: {}", index, found);
 }
 
-Failure toFailure(const PathRefusal& refusal, std::vector<StepReport> points) {
+Failure toFailure(const PathRefusal& refusal, std::vector<StepReport> points,
+                  std::shared_ptr<const path::PathPreview> preview = nullptr) {
   PathReport report = blaming(refusal.index, refusal.joint);
   report.points = std::move(points);
+  report.preview = std::move(preview);
   return {refusal.error_id, foundAt(refusal.index, refusal.found), "", Detail(std::move(report))};
 }
 
-/// By itself: of the points in front of it is only known that they are right by themselves.
-Failure toFailure(const LoadPathGoal& goal, const PathRefusal& refusal) {
+/// Of the points in front of it is only known that they are right by themselves.
+std::vector<StepReport> blameAlone(const LoadPathGoal& goal, const PathRefusal& refusal) {
   std::vector<StepReport> points;
   if (refusal.index >= 0) {
     points.resize(static_cast<std::size_t>(refusal.index - goal.start_index));
     points.push_back(blame(refusal));
   }
-  return toFailure(refusal, std::move(points));
+  return points;
+}
+
+Failure toFailure(const LoadPathGoal& goal, const PathRefusal& refusal) {
+  return toFailure(refusal, blameAlone(goal, refusal));
 }
 
 std::optional<Failure> checkTracking(const LoadPathGoal& goal) {
@@ -110,19 +116,34 @@ Failure cannotPlan(const LoadPathGoal& goal, bool has_model) {
   return {has_model ? own_error::kStartUnknown : own_error::kNoModel, "", ""};
 }
 
+path::PathPreview previewOf(const LoadedPath& loaded) {
+  return path::previewOf(loaded.plan, loaded.first, loaded.end->scene().arm);
+}
+
+/// Planned alone; nothing where there are none, or they are wrong by themselves, or to be told apart.
+std::shared_ptr<const LoadedPath> loadInFront(const LoadPathGoal& goal, const PathRefusal& refusal,
+                                              const PlanningScene& scene) {
+  if (refusal.index <= goal.start_index) return nullptr;
+  LoadPathGoal in_front = goal;
+  in_front.number_of_moves = refusal.index - goal.start_index;
+  return loadPath(in_front, scene).value_or(nullptr);
+}
+
 /// With what was planned in front of the point to blame.
 Failure refused(const LoadPathGoal& goal, PathRefusal refusal, const PlanningScene& scene) {
   if (refusal.error_id == path::path_error::kWorldUnknown && !goal.world_fault.empty()) {
     refusal.found += "; " + goal.world_fault;
   }
-  if (refusal.index <= goal.start_index) return toFailure(goal, refusal);
-  LoadPathGoal in_front = goal;
-  in_front.number_of_moves = refusal.index - goal.start_index;
-  const auto loaded = loadPath(in_front, scene);
-  if (!loaded) return toFailure(goal, refusal);  // it is wrong by itself, or to be told apart
-  std::vector<StepReport> points = (*loaded)->report;
-  points.push_back(blame(refusal));
-  return toFailure(refusal, std::move(points));
+  if (refusal.index < 0) return toFailure(goal, refusal);
+  const auto in_front = loadInFront(goal, refusal, scene);
+  path::PathPreview preview;
+  std::vector<StepReport> points = blameAlone(goal, refusal);
+  if (in_front) {
+    preview = previewOf(*in_front);
+    std::copy(in_front->report.begin(), in_front->report.end(), points.begin());
+  }
+  preview.refusal = refusal;
+  return toFailure(refusal, std::move(points), std::make_shared<const path::PathPreview>(std::move(preview)));
 }
 
 const char* reasonOf(const LoadPathGoal& goal) {
@@ -208,11 +229,17 @@ Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
   report.execution_reason = reasonOf(goal);
   report.approximations = (*loaded)->approximations;
   if (goal.check_only) report.joint_path = wholeJointPath((*loaded)->plan);
+  report.preview = std::make_shared<const path::PathPreview>(previewOf(**loaded));
   report.loaded = *loaded;
   Outcome outcome;
   outcome.planned = (*loaded)->planned;
   outcome.detail = Detail(std::move(report));
   return outcome;
+}
+
+Detail previewOf(const LoadPathGoal& /*goal*/, const Outcome& planned) {
+  const auto& report = planned.detail.as<PathReport>();
+  return report.preview ? Detail(*report.preview) : Detail();
 }
 
 std::unique_ptr<Run> runOf(const LoadPathGoal& /*goal*/, GoalId id, const Outcome& planned, Instant now) {

@@ -6,6 +6,7 @@ import tempfile
 
 import rospy
 from actionlib_msgs.msg import GoalStatus
+from visualization_msgs.msg import Marker, MarkerArray
 
 from cobot_command.msg import CommandStatus, FrameData, LoadPathGoal, PathPoint, RobotStatus, StopGoal, ToolData
 from cobot_command.srv import WriteFrame, WriteTool
@@ -114,6 +115,38 @@ class LoadPath(MotionTestCase):
         points = [path_to_joints(15 * (i % 2), 0, 90 + 5 * (i % 3), 0, 90, 0, speed=60) for i in range(1, 6)]
         self.assert_aborted(self.robot.run(path(*points, max_deviation=0.0005)), 0x274, "off its path")
         self.robot.wait_for_standstill()
+
+    # --- What RViz shows.
+    def markers(self, points, name):
+        return [marker for marker in points.message.markers if marker.ns == name]
+
+    def test_shows_its_corners_and_the_active_point(self):
+        points = self.robot.latest("planned_points", MarkerArray)
+        line = self.robot.latest("planned_path", Marker)
+        active = self.robot.latest("active_point", Marker)
+        self.assert_done(self.robot.run(path(path_to_joints(*HOME), above(20, **BLEND, command_tolerance=5), above(0))))
+        active.wait_for(lambda m: m.action == Marker.DELETE and len(active.all()) > 2, "the end of the active point")
+        corners, blends = self.markers(points, "corners"), self.markers(points, "blends")
+        self.assertEqual([round(1000 * p.z) for p in corners[0].points], [round(START[2] + 20)])
+        self.assertEqual([round(1000 * b.pose.position.z) for b in blends], [round(START[2] + 20)])
+        self.assertTrue(0 < blends[0].scale.x <= 0.0101, blends[0].scale.x)
+        self.assertEqual(len(self.markers(points, "points")[0].points), 2)
+        self.assertEqual(points.message.markers[0].action, Marker.DELETEALL)
+        self.assertGreater(max(p.z for p in line.message.points), (START[2] + 15) / 1000)
+        shown = [round(1000 * m.pose.position.z) for m in active.all() if m.action == Marker.ADD]
+        self.assertIn(round(START[2] + 20), shown)
+
+    def test_shows_the_point_that_is_refused(self):
+        points = self.robot.latest("planned_points", MarkerArray)
+        for check_only in (True, False):
+            far = with_changes(above(0), {"pose": six((500, -122.3, 461.05, 180, 0, 90))})
+            self.assert_done(self.robot.run(path(path_to_joints(*HOME), far, check_only=True)))
+            points.wait_for(lambda m: not self.markers(points, "refused"), "a path without a fault")
+            far.pose = six((2000, -122.3, 461.05, 180, 0, 90))
+            self.assert_rejected(self.robot.run(path(path_to_joints(*HOME), far, check_only=check_only)), 1046)
+            points.wait_for(lambda m: self.markers(points, "refused"), "the point that is refused")
+            text = self.markers(points, "error")[0].text
+            self.assertTrue(text.startswith("point 1: "), text)
 
     # --- The robot.
     def test_is_refused_by_a_robot_that_is_not_energised(self):

@@ -269,7 +269,13 @@ void CoreRig::take(const TablesChanged& action) {
   told_tables.push_back(action.tables);
 }
 
-void CoreRig::take(const PathPlanned& /*action*/) {}
+void CoreRig::take(const PathPlanned& /*action*/) {
+  ++planned_paths;
+}
+
+void CoreRig::take(const GoalPreviewed& action) {
+  previews.push_back(action);
+}
 
 void CoreRig::take(const PlanAsked& action) {
   plans_.push_back(action);

@@ -105,6 +105,8 @@ class CoreRig {
   std::map<std::string, arm::Pose> frames;         ///< where tf would say that they are now
   std::vector<command::CommandsFell> fell;
   std::vector<tables::DataTables> told_tables;  ///< every change
+  std::vector<command::GoalPreviewed> previews;
+  int planned_paths = 0;  ///< PathPlanned
 
   void pump();
 
@@ -127,6 +129,7 @@ class CoreRig {
   void take(const command::TablesChanged& action);
   void take(const command::PathControlsChanged& /*action*/) {}
   void take(const command::PathPlanned& action);
+  void take(const command::GoalPreviewed& action);
   void take(const command::FrameTraced& action);
   void take(const command::LogMessage& action);
   void answerLifesigns();

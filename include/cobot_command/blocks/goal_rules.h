@@ -34,6 +34,8 @@ class GoalRules {
   /// Plans it as a whole: Rejected when it cannot be made; nothing when it is one command, which the core
   /// plans.
   [[nodiscard]] std::optional<Outcome> plan(const PlanningScene& scene) const;
+  /// What people are to see of what plan() found, of a kind of the block's own; none: nothing.
+  [[nodiscard]] Detail preview(const Outcome& planned) const;
   /// `planned`: what plan() found, if it did. Precondition: it is one that comes when it is its turn
   /// (Way::Queue).
   [[nodiscard]] std::unique_ptr<Run> run(GoalId id, const Outcome& planned, Instant now) const;

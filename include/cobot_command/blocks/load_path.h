@@ -12,6 +12,7 @@
 #include "cobot_command/blocks/shared/sequence_report.h"
 #include "cobot_command/path/path_controls.h"
 #include "cobot_command/path/path_point.h"
+#include "cobot_command/path/path_preview.h"
 #include "cobot_command/tables/table_store.h"
 
 namespace cobot_command::blocks {
@@ -54,7 +55,8 @@ struct PathReport {
   Duration lag{};                           ///< by which the plan fits the measured motion best
   std::vector<StepReport> points;           ///< of those that were looked at, in their order
   std::vector<JointPathPoint> joint_path;   ///< when it was checked, as a whole
-  std::shared_ptr<const LoadedPath> loaded = nullptr;  ///< of a plan, for the run that it becomes
+  std::shared_ptr<const path::PathPreview> preview = nullptr;  ///< of a plan, for people
+  std::shared_ptr<const LoadedPath> loaded = nullptr;          ///< the same, for the run that it becomes
 };
 
 /// Where the points are that a goal loads, in the words of the instruction. All add up to number_of_moves,
@@ -85,6 +87,8 @@ struct PathPlace {
 [[nodiscard]] tables::Use usesOf(const LoadPathGoal& goal);
 /// All its points, behind the chain in front of it where there is one.
 [[nodiscard]] Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene);
+/// path::PathPreview, also of points that were refused; none: nothing was planned.
+[[nodiscard]] Detail previewOf(const LoadPathGoal& goal, const Outcome& planned);
 [[nodiscard]] std::unique_ptr<Run> runOf(const LoadPathGoal& goal, GoalId id, const Outcome& planned,
                                          Instant now);
 

@@ -90,6 +90,12 @@ struct PathPlanned {
   blocks::GoalId goal;
   std::vector<arm::Pose> tool_path;
 };
+/// A goal was planned as a whole, or refused by its plan; it may be planned anew, and then is told again.
+struct GoalPreviewed {
+  blocks::Block block;
+  blocks::GoalId goal;
+  blocks::Detail preview;  ///< what people are to see, of a kind of the block's own
+};
 /// The flight recorder: every frame and every fault, sent and received.
 /// A fault holds the bytes that were dropped.
 struct FrameTraced {
@@ -108,6 +114,6 @@ struct LogMessage {
 using Action =
     std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed, GoalEnded,
                  CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived, ActiveFramesChanged,
-                 TablesChanged, PathControlsChanged, PathPlanned, FrameTraced, LogMessage>;
+                 TablesChanged, PathControlsChanged, PathPlanned, GoalPreviewed, FrameTraced, LogMessage>;
 
 }  // namespace cobot_command::command

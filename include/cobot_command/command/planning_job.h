@@ -25,6 +25,7 @@ struct PlanAnswer {
   blocks::Outcome outcome;                            ///< Rejected, or what was found
   std::vector<arm::Pose> tool_path;                   ///< the TCP in the robot base, for people; may be empty
   std::shared_ptr<PlannedCommand> command = nullptr;  ///< of one command that is to be sent
+  blocks::Detail preview = {};                        ///< of a whole goal, for people; a kind of its block's
 };
 
 /// May be done on any thread, once. Ends early, with any answer, when nobody waits for it any more.

@@ -34,6 +34,14 @@ inline constexpr bool kHasRun<Kind, std::void_t<decltype(runOf(std::declval<cons
                                                                std::declval<const Outcome&>(), Instant()))>> =
     true;
 
+/// Its plan is shown to people.
+template <class Kind, class = void>
+inline constexpr bool kHasPreview = false;
+template <class Kind>
+inline constexpr bool kHasPreview<
+    Kind, std::void_t<decltype(previewOf(std::declval<const Kind&>(), std::declval<const Outcome&>()))>> =
+    true;
+
 /// It uses entries of the tables.
 template <class Kind, class = void>
 inline constexpr bool kHasUses = false;

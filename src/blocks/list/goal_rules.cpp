@@ -82,6 +82,18 @@ std::optional<Outcome> GoalRules::plan(const PlanningScene& scene) const {
   return std::visit([&](const auto& goal) { return planOf(goal, scene); }, goal_);
 }
 
+Detail GoalRules::preview(const Outcome& planned) const {
+  return std::visit(
+      [&](const auto& goal) -> Detail {
+        if constexpr (kHasPreview<std::decay_t<decltype(goal)>>) {
+          return previewOf(goal, planned);
+        } else {
+          return {};
+        }
+      },
+      goal_);
+}
+
 std::unique_ptr<Run> GoalRules::run(GoalId id, const Outcome& planned, Instant now) const {
   return std::visit(
       [&](const auto& goal) -> std::unique_ptr<Run> {

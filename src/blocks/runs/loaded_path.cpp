@@ -47,6 +47,7 @@ double fastestOf(const PathPlan& plan, const arm::ArmModel& arm) {
 LoadedPiecePtr toLoaded(path::PathPiece piece, const arm::ArmModel& arm) {
   // A motion also without a way: it is stopped with the others.
   LoadedPiece loaded{std::move(piece.plan), motionOrder(path::scriptOf(piece.block, {}))};
+  loaded.order.is_previewed = true;
   loaded.fastest = fastestOf(loaded.plan, arm);
   if (!loaded.order.lines.empty()) {
     loaded.marked = path::markedPoints(loaded.plan, kMostMarks);
@@ -139,6 +140,7 @@ Order restoring(const path::ScriptFrames& frames) {
 
 LoadedPiecePtr toLoaded(const PathPlan& point, const path::PointScript& script, const arm::ArmModel& arm) {
   LoadedPiece piece{point, motionOrder(script.lines)};
+  piece.order.is_previewed = true;
   piece.fastest = fastestOf(point, arm);
   piece.is_exact = false;
   return std::make_shared<const LoadedPiece>(std::move(piece));

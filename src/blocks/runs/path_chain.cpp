@@ -41,6 +41,7 @@ void PathChain::add(GoalId goal, const PathReport& planned) {
   member.loaded = planned.loaded;
   member.report = planned;
   member.report.loaded = nullptr;
+  member.report.preview = nullptr;
   member.report.method_id = planned.loaded->method_id;
   member.report.blends_lost.clear();
   members_.push_back(std::move(member));

@@ -54,7 +54,12 @@ Forecast::OriginAt GoalPlans::originThen(Ticket ticket) const {
   return [this, ticket](Instant then) { return origin_behind_(ticket, then); };
 }
 
+void GoalPlans::show(blocks::Block block, blocks::GoalId id, blocks::Detail preview) {
+  if (!preview.isNone()) parts_.actions.emplace_back(GoalPreviewed{block, id, std::move(preview)});
+}
+
 void GoalPlans::answer(blocks::Block block, blocks::GoalId id, PlanAnswer answer) {
+  show(block, id, std::move(answer.preview));
   if (answer.outcome.ending == blocks::Ending::Rejected) {
     parts_.board.reject(block, id, std::move(answer.outcome));
     return;
@@ -94,7 +99,10 @@ void GoalPlans::planTheNext(const blocks::Detail& chain, Instant now) {
   const auto origin = [this](Instant then) { return parts_.forecast.origin(then); };
   const auto take = [this, block = blockOf(first.goal), id = first.id](std::optional<PlanAnswer> answer) {
     Waiting* const waiting = queue_.find(id);
-    if (waiting != nullptr) waiting->found = (answer ? *std::move(answer) : tookTooLong(block)).outcome;
+    if (waiting == nullptr) return;
+    PlanAnswer found = answer ? *std::move(answer) : tookTooLong(block);
+    show(block, id, std::move(found.preview));
+    waiting->found = std::move(found.outcome);
   };
   blocks::PlanningScene scene = sceneOf(first.goal);
   scene.chain = chain;

@@ -39,6 +39,7 @@ class GoalPlans {
   [[nodiscard]] bool isOriginKnown(Ticket ticket) const;
   [[nodiscard]] Forecast::OriginAt originNow(Ticket ticket, Instant now) const;
   [[nodiscard]] Forecast::OriginAt originThen(Ticket ticket) const;
+  void show(blocks::Block block, blocks::GoalId id, blocks::Detail preview);
   void answer(blocks::Block block, blocks::GoalId id, PlanAnswer answer);
   void takeForesight(blocks::GoalId id, const PlannedCommand* planned);
   void endUnplanned(const PlanDesk::Job& check, const std::string& why);

@@ -26,7 +26,10 @@ PlanAnswer planGoal(const blocks::Goal& goal, const blocks::PlanningScene& scene
                     const std::optional<arm::Pose>& base, const std::optional<Origin>& origin) {
   const blocks::GoalRules rules(goal);
   const arm::ArmModel* const arm = scene.arm;
-  if (auto whole = rules.plan(scene)) return {std::move(*whole), {}};
+  if (auto whole = rules.plan(scene)) {
+    blocks::Detail preview = rules.preview(*whole);
+    return {std::move(*whole), {}, nullptr, std::move(preview)};
+  }
   const blocks::Command command = *rules.command();
   const Planned plan = planFor(arm, command, base, origin, scene.give_up);
   PlanAnswer answer{outcomeOf(command.block, plan, arm != nullptr), {}};
@@ -216,7 +219,8 @@ void Forecast::weigh() {
 }
 
 void Forecast::tellPath(const CommandOrder& order) {
-  if (!order.tool_path.empty()) actions_.emplace_back(PathPlanned{order.goal, order.tool_path});
+  if (order.is_previewed || order.tool_path.empty()) return;
+  actions_.emplace_back(PathPlanned{order.goal, order.tool_path});
 }
 
 }  // namespace cobot_command::command

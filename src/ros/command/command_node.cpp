@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "command/action_servers.h"
+#include "command/path_publisher.h"
 #include "paths/path_services.h"
 #include "tables/table_services.h"
 #include "tables/tables_file.h"
@@ -60,6 +61,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
     : default_host_(parameters.robot_ip),
       default_port_(parameters.script_port),
       publisher_(node, jointNames(parameters.prefix), parameters.prefix),
+      paths_(std::make_unique<PathPublisher>(node, parameters.prefix + "base")),
       diagnostics_(node, self, parameters.diagnostic_period, parameters.link.status_port != 0),
       frames_(parameters.prefix + "base", parameters.tf_from_start),
       intake_([this](const std_msgs::Header& header) { return frames_.find(header); },
@@ -79,7 +81,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   const GoalSink goal_sink = sink();
   servers_ = serveActions({node, joint_names, goal_sink});
   tables_ = tableServices(node, parameters.tables);
-  paths_ = pathServices(node);
+  path_services_ = pathServices(node);
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
@@ -215,32 +217,38 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
 
 void CommandNode::onAction(const command::Action& action, Instant now) {
   const ClockPair clocks{ros::Time::now(), now};
-  std::visit(
-      Overloaded{
-          [&](const command::GoalAccepted& a) { of(a.block).accepted(a.goal); },
-          [&](const command::GoalProgressed& a) { of(a.block).progressed(a.goal, a.progress, clocks); },
-          [&](const command::GoalEnded& a) { of(a.block).ended(a.goal, a.outcome, clocks); },
-          [&](const command::CommandsFell& a) {
-            const std::lock_guard<std::mutex> lock(fell_mutex_);
-            fell_.push_back(a);
-          },
-          [&](const command::RobotStatusReceived& a) {
-            publisher_.publish(a.status);
-            diagnostics_.take(a.status);
-          },
-          [&](const command::StatusChanged& a) {
-            publisher_.publish(a.status, clocks);
-            diagnostics_.take(a.status);
-          },
-          [&](const command::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
-          [&](const command::TablesChanged& a) { tables_->take(a.tables); },
-          [&](const command::PathControlsChanged& a) { paths_->take(a.controls); },
-          [&](const command::PathPlanned& a) { publisher_.publish(a); },
-          [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
-          [&](const command::LogMessage& a) { log(a); },
-          [](const auto&) {},  // connections and bytes are the runtime's own business
-      },
-      action);
+  std::visit(Overloaded{
+                 [&](const command::GoalAccepted& a) { of(a.block).accepted(a.goal); },
+                 [&](const command::GoalProgressed& a) {
+                   of(a.block).progressed(a.goal, a.progress, clocks);
+                   paths_->take(a);
+                 },
+                 [&](const command::GoalEnded& a) {
+                   of(a.block).ended(a.goal, a.outcome, clocks);
+                   paths_->take(a);
+                 },
+                 [&](const command::CommandsFell& a) {
+                   const std::lock_guard<std::mutex> lock(fell_mutex_);
+                   fell_.push_back(a);
+                 },
+                 [&](const command::RobotStatusReceived& a) {
+                   publisher_.publish(a.status);
+                   diagnostics_.take(a.status);
+                 },
+                 [&](const command::StatusChanged& a) {
+                   publisher_.publish(a.status, clocks);
+                   diagnostics_.take(a.status);
+                 },
+                 [&](const command::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
+                 [&](const command::TablesChanged& a) { tables_->take(a.tables); },
+                 [&](const command::PathControlsChanged& a) { path_services_->take(a.controls); },
+                 [&](const command::PathPlanned& a) { paths_->take(a); },
+                 [&](const command::GoalPreviewed& a) { paths_->take(a); },
+                 [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
+                 [&](const command::LogMessage& a) { log(a); },
+                 [](const auto&) {},  // connections and bytes are the runtime's own business
+             },
+             action);
 }
 
 }  // namespace cobot_command::ros_adapter

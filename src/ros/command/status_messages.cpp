@@ -93,23 +93,4 @@ cobot_command::ActiveFrames toMessage(const robot::ActiveFrames& frames, const s
   return message;
 }
 
-visualization_msgs::Marker toMarker(const std::vector<arm::Pose>& tool_path, const std::string& base_frame,
-                                    const ros::Time& stamp) {
-  visualization_msgs::Marker marker;
-  marker.header.stamp = stamp;
-  marker.header.frame_id = base_frame;
-  marker.ns = "planned_path";
-  marker.type = visualization_msgs::Marker::LINE_STRIP;
-  marker.action = tool_path.size() < 2 ? visualization_msgs::Marker::DELETE : visualization_msgs::Marker::ADD;
-  marker.pose = toPoseMessage(arm::Pose::Identity());
-  marker.scale.x = 0.004;  // width of the line [m]
-  marker.color.r = 0.06F;
-  marker.color.g = 0.45F;
-  marker.color.b = 0.95F;
-  marker.color.a = 1.0F;
-  marker.points.reserve(tool_path.size());
-  for (const arm::Pose& pose : tool_path) marker.points.push_back(toPoseMessage(pose).position);
-  return marker;
-}
-
 }  // namespace cobot_command::ros_adapter

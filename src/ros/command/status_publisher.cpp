@@ -40,7 +40,6 @@ StatusPublisher::StatusPublisher(ros::NodeHandle node, JointNames joint_names, s
   robot_status_ = HeardTopic::advertise<cobot_command::RobotStatus>(node, "robot_status", kQueueSize, true);
   command_status_ = node.advertise<cobot_command::CommandStatus>("command_status", kQueueSize, true);
   active_frames_topic_ = node.advertise<cobot_command::ActiveFrames>("active_frames", kQueueSize, true);
-  planned_path_ = node.advertise<visualization_msgs::Marker>("planned_path", kQueueSize, true);
   frames_ = HeardTopic::advertise<cobot_command::FrameTrace>(node, "frames", kQueueSize);
   status_frames_ = HeardTopic::advertise<cobot_command::FrameTrace>(node, "status_frames", kQueueSize);
   tf_ = HeardTopic::advertise<tf2_msgs::TFMessage>(node, "/tf", kQueueSize);
@@ -81,10 +80,6 @@ void StatusPublisher::publish(const robot::ActiveFrames& frames) {
   active_frames_ = frames;
   active_frames_topic_.publish(toMessage(frames, base_frame_, stamp));
   sendActiveFrames(stamp);
-}
-
-void StatusPublisher::publish(const command::PathPlanned& path) {
-  planned_path_.publish(toMarker(path.tool_path, base_frame_, ros::Time::now()));
 }
 
 void StatusPublisher::sendActiveFrames(const ros::Time& stamp) {

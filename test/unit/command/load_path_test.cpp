@@ -129,5 +129,45 @@ TEST_F(LoadPathTest, isCheckedWithoutALink) {
   EXPECT_TRUE(rig.nothingSent());
 }
 
+// --- What people see of it.
+
+TEST_F(LoadPathTest, isShownAsAWholeBeforeItsFirstPieceGoesOut) {
+  const GoalId id = rig.submit(good<LoadPathGoal>());
+  ASSERT_EQ(rig.previews.size(), 1U);
+  EXPECT_EQ(rig.previews[0].goal, id);
+  EXPECT_EQ(rig.previews[0].preview.as<path::PathPreview>().points.size(), kPoints);
+  execute({10, 0, 90, 0, 90, 0});
+  rig.discardSent();
+  EXPECT_EQ(rig.planned_paths, 0) << "its pieces are not shown besides";
+}
+
+TEST_F(LoadPathTest, isShownWhenItIsChecked) {
+  rig.submit(with<LoadPathGoal>([](auto& g) { g.check_only = true; }));
+  ASSERT_EQ(rig.previews.size(), 1U);
+  EXPECT_EQ(rig.previews[0].block, kBlock<LoadPathGoal>);
+}
+
+TEST_F(LoadPathTest, isShownUpToThePointThatRefusesIt) {
+  for (const bool check_only : {false, true}) {
+    rig.previews.clear();
+    const GoalId id = rig.submit(with<LoadPathGoal>([&](auto& g) {
+      g.check_only = check_only;
+      g.path[1].joints[2] = 170;
+    }));
+    ASSERT_EQ(rig.outcome(id)->error_id, 1033);
+    ASSERT_EQ(rig.previews.size(), 1U);
+    const auto& preview = rig.previews[0].preview.as<path::PathPreview>();
+    EXPECT_EQ(preview.points.size(), 1U);
+    ASSERT_TRUE(preview.refusal && preview.refusal->where);
+    EXPECT_EQ(preview.refusal->index, 1);
+    EXPECT_EQ(reportOf(id).points.size(), 2U);
+  }
+}
+
+TEST_F(LoadPathTest, isNotShownWhereNothingOfItWasPlanned) {
+  rig.submit(with<LoadPathGoal>([](auto& g) { g.path[2].profile_type = 7; }));
+  EXPECT_TRUE(rig.previews.empty());
+}
+
 }  // namespace
 }  // namespace cobot_command::testing

@@ -54,23 +54,6 @@ TEST(StatusMessages, activeFramesThatAreUnknownAreSaidToBeAndStillArePoses) {
   EXPECT_EQ(message.tool_mass, -1);
 }
 
-TEST(StatusMessages, aPlannedPathIsALineThroughItsPointsInTheRobotBase) {
-  const auto marker = toMarker({at(0.1, 0, 0), at(0.2, 0, 0), at(0.2, 0.3, 0)}, "left_base", ros::Time(3));
-  EXPECT_EQ(marker.header.frame_id, "left_base");
-  EXPECT_EQ(marker.type, visualization_msgs::Marker::LINE_STRIP);
-  EXPECT_EQ(marker.action, visualization_msgs::Marker::ADD);
-  ASSERT_EQ(marker.points.size(), 3U);
-  EXPECT_EQ(marker.points[2].x, 0.2);
-  EXPECT_EQ(marker.points[2].y, 0.3);
-  EXPECT_EQ(marker.pose.orientation.w, 1);
-  EXPECT_GT(marker.scale.x, 0);
-  EXPECT_GT(marker.color.a, 0);
-}
-
-TEST(StatusMessages, aPathWithoutALineTakesTheLastOneAway) {
-  EXPECT_EQ(toMarker({at(0, 0, 0)}, "base", ros::Time(3)).action, visualization_msgs::Marker::DELETE);
-}
-
 TEST(StatusMessages, theStatusSaysWhyThereIsNoStatusStream) {
   command::CommandStatus status;
   status.status_diagnosis = "the status stream fell silent";

@@ -22,6 +22,7 @@ struct Order {
   bool lets_go = false;       ///< a script with a resume: what was held goes on, and the arm may move
   bool pauses = false;        ///< a script with a Pause() of its own
   bool stands_at_end = true;  ///< the robot stands when its tag comes; false: a script that sets velocities
+  bool is_previewed = false;  ///< people see the path of its goal as a whole
   /// Nobody knows what the robot does when it goes unanswered: it is stopped then.
   bool stops_unanswered = false;
 };

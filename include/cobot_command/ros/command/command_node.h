@@ -27,6 +27,7 @@
 
 namespace cobot_command::ros_adapter {
 
+class PathPublisher;
 class PathServices;
 class TableServices;
 
@@ -70,6 +71,7 @@ class CommandNode {
   std::mutex fell_mutex_;
   std::vector<command::CommandsFell> fell_;  ///< told by the core, not to the intake yet
   StatusPublisher publisher_;
+  std::unique_ptr<PathPublisher> paths_;
   Diagnostics diagnostics_;
   TfFrames frames_;
   GoalFiles goal_files_;
@@ -77,7 +79,7 @@ class CommandNode {
   std::vector<std::unique_ptr<GoalListener>> servers_;  ///< by their blocks
   std::unique_ptr<runtime::CommandRuntime> runtime_;
   std::unique_ptr<TableServices> tables_;
-  std::unique_ptr<PathServices> paths_;
+  std::unique_ptr<PathServices> path_services_;
   ros::SteadyTimer retry_;
   ros::ServiceServer finish_;
   bool stopped_ = false;

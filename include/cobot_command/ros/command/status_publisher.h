@@ -1,5 +1,5 @@
 // What the command layer tells everyone: joint_states, tool_pose, robot_status, command_status,
-// active_frames, planned_path, frames, status_frames and tf.
+// active_frames, frames, status_frames and tf.
 //
 // Called on the core's thread only.
 #pragma once
@@ -29,8 +29,6 @@ class StatusPublisher {
   void publish(const command::CommandStatus& status, const ClockPair& clocks);
   /// Latched, and at once in tf, as far as they are known.
   void publish(const robot::ActiveFrames& frames);
-  /// Latched, for RViz.
-  void publish(const command::PathPlanned& path);
   /// The frames of each port on a topic of its own: the stream would drown the commands.
   void publish(const command::FrameTraced& trace, const ClockPair& clocks);
   /// Somebody listens to the frames of that port.
@@ -49,7 +47,6 @@ class StatusPublisher {
   HeardTopic robot_status_;
   ros::Publisher command_status_;
   ros::Publisher active_frames_topic_;
-  ros::Publisher planned_path_;
   HeardTopic frames_;
   HeardTopic status_frames_;
   HeardTopic tf_;

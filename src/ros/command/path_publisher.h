@@ -1,0 +1,41 @@
+// What everyone is told of planned paths, for RViz: planned_path, planned_points and active_point.
+//
+// Called on the core's thread only.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "command/path_board.h"
+#include "command/path_markers.h"
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include "cobot_command/command/actions.h"
+
+namespace cobot_command::ros_adapter {
+
+/// All topics are latched.
+class PathPublisher {
+ public:
+  /// Topics are relative to `node`. `base_frame`: the tf frame of the robot base.
+  PathPublisher(ros::NodeHandle node, std::string base_frame);
+
+  void take(const command::PathPlanned& path);
+  void take(const command::GoalPreviewed& preview);
+  void take(const command::GoalProgressed& progress);
+  void take(const command::GoalEnded& end);
+
+ private:
+  [[nodiscard]] MarkerSite site() const;
+  void showActive();
+
+  std::string base_frame_;
+  ros::Publisher line_;
+  ros::Publisher points_;
+  ros::Publisher active_point_;
+  PathBoard board_;
+  std::optional<Eigen::Vector3d> active_;  ///< that was told last
+};
+
+}  // namespace cobot_command::ros_adapter
