@@ -8,7 +8,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 from visualization_msgs.msg import Marker, MarkerArray
 
-from cobot_command.msg import CommandStatus, FrameData, LoadPathGoal, PathPoint, RobotStatus, StopGoal, ToolData
+from cobot_command.msg import CommandStatus, FrameData, LoadPathGoal, PathPoint, PathStatus, RobotStatus, StopGoal, ToolData
 from cobot_command.srv import WriteFrame, WriteTool
 from cobot_goals import ABORTING, HOME, path, path_line, path_to_joints, script, six, to_joints, with_changes
 from cobot_test import DEADLINE, Latest, Robot
@@ -147,6 +147,27 @@ class LoadPath(MotionTestCase):
             points.wait_for(lambda m: self.markers(points, "refused"), "the point that is refused")
             text = self.markers(points, "error")[0].text
             self.assertTrue(text.startswith("point 1: "), text)
+
+    # --- What everyone is told of it.
+    def test_tells_how_its_path_goes_until_it_is_over(self):
+        told = self.robot.latest("path_status", PathStatus)
+        told.wait_for(lambda s: not s.path_planner_active, "the status of no path")
+        self.assert_done(self.robot.run(from_file()))
+        told.wait_for(lambda s: not s.path_planner_active and len(told.all()) > 2, "the end of the path")
+        status = [s for s in told.all() if s.path_planner_active]
+        ids = [s.active_move_id for s in status if s.active_move_id]
+        self.assertEqual(ids, sorted(ids))
+        self.assertIn(21, ids)
+        line = next(s for s in status if s.active_move_id == 21)
+        self.assertEqual((line.active_interpolation, line.active_type, line.active_ref_frame_type),
+                         (PathPoint.CP_LINEAR, PathPoint.FLANGE, PathPoint.ROBOT))
+        self.assertTrue(all(0 <= s.active_move_percent <= 100 for s in status))
+        self.assertTrue(any(s.blending_move_id and 0 < s.blending_move_percent < 100 for s in status))
+        self.assertGreater(max(s.linear_velocity for s in status), 50)
+        self.assertGreater(max(s.linear_acceleration for s in status), 50)
+        self.assertTrue(any(s.progress_source == PathStatus.STREAM for s in status))
+        end = told.message
+        self.assertEqual((end.active_move_id, end.linear_velocity, end.feedrate, end.gate_waits), (0, 0, 100, False))
 
     # --- The robot.
     def test_is_refused_by_a_robot_that_is_not_energised(self):

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cobot_command/command/command_core.h"
@@ -48,6 +49,8 @@ class CoreAndRobot {
   [[nodiscard]] const command::CommandStatus& status() const { return status_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   [[nodiscard]] const path::PathControls& controls() const { return controls_; }
+  /// To everyone, of runs, and when.
+  [[nodiscard]] const std::vector<std::pair<Instant, blocks::Detail>>& told() const { return told_; }
   [[nodiscard]] simulator::RobotState robot() const { return controller_.state(); }
   [[nodiscard]] Instant now() const { return now_; }
 
@@ -71,6 +74,7 @@ class CoreAndRobot {
   void take(const command::StatusChanged& action) { status_ = action.status; }
   void take(const command::PathControlsChanged& action) { controls_ = action.controls; }
   void take(const command::LogMessage& action) { warnings_.push_back(action.text); }
+  void take(const command::RunTold& action) { told_.emplace_back(now_, action.news); }
   void take(const command::FrameTraced& action);
   template <class Other>
   void take(const Other& /*action*/) {}
@@ -92,6 +96,7 @@ class CoreAndRobot {
   std::map<blocks::GoalId, std::vector<blocks::Progress>> progress_;
   std::map<blocks::GoalId, blocks::Outcome> ended_;
   std::vector<std::string> scripts_;
+  std::vector<std::pair<Instant, blocks::Detail>> told_;
   command::CommandStatus status_;
   path::PathControls controls_;
   std::shared_ptr<std::optional<command::FeedrateAnswer>> answer_ =

@@ -130,6 +130,7 @@ class CoreRig {
   void take(const command::PathControlsChanged& /*action*/) {}
   void take(const command::PathPlanned& action);
   void take(const command::GoalPreviewed& action);
+  void take(const command::RunTold& /*action*/) {}
   void take(const command::FrameTraced& action);
   void take(const command::LogMessage& action);
   void answerLifesigns();

@@ -81,6 +81,29 @@ struct PathPlace {
   ProgressSource source = ProgressSource::Plan;
 };
 
+/// Told of the run, to everyone: how the path of a chain goes, by its plan, as far as it has come. What is of
+/// a point or of a motion is 0 while none moves the robot.
+struct PathStatus {
+  bool path_planner_active = false;  ///< a path is under way, from its first motion to its end
+  int active_move_id = 0;            ///< while two blend of the outgoing one; 0: none
+  int active_interpolation = 0;      ///< the numbers of that point
+  int active_type = 0;               ///< pose_type
+  int active_type_id = 0;
+  int active_ref_frame_type = 0;
+  int active_ref_frame_id = 0;
+  double active_move_percent = 0;    ///< of its way
+  int blending_move_id = 0;          ///< that it blends into; 0: none
+  double blending_move_percent = 0;  ///< of the way of that one
+  double linear_velocity = 0;        ///< of the flange [mm/s]
+  double linear_acceleration = 0;    ///< [mm/s^2]
+  double angular_velocity = 0;       ///< [deg/s]
+  double angular_acceleration = 0;   ///< [deg/s^2]
+  double feedrate = 100;             ///< [%]
+  double feedrate_effective = 100;   ///< [%]
+  bool gate_waits = false;           ///< for a tracking object
+  ProgressSource source = ProgressSource::Plan;
+};
+
 [[nodiscard]] GoalTraits traitsOf(const LoadPathGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const LoadPathGoal& goal);
 /// The tools and frames that its poses are given in; of those that the tables have.

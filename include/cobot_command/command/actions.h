@@ -96,6 +96,11 @@ struct GoalPreviewed {
   blocks::GoalId goal;
   blocks::Detail preview;  ///< what people are to see, of a kind of the block's own
 };
+/// For everyone, and not of one goal.
+struct RunTold {
+  blocks::Block block;
+  blocks::Detail news;  ///< of a kind of the block's own
+};
 /// The flight recorder: every frame and every fault, sent and received.
 /// A fault holds the bytes that were dropped.
 struct FrameTraced {
@@ -114,6 +119,7 @@ struct LogMessage {
 using Action =
     std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed, GoalEnded,
                  CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived, ActiveFramesChanged,
-                 TablesChanged, PathControlsChanged, PathPlanned, GoalPreviewed, FrameTraced, LogMessage>;
+                 TablesChanged, PathControlsChanged, PathPlanned, GoalPreviewed, RunTold, FrameTraced,
+                 LogMessage>;
 
 }  // namespace cobot_command::command

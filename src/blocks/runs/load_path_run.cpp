@@ -59,10 +59,11 @@ void LoadPathRun::advance(Instant now) {
   const auto due = openEndDue();
   if (due && now >= *due) goals_.pieces().letOpenEndGo();
   if (reason_until_ && now >= *reason_until_) fire(Event::Failed, now);
+  if (!outcome()) goals_.tellStatus(now);
 }
 
 std::optional<Instant> LoadPathRun::nextDeadline() const {
-  return earlier(openEndDue(), reason_until_);
+  return earlier(earlier(openEndDue(), reason_until_), goals_.statusDue());
 }
 
 // --- What becomes of it.
@@ -221,6 +222,7 @@ void LoadPathRun::fire(Event event, Instant now) {
   if (!row) return;
   state_ = row->to;
   if (state_ != State::Following) goals_.stay();
+  if (state_ == State::Ended) goals_.endStatus();
   const PathChain& pieces = goals_.pieces();
   switch (row->action) {
     case LoadPathAction::None:

@@ -84,6 +84,7 @@ void PathGoals::progressed(const Progress& progress, Instant now) {
 void PathGoals::begin(Instant now) {
   progress_.begin(chain_.sent().front(), rate_, now);
   piece_end_ = now + progress_.remaining(now);
+  status_clock_.begin(now);
 }
 
 void PathGoals::pieceEnded() {
@@ -173,6 +174,33 @@ Progress PathGoals::progressOf(const Member& member, const PathPlace& place) con
   return progress;
 }
 
+// --- What everyone is told of it.
+
+void PathGoals::tellStatus(Instant now) {
+  if (!status_clock_.takeDue(now)) return;
+  follow(now);
+  PathStatus status = statusOf(chain_, place_, progress_, now);
+  tellControls(status);
+  reports_.tellEveryone(Detail(std::move(status)));
+}
+
+void PathGoals::endStatus() {
+  if (!status_clock_.end()) return;
+  PathStatus status;
+  tellControls(status);
+  reports_.tellEveryone(Detail(std::move(status)));
+}
+
+void PathGoals::tellControls(PathStatus& status) const {
+  constexpr double kPercent = 100;
+  const double asked = controls_.stopped ? 0 : kPercent * controls_.feedrate;
+  status.feedrate = asked;
+  const auto effective = running();
+  status.feedrate_effective = controls_.stopped || !effective ? asked : kPercent * *effective;
+  const Member* const at_gate = chain_.firstAtGate();
+  status.gate_waits = at_gate != nullptr && chain_.placeOf(*at_gate, place_).waits_for_tracking;
+}
+
 // --- What is known.
 
 std::optional<Failure> PathGoals::deviation() const {
@@ -185,11 +213,14 @@ std::optional<Failure> PathGoals::deviation() const {
                  ""};
 }
 
+std::optional<double> PathGoals::running() const {
+  if (chain_.sent().empty()) return std::nullopt;
+  return chain_.sent().front().piece->plan.points().front().feedrate;
+}
+
 PathPace PathGoals::pace() const {
   PathPace pace;
-  if (!chain_.sent().empty()) {
-    pace.running = chain_.sent().front().piece->plan.points().front().feedrate;
-  }
+  pace.running = running();
   if (const LoadedPiecePtr next = chain_.next()) pace.next_point = next->plan.points().front().index;
   pace.highest = chain_.highestFeedrate();
   return pace;

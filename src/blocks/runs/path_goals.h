@@ -9,6 +9,7 @@
 
 #include "runs/path_chain.h"
 #include "runs/path_progress.h"
+#include "runs/path_status_report.h"
 
 #include "cobot_command/blocks/shared/path_controlled.h"
 #include "cobot_command/blocks/shared/run.h"
@@ -49,6 +50,13 @@ class PathGoals final : public GoalChain {
   /// Nothing more is sent: what is not under way stays where it is.
   void stay() { stays_ = true; }
 
+  // --- What everyone is told of it (PathStatus).
+  [[nodiscard]] std::optional<Instant> statusDue() const { return status_clock_.due(); }
+  /// When it is due.
+  void tellStatus(Instant now);
+  /// The last one.
+  void endStatus();
+
   // --- What is known.
   /// When the piece under way should be done.
   [[nodiscard]] std::optional<Instant> pieceEnd() const { return piece_end_; }
@@ -75,12 +83,16 @@ class PathGoals final : public GoalChain {
   void dropFrom(std::size_t member, const std::string& why, Instant now);
   void follow(Instant now);
   void tell(Instant now);
+  /// The feedrate of what the controller has first.
+  [[nodiscard]] std::optional<double> running() const;
+  void tellControls(PathStatus& status) const;
   [[nodiscard]] Progress progressOf(const Member& member, const PathPlace& place) const;
 
   RunReports& reports_;
   PathChain chain_;
   PathProgress progress_;
   PathChain::Place place_;
+  PathStatusClock status_clock_;
   path::PathControls controls_;
   Phase phase_ = Phase::Sent;
   std::string text_;

@@ -15,10 +15,13 @@ void PathProgress::begin(const PathChain::Sent& sent, double rate, Instant now) 
   end();
   follower_.emplace(arm_, sent.piece, rate, now);
   if (!has_clock_) follower_->loseClock();
+  piece_ = sent.piece;
   first_ = sent.first;
+  rate_ = rate;
 }
 
 void PathProgress::hold(bool held, Instant now) {
+  is_held_ = held;
   if (!follower_) return;
   if (held) {
     follower_->hold(now);
@@ -55,6 +58,11 @@ PathChain::Place PathProgress::placeAt(Instant now) {
   done_ = std::max(done_, first_ + place.point);
   share_ = is_ahead ? place.share : 0;
   return {done_, done_ + (is_ahead && place.blends ? 2 : 1)};
+}
+
+std::optional<PathProgress::Motion> PathProgress::motion(Instant now) const {
+  if (!follower_) return std::nullopt;
+  return Motion{piece_, first_, follower_->time(now), is_held_ ? 0.0 : rate_};
 }
 
 ProgressSource PathProgress::source() const {

@@ -1,6 +1,7 @@
 // How far a chain is on its way, piece after piece.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "runs/path_chain.h"
@@ -10,6 +11,14 @@ namespace cobot_command::blocks {
 
 class PathProgress {
  public:
+  /// Of the piece that moves the robot.
+  struct Motion {
+    LoadedPiecePtr piece;
+    std::size_t first = 0;  ///< of its points
+    Duration time{};        ///< since it began, by its plan
+    double rate = 1.0;      ///< see PathFollower; 0 while it is held
+  };
+
   explicit PathProgress(const arm::ArmModel& arm) : arm_(arm) {}
 
   /// That piece moves the robot from now on. `rate`: see PathFollower.
@@ -29,6 +38,8 @@ class PathProgress {
   [[nodiscard]] PathChain::Place placeAt(Instant now);
   /// Of the way of the active point, 0..1.
   [[nodiscard]] double share() const { return share_; }
+  /// Nothing: none is under way.
+  [[nodiscard]] std::optional<Motion> motion(Instant now) const;
   [[nodiscard]] ProgressSource source() const;
   [[nodiscard]] Duration remaining(Instant now) const;
   /// Of all pieces until now.
@@ -39,7 +50,10 @@ class PathProgress {
  private:
   arm::ArmModel arm_;
   std::optional<PathFollower> follower_;
-  std::size_t first_ = 0;  ///< point of the piece under way
+  LoadedPiecePtr piece_;   ///< under way
+  std::size_t first_ = 0;  ///< point of it
+  double rate_ = 1.0;      ///< of it
+  bool is_held_ = false;
   std::size_t done_ = 0;
   double share_ = 0;
   bool has_clock_ = true;

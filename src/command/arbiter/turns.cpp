@@ -208,10 +208,12 @@ void Turns::endCommand(CommandWindow::Ended ended, Instant now) {
 }
 
 void Turns::tellRun() {
-  for (auto& [goal, progress] : run_->reports().takeProgress()) {
+  blocks::RunReports& reports = run_->reports();
+  for (auto& [goal, progress] : reports.takeProgress()) {
     parts_.board.progress(run_->block(), goal, std::move(progress));
   }
-  for (auto& [goal, outcome] : run_->reports().takeEnded()) {
+  for (auto& news : reports.takeNews()) parts_.actions.emplace_back(RunTold{run_->block(), std::move(news)});
+  for (auto& [goal, outcome] : reports.takeEnded()) {
     holds_.erase(goal);
     parts_.board.end(run_->block(), goal, std::move(outcome));
   }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "command/action_servers.h"
-#include "command/path_publisher.h"
+#include "paths/path_publisher.h"
 #include "paths/path_services.h"
 #include "tables/table_services.h"
 #include "tables/tables_file.h"
@@ -244,6 +244,7 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                  [&](const command::PathControlsChanged& a) { path_services_->take(a.controls); },
                  [&](const command::PathPlanned& a) { paths_->take(a); },
                  [&](const command::GoalPreviewed& a) { paths_->take(a); },
+                 [&](const command::RunTold& a) { paths_->take(a); },
                  [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
                  [&](const command::LogMessage& a) { log(a); },
                  [](const auto&) {},  // connections and bytes are the runtime's own business

@@ -1,5 +1,5 @@
 // Planned paths as RViz shows them, and which of them.
-#include "command/path_markers.h"
+#include "paths/path_markers.h"
 
 #include <algorithm>
 #include <set>

@@ -14,6 +14,7 @@
 
 #include "cobot_command/blocks/shared/block.h"
 #include "cobot_command/blocks/shared/command.h"
+#include "cobot_command/blocks/shared/detail.h"
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/blocks/shared/finish_after.h"
 #include "cobot_command/blocks/shared/outcome.h"
@@ -41,6 +42,8 @@ class RunReports {
   /// The first of them to end.
   [[nodiscard]] GoalId goal() const { return goal_; }
   void tell(GoalId goal, Progress progress) { progress_.push_back({goal, std::move(progress)}); }
+  /// Of a kind of its block's own.
+  void tellEveryone(Detail news) { news_.push_back(std::move(news)); }
   /// That goal has ended, while others go on. Precondition: `first`, the first to end from now on, is one of
   /// these.
   void end(GoalId goal, Outcome outcome, GoalId first) {
@@ -49,11 +52,13 @@ class RunReports {
   }
   /// What is new since the last call.
   [[nodiscard]] std::vector<GoalProgress> takeProgress() { return std::exchange(progress_, {}); }
+  [[nodiscard]] std::vector<Detail> takeNews() { return std::exchange(news_, {}); }
   [[nodiscard]] std::vector<GoalEnd> takeEnded() { return std::exchange(ended_, {}); }
 
  private:
   GoalId goal_;
   std::vector<GoalProgress> progress_;
+  std::vector<Detail> news_;
   std::vector<GoalEnd> ended_;
 };
 

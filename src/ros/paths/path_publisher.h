@@ -1,4 +1,4 @@
-// What everyone is told of planned paths, for RViz: planned_path, planned_points and active_point.
+// What everyone is told of paths: path_status; and for RViz planned_path, planned_points and active_point.
 //
 // Called on the core's thread only.
 #pragma once
@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "command/path_board.h"
-#include "command/path_markers.h"
+#include "paths/path_board.h"
+#include "paths/path_markers.h"
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
@@ -25,6 +25,7 @@ class PathPublisher {
   void take(const command::GoalPreviewed& preview);
   void take(const command::GoalProgressed& progress);
   void take(const command::GoalEnded& end);
+  void take(const command::RunTold& told);
 
  private:
   [[nodiscard]] MarkerSite site() const;
@@ -34,6 +35,7 @@ class PathPublisher {
   ros::Publisher line_;
   ros::Publisher points_;
   ros::Publisher active_point_;
+  ros::Publisher status_;
   PathBoard board_;
   std::optional<Eigen::Vector3d> active_;  ///< that was told last
 };

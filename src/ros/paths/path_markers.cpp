@@ -1,4 +1,4 @@
-#include "command/path_markers.h"
+#include "paths/path_markers.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,9 @@
-#include "command/path_publisher.h"
+#include "paths/path_publisher.h"
 
 #include <cstdint>
 #include <utility>
+
+#include "paths/path_messages.h"
 
 #include "cobot_command/blocks/load_path.h"
 
@@ -16,7 +18,10 @@ PathPublisher::PathPublisher(ros::NodeHandle node, std::string base_frame)
     : base_frame_(std::move(base_frame)),
       line_(node.advertise<visualization_msgs::Marker>("planned_path", kQueueSize, true)),
       points_(node.advertise<visualization_msgs::MarkerArray>("planned_points", kQueueSize, true)),
-      active_point_(node.advertise<visualization_msgs::Marker>("active_point", kQueueSize, true)) {}
+      active_point_(node.advertise<visualization_msgs::Marker>("active_point", kQueueSize, true)),
+      status_(node.advertise<cobot_command::PathStatus>("path_status", kQueueSize, true)) {
+  status_.publish(toMessage(blocks::PathStatus(), ros::Time::now()));  // so that it can be read at once
+}
 
 MarkerSite PathPublisher::site() const {
   return {base_frame_, ros::Time::now()};
@@ -47,6 +52,11 @@ void PathPublisher::take(const command::GoalProgressed& progress) {
 void PathPublisher::take(const command::GoalEnded& end) {
   board_.end(end.goal);
   showActive();
+}
+
+void PathPublisher::take(const command::RunTold& told) {
+  const auto* const status = told.news.find<blocks::PathStatus>();
+  if (status != nullptr) status_.publish(toMessage(*status, ros::Time::now()));
 }
 
 void PathPublisher::showActive() {

@@ -1,4 +1,4 @@
-#include "command/path_board.h"
+#include "paths/path_board.h"
 
 #include <algorithm>
 #include <utility>

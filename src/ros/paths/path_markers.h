@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "command/path_board.h"
+#include "paths/path_board.h"
 #include <ros/time.h>
 #include <visualization_msgs/Marker.h>
 #include <visualization_msgs/MarkerArray.h>
