@@ -38,6 +38,7 @@ ALLOWED = {
 # them all. Above is what a wing may use of other rooms, where it is less than what its room may.
 WINGS = {
     "blocks/list": {"goal.h", "goal_rules.h", "shared"},
+    "blocks/paths": {"goal.h", "list", "shared"},
     "blocks/runs": {"goal.h", "list", "shared"},
     "blocks/shared": set(),
     "blocks/trajectory": {"follow_joint_trajectory.h", "goal.h", "shared"},

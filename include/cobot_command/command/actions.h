@@ -116,10 +116,9 @@ struct LogMessage {
   std::string text;
 };
 
-using Action =
-    std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed, GoalEnded,
-                 CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived, ActiveFramesChanged,
-                 TablesChanged, PathControlsChanged, PathPlanned, GoalPreviewed, RunTold, FrameTraced,
-                 LogMessage>;
+using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed,
+                            GoalEnded, CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived,
+                            ActiveFramesChanged, TablesChanged, PathControlsChanged, PathPlanned,
+                            GoalPreviewed, RunTold, FrameTraced, LogMessage>;
 
 }  // namespace cobot_command::command

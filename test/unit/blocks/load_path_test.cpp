@@ -148,7 +148,7 @@ TEST(LoadPathCheck, looksAtItsOwnParameters) {
 }
 
 TEST(LoadPathPlan, isInTheWorldWhereThatIs) {
-  PathPoint point = pathPoint(kStartDeg);
+  PathPoint point = pathPoint({0, 0, 90, 0, 90, 0});
   point.target_type = static_cast<int>(path::TargetType::Cartesian);
   point.ref_frame_type = static_cast<int>(path::Reference::World);
   point.pose = besideStart(0, 0, 0);

@@ -1,5 +1,5 @@
 // Where the arm is on a piece of a path, and how far from it: also where the command layer was late itself.
-#include "runs/path_follower.h"
+#include "paths/path_follower.h"
 
 #include "block_goals.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // What a chain tells everyone of how its path goes, and when.
 #include "block_goals.h"
-#include "runs/path_status_report.h"
+#include "paths/path_status_report.h"
 #include <gtest/gtest.h>
 
 #include "cobot_command/arm/controller_pose.h"

@@ -1,8 +1,8 @@
 // The tables of the two kinds of goals.
 
 #include "connecting/connect_run_states.h"
+#include "paths/load_path_states.h"
 #include "runs/command_run_states.h"
-#include "runs/load_path_states.h"
 #include "runs/pick_and_place_states.h"
 #include "runs/wait_for_input_states.h"
 #include "stops/stop_run_states.h"

@@ -1,4 +1,4 @@
-#include "runs/loaded_path.h"
+#include "paths/loaded_path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "runs/path_chain.h"
-#include "runs/path_follower.h"
+#include "paths/path_chain.h"
+#include "paths/path_follower.h"
 
 namespace cobot_command::blocks {
 

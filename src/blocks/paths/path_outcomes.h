@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runs/path_chain.h"
+#include "paths/path_chain.h"
 
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/path/deviation_watch.h"

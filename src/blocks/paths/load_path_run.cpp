@@ -1,8 +1,8 @@
-#include "runs/load_path_run.h"
+#include "paths/load_path_run.h"
 
 #include <utility>
 
-#include "runs/path_outcomes.h"
+#include "paths/path_outcomes.h"
 
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"

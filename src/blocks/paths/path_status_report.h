@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "runs/path_chain.h"
-#include "runs/path_progress.h"
+#include "paths/path_chain.h"
+#include "paths/path_progress.h"
 
 #include "cobot_command/common/time.h"
 

@@ -1,4 +1,4 @@
-#include "runs/path_follower.h"
+#include "paths/path_follower.h"
 
 #include <algorithm>
 #include <limits>

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "runs/loaded_path.h"
+#include "paths/loaded_path.h"
 
 #include "cobot_command/blocks/shared/command.h"
 #include "cobot_command/blocks/shared/goal_values.h"

@@ -1,4 +1,4 @@
-#include "runs/path_progress.h"
+#include "paths/path_progress.h"
 
 #include <algorithm>
 

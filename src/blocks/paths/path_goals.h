@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "runs/path_chain.h"
-#include "runs/path_progress.h"
-#include "runs/path_status_report.h"
+#include "paths/path_chain.h"
+#include "paths/path_progress.h"
+#include "paths/path_status_report.h"
 
 #include "cobot_command/blocks/shared/path_controlled.h"
 #include "cobot_command/blocks/shared/run.h"

@@ -1,4 +1,4 @@
-#include "runs/path_status_report.h"
+#include "paths/path_status_report.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
-#include "runs/path_goals.h"
+#include "paths/path_goals.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "runs/path_outcomes.h"
+#include "paths/path_outcomes.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"

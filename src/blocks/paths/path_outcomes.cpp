@@ -1,4 +1,4 @@
-#include "runs/path_outcomes.h"
+#include "paths/path_outcomes.h"
 
 #include <algorithm>
 #include <utility>

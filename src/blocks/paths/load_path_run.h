@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "runs/load_path_states.h"
-#include "runs/path_goals.h"
-#include "runs/path_restore.h"
+#include "paths/load_path_states.h"
+#include "paths/path_goals.h"
+#include "paths/path_restore.h"
 
 #include "cobot_command/blocks/shared/path_controlled.h"
 #include "cobot_command/robot/reason_wait.h"

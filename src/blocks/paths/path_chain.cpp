@@ -1,4 +1,4 @@
-#include "runs/path_chain.h"
+#include "paths/path_chain.h"
 
 #include <algorithm>
 #include <cassert>
