@@ -95,7 +95,7 @@ void FrontDesk::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instan
   }
   sortByTable(blockOf(goal), failures);
   if (rejected(id, goal, failures)) return;
-  desks_.plans.check(id, goal, now);
+  desks_.plans.check(id, goal, turns_.occupancy().chainFor(blockOf(goal)), now);
 }
 
 void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, const blocks::GoalTraits& traits,

@@ -17,14 +17,15 @@ PlanAnswer tookTooLong(blocks::Block block) {
 
 }  // namespace
 
-void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
+void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, const blocks::Detail& chain, Instant now) {
   const auto take = [this, block = blockOf(goal), id](std::optional<PlanAnswer> answer) {
     this->answer(block, id, answer ? *std::move(answer) : tookTooLong(block));
   };
   const Ticket ticket = queue_.lastTicket();
   const bool is_known = isOriginKnown(ticket);
-  auto make =
-      parts_.forecast.workFor(goal, is_known ? originNow(ticket, now) : originThen(ticket), sceneOf(goal));
+  blocks::PlanningScene scene = sceneOf(goal);
+  scene.chain = chain;
+  auto make = parts_.forecast.workFor(goal, is_known ? originNow(ticket, now) : originThen(ticket), scene);
   auto is_ready = [this, ticket] { return isOriginKnown(ticket); };
   desk_.ask({blockOf(goal), id, Purpose::Check, std::move(make), take,
              is_known ? std::function<bool()>() : is_ready},

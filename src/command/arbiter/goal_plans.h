@@ -22,8 +22,8 @@ class GoalPlans {
   GoalPlans(const CoreParts& parts, PlanDesk& desk, GoalQueue& queue, OriginBehind origin_behind)
       : parts_(parts), desk_(desk), queue_(queue), origin_behind_(std::move(origin_behind)) {}
 
-  /// Answers the goal that came last with its plan.
-  void check(blocks::GoalId id, const blocks::Goal& goal, Instant now);
+  /// Answers the goal that came last with its plan. `chain`: as with planTheNext().
+  void check(blocks::GoalId id, const blocks::Goal& goal, const blocks::Detail& chain, Instant now);
   /// Of the last one that waits, when it is one command: refused, or where it will leave the robot.
   void foresee(Instant now);
   /// The first one that waits: what is found is `found` of it. `chain`: that it is to join, if it is.

@@ -73,6 +73,11 @@ blocks::BufferMode Occupancy::modeOf(blocks::Block block, const blocks::GoalTrai
   return last == block ? blocks::BufferMode::Buffered : traits.buffer_mode;
 }
 
+blocks::Detail Occupancy::chainFor(blocks::Block block) const {
+  const blocks::GoalChain* const chain = run_ && queue_.empty() ? run_->chain() : nullptr;
+  return chain != nullptr && chain->isJoinedBy(block) ? chain->end() : blocks::Detail();
+}
+
 std::vector<blocks::Failure> Occupancy::objectionsTo(const Waiting& next) const {
   const blocks::GoalRules rules(next.goal);
   std::vector<blocks::Failure> failures =

@@ -27,6 +27,8 @@ class Occupancy {
 
   /// What a command would have to wait for; nothing: it would not.
   [[nodiscard]] std::optional<blocks::Block> busyWith() const;
+  /// The end of the chain that a goal of that block would join now; none: it would not.
+  [[nodiscard]] blocks::Detail chainFor(blocks::Block block) const;
   /// What a goal of that block does while others are busy: behind another one of its kind it joins its chain.
   [[nodiscard]] blocks::BufferMode modeOf(blocks::Block block, const blocks::GoalTraits& traits) const;
 

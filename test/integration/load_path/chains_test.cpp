@@ -121,6 +121,22 @@ TEST_F(LoadPathChains, rememberTheTargetInFrontForIncrements) {
   EXPECT_NEAR(radToDeg(cell.robot().joints[0]), 11, 0.01);
 }
 
+TEST_F(LoadPathChains, areWhatAGoalIsCheckedBehind) {
+  const GoalId first = cell.submit(turns(2, true));
+  passUntilActive(first, 0);
+  LoadPathGoal goal = turns(1, false);
+  goal.path[0].move_type = static_cast<int>(path::MoveType::Incremental);
+  goal.path[0].joints = {5, 0, 0, 0, 0, 0};
+  goal.check_only = true;
+  const GoalId checked = cell.submit(goal);
+  expectDone(checked);
+  EXPECT_EQ(cell.outcome(first), nullptr);
+  EXPECT_NEAR(radToDeg(reportOf(checked).joint_path.back().joints[0]), 11, 1e-6);
+  goal.path[0].joints = {265, 0, 0, 0, 0, 0};
+  EXPECT_EQ(cell.endOf(cell.submit(goal)).error_id, 1033) << "from where the path ends, and not from here";
+  expectDone(first);
+}
+
 TEST_F(LoadPathChains, loseOnlyWhatNothingWasSentOf) {
   const GoalId first = cell.submit(section(turns(10, true), 0, 5));
   const GoalId second = cell.submit(section(turns(10, true), 5, 3));
