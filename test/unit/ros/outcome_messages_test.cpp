@@ -208,7 +208,7 @@ TEST(FeedbackMessages, aPathTellsWhereItsPointsAre) {
   progress.phase = blocks::Phase::Active;
   progress.fraction = 0.5;
   progress.detail =
-      blocks::Detail(blocks::PathPlace{true, true, 2, 3, 4, 5, 6, 7, blocks::ProgressSource::Stream});
+      blocks::Detail(blocks::PathPlace{true, true, 2, 3, 4, 5, 6, 7, false, blocks::ProgressSource::Stream});
   cobot_command::LoadPathFeedback message;
   fill(message, progress, kSite);
   EXPECT_EQ(message.phase, cobot_command::LoadPathFeedback::ACTIVE);

@@ -122,7 +122,7 @@ TEST(PathGoalMessages, everyFieldOfLoadPathArrives) {
   EXPECT_EQ(goal.path_fault, "");
   message.enable_tracking_0 = false;
   message.enable_tracking_1 = true;
-  EXPECT_TRUE(toGoal(message, onlyPaths).enable_tracking_1);
+  EXPECT_TRUE(toGoal(message, onlyPaths).enable_tracking[1]);
 }
 
 TEST(PathGoalMessages, thePointsOfAPathMayStandInAFile) {
