@@ -51,6 +51,11 @@ std::optional<command::FeedrateAnswer> CoreAndRobot::setFeedrate(std::optional<d
   return *answer_;
 }
 
+void CoreAndRobot::finish() {
+  static_cast<void>(core_.finish(blocks::FinishAfter::Move, now_));
+  settle();
+}
+
 void CoreAndRobot::shutDown() {
   core_.shutDown(now_);
   settle();

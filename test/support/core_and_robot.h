@@ -24,6 +24,7 @@ class CoreAndRobot {
   blocks::GoalId connect();
   blocks::GoalId submit(const blocks::Goal& goal);
   void cancel(blocks::GoalId goal);
+  void finish();
   void shutDown();
   void operate(const simulator::OperatorAction& action);
   command::TableAnswer write(const command::TableWrite& entry) { return core_.writeTable(entry); }

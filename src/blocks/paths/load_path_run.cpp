@@ -186,7 +186,9 @@ void LoadPathRun::interrupt(const std::string& why, Instant now) {
 }
 
 void LoadPathRun::finish(FinishAfter /*after*/, Instant now) {
-  goals_.dropUntouched("nothing more is begun behind a finish", now);
+  constexpr const char* kWhy = "nothing more is begun behind a finish";
+  goals_.dropUntouched(kWhy, now);
+  if (goals_.pieces().sent().empty() && goals_.pieces().isUntouched(0)) cancel(kWhy, now);
 }
 
 void LoadPathRun::linkLost(const std::string& reason, std::optional<Duration> patience, Instant now) {

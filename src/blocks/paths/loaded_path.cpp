@@ -163,7 +163,8 @@ std::optional<PathRefusal> loadScript(path::PathPlanner planner, const path::Scr
     return PathRefusal{path::path_error::kNotInAScript, -1, -1,
                        fmt::format("{}", fmt::join(loaded.approximations, "; "))};
   }
-  if (std::any_of(script->begin(), script->end(), setsFrames)) {
+  const bool has_set = !loaded.restoring.lines.empty();  // with points that are sent
+  if (has_set || std::any_of(script->begin(), script->end(), setsFrames)) {
     loaded.restoring = restoring(loaded.frames);
     script->back().lines.insert(script->back().lines.end(), loaded.restoring.commands->begin(),
                                 loaded.restoring.commands->end());

@@ -236,9 +236,14 @@ std::optional<PathRest> PathChain::rest() const {
 
 void PathChain::reload(const std::vector<LoadedPathPtr>& loaded) {
   const std::size_t first = memberAt(sent_points_);
+  assert(first + loaded.size() == members_.size());
   for (std::size_t i = 0; i < loaded.size(); ++i) {
     Member& member = members_[first + i];
     member.loaded = loaded[i];
+    for (const std::string& text : loaded[i]->approximations) {
+      auto& told = member.report.approximations;
+      if (std::find(told.begin(), told.end(), text) == told.end()) told.push_back(text);
+    }
     const std::size_t sent = std::clamp(sent_points_, member.first, member.behind()) - member.first;
     for (std::size_t point = sent; point < member.count(); ++point) {
       member.report.points[point].start = loaded[i]->report[point].start;
@@ -249,6 +254,12 @@ void PathChain::reload(const std::vector<LoadedPathPtr>& loaded) {
   open_end_sent_ = false;
   ++next_key_;
   advance();
+}
+
+bool PathChain::isFasterThan(double feedrate) const {
+  return next() &&
+         std::any_of(members_.begin() + static_cast<std::ptrdiff_t>(memberAt(sent_points_)), members_.end(),
+                     [&](const Member& m) { return m.loaded->feedrate > feedrate; });
 }
 
 double PathChain::highestFeedrate() const {

@@ -99,6 +99,7 @@ class PathChain {
   // --- What is not sent, at another feedrate.
   /// Some of it was planned with another one.
   [[nodiscard]] bool differsFrom(double feedrate) const;
+  [[nodiscard]] bool isFasterThan(double feedrate) const;
   /// Nothing: all is sent.
   [[nodiscard]] std::optional<PathRest> rest() const;
   /// Takes the place of what rest() told. Precondition: that has not changed since.

@@ -16,6 +16,8 @@ constexpr std::size_t kMostGoals = 64;
 
 /// What became of a plan at another feedrate.
 struct Reloaded {
+  CommandKey key = 0;  ///< of the chain that was planned
+  double feedrate = 0;
   std::vector<LoadedPathPtr> loaded;
   std::string refusal;
 };
@@ -109,7 +111,8 @@ void PathGoals::robotChanged(const robot::RobotWatch& robot, Instant now) {
   pose_ = robot.toolInBaseMmDeg();
   if (speed_ && *speed_ != robot.speedOverride()) progress_.loseClock();
   speed_ = robot.speedOverride();
-  progress_.hold(robot.held() || controls_.stopped, now);
+  is_held_ = robot.held();
+  progress_.hold(is_held_ || controls_.stopped, now);
   if (robot.joints()) progress_.see(*robot.joints(), now);
   if (progress_.isUnderWay()) piece_end_ = now + progress_.remaining(now);
   follow(now);
@@ -117,7 +120,9 @@ void PathGoals::robotChanged(const robot::RobotWatch& robot, Instant now) {
 
 void PathGoals::use(const path::PathControls& controls, Instant now) {
   if (controls == controls_) return;
+  if (controls.feedrate != controls_.feedrate) refusal_.clear();
   controls_ = controls;
+  progress_.hold(is_held_ || controls_.stopped, now);
   for (Member& member : chain_.members()) member.told_at.reset();
   tell(now);
 }
@@ -156,6 +161,10 @@ Progress PathGoals::progressOf(const Member& member, const PathPlace& place) con
   if (is_stopped && !place.waits_for_tracking) {
     progress.phase = Phase::Held;
     progress.text = "stopped on its path: resume_path, or a feedrate above 0, lets it go on";
+  } else if (chain_.sent().empty() && phase_ != Phase::Stopping && !hasFeedrate()) {
+    progress.phase = Phase::Held;
+    progress.text =
+        refusal_.empty() ? "is planned at another feedrate" : refusal_ + ": waits for another one";
   } else if (phase_ == Phase::Stopping || begun) {
     progress.phase = phase_;
     progress.text = text_;
@@ -227,35 +236,43 @@ PathPace PathGoals::pace() const {
 }
 
 bool PathGoals::mayGoOn() const {
-  const bool has_feedrate = kept_from_ == controls_.feedrate || !chain_.differsFrom(controls_.feedrate);
-  return !controls_.stopped && !chain_.isNextAtGate() && has_feedrate;
+  return !controls_.stopped && !chain_.isNextAtGate() && hasFeedrate();
+}
+
+/// Nobody is driven faster than was asked for: what cannot be slower waits.
+bool PathGoals::hasFeedrate() const {
+  if (!chain_.differsFrom(controls_.feedrate)) return true;
+  return !refusal_.empty() && !chain_.isFasterThan(controls_.feedrate);
 }
 
 std::optional<PathWork> PathGoals::takeReplan() {
-  const bool is_needed = kept_from_ != controls_.feedrate && chain_.differsFrom(controls_.feedrate);
-  if (!is_needed || replanning_ == chain_.nextKey()) return std::nullopt;
-  replanning_ = chain_.nextKey();
-  return [rest = *chain_.rest(), feedrate = controls_.feedrate]() {
+  const std::pair<CommandKey, double> wanted(chain_.nextKey(), controls_.feedrate);
+  if (!refusal_.empty() || !chain_.differsFrom(wanted.second) || replanning_ == wanted) return std::nullopt;
+  replanning_ = wanted;
+  return [rest = *chain_.rest(), wanted]() {
+    const auto [key, feedrate] = wanted;
     auto loaded = loadAgain(rest, feedrate);
-    if (loaded) return Detail(Reloaded{*std::move(loaded), ""});
-    return Detail(Reloaded{{}, fmt::format("point {}: {}", loaded.error().index, loaded.error().found)});
+    if (loaded) return Detail(Reloaded{key, feedrate, *std::move(loaded), ""});
+    const path::PathRefusal& why = loaded.error();
+    return Detail(Reloaded{key, feedrate, {}, fmt::format("point {}: {}", why.index, why.found)});
   };
 }
 
 std::optional<std::string> PathGoals::replanned(const Detail& found) {
-  const bool is_of_now = replanning_ == chain_.nextKey();
+  const Reloaded& reloaded = found.as<Reloaded>();
+  const std::pair<CommandKey, double> wanted(chain_.nextKey(), controls_.feedrate);
+  const bool is_of_now =
+      replanning_ == wanted && (found.isNone() || std::pair(reloaded.key, reloaded.feedrate) == wanted);
+  if (!is_of_now) return std::nullopt;  // it is asked for once more, if it is not yet
   replanning_.reset();
-  if (!is_of_now) return std::nullopt;  // asked for once more
-  const auto& reloaded = found.as<Reloaded>();
-  if (!reloaded.loaded.empty() && reloaded.loaded.front()->feedrate == controls_.feedrate) {
+  if (!reloaded.loaded.empty()) {
     chain_.reload(reloaded.loaded);
     return std::nullopt;
   }
-  if (!reloaded.loaded.empty()) return std::nullopt;  // it has changed since
-  kept_from_ = controls_.feedrate;
-  return fmt::format(
-      "the path keeps its feedrate: at {:.6g} % {}", 100 * controls_.feedrate,
+  refusal_ = fmt::format(
+      "at a feedrate of {:.6g} % {}", 100 * controls_.feedrate,
       reloaded.refusal.empty() ? "it could not be planned in the time there was" : reloaded.refusal);
+  return refusal_ + (hasFeedrate() ? "; the path keeps its feedrate" : "; the path waits for another one");
 }
 
 /// Once the last point in front is under way: what is automatic would be in its way until then.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "paths/path_chain.h"
@@ -85,6 +86,8 @@ class PathGoals final : public GoalChain {
   void tell(Instant now);
   /// The feedrate of what the controller has first.
   [[nodiscard]] std::optional<double> running() const;
+  /// What is next has the feedrate that is asked for, or a lower one, as it cannot have that.
+  [[nodiscard]] bool hasFeedrate() const;
   void tellControls(PathStatus& status) const;
   [[nodiscard]] Progress progressOf(const Member& member, const PathPlace& place) const;
 
@@ -102,8 +105,10 @@ class PathGoals final : public GoalChain {
   std::optional<SixValues> joints_;   ///< that were streamed last [deg]
   std::optional<SixValues> pose_;
   bool stays_ = false;
-  std::optional<CommandKey> replanning_;  ///< of the chain as it was when that began
-  double kept_from_ = 0;                  ///< a feedrate that cannot be, so that the old one is kept; 0: none
+  bool is_held_ = false;  ///< the robot is
+  /// Of the chain as it was when that began, and for that feedrate.
+  std::optional<std::pair<CommandKey, double>> replanning_;
+  std::string refusal_;  ///< of the feedrate; empty: none
 };
 
 }  // namespace cobot_command::blocks

@@ -39,8 +39,8 @@ std::optional<FeedrateAnswer> objectionTo(double percent, const blocks::PathPace
 }  // namespace
 
 void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& reply, Instant now) {
-  const blocks::PathPace pace = turn_.pace();
-  const double percent = request.percent.value_or(kPercent * desk_.controls().feedrate);
+  const blocks::PathPace pace = core_.turn.pace();
+  const double percent = request.percent.value_or(kPercent * core_.desk.controls().feedrate);
   if (const auto refused = objectionTo(percent, pace)) {
     reply(*refused);
     return;
@@ -54,94 +54,108 @@ void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& repl
   }
 }
 
+/// A project that somebody else has paused is left to him: what stands needs no pause, and would be let go
+/// with it.
 void FeedrateDesk::stop(const blocks::PathPace& pace, Waiting waiting, Instant now) {
-  desk_.stop(true);
-  const bool has_motion = pace.running && !asked_;
+  core_.desk.stop(true);
   waiting.answer.message = pace.running ? "the path is stopped on its way: resume_path lets it go on"
                                         : "paths wait until resume_path, or a feedrate above 0";
-  if (has_motion) {
-    asked_ = true;
-    send(script::Pause{}, std::move(waiting), now);
-  } else {
+  const bool stands = core_.robot.tellsPause() && core_.robot.paused();
+  if (hold_ == Hold::Pausing) {
+    waiting.key = last_;
+    waiting_.push_back(std::move(waiting));
+  } else if (!pace.running || hold_ == Hold::Paused || (stands && hold_ == Hold::None)) {
     waiting.reply(waiting.answer);
+  } else {
+    send(Hold::Pausing, std::move(waiting), now);
   }
 }
 
 void FeedrateDesk::letGo(const blocks::PathPace& pace, double feedrate, Waiting waiting, Instant now) {
-  const bool is_same = feedrate == desk_.controls().feedrate;
-  desk_.setFeedrate(feedrate);
+  const bool is_same = feedrate == core_.desk.controls().feedrate;
+  core_.desk.setFeedrate(feedrate);
   waiting.answer.effective = kPercent * pace.running.value_or(feedrate);
   waiting.answer.from_point = is_same ? -1 : pace.next_point;
   if (pace.running && *pace.running != feedrate) {
     waiting.answer.message =
         fmt::format("what the controller has goes on at {:.6g} %", waiting.answer.effective);
   }
-  if (asked_) {
-    asked_ = false;
-    send(script::Resume{}, std::move(waiting), now);
-    return;
+  if (hold_ == Hold::Resuming) {
+    waiting.key = last_;
+    waiting_.push_back(std::move(waiting));
+  } else if (hold_ == Hold::None) {
+    core_.desk.stop(false);
+    waiting.reply(waiting.answer);
+  } else {
+    send(Hold::Resuming, std::move(waiting), now);
   }
-  desk_.stop(false);
-  waiting.reply(waiting.answer);
 }
 
-void FeedrateDesk::send(script::ScriptCommand command, Waiting waiting, Instant now) {
-  const bool pauses = std::holds_alternative<script::Pause>(command);
-  last_ += pauses == (last_ % 2 == 0) ? 1 : 2;
-  waiting.key = last_;
+void FeedrateDesk::send(Hold hold, Waiting waiting, Instant now) {
+  if (const auto failures = core_.objections(); !failures.empty()) {
+    waiting.reply(
+        refusal(failures.front().error_id, "there is no connection over which the robot could be told"));
+    return;
+  }
+  changeTo(hold);
+  waiting.key = ++last_;
   waiting_.push_back(std::move(waiting));
-  blocks::Order order = blocks::settingOrder(std::move(command));
+  const bool pauses = hold == Hold::Pausing;
+  blocks::Order order =
+      blocks::settingOrder(pauses ? script::ScriptCommand(script::Pause{}) : script::Resume{});
   order.stops_unanswered = pauses;
   blocks::Command sent;
   sent.key = last_;
   sent.block = blocks::kBlock<blocks::ProgramControlGoal>;
   sent.order = [order](const arm::Pose& /*base*/) { return order; };
-  window_.sendBeside(sent, 0, now);
+  core_.window.sendBeside(sent, 0, now);
 }
 
 void FeedrateDesk::ended(const CommandWindow::Ended& ended) {
-  const auto found = std::find_if(waiting_.begin(), waiting_.end(),
-                                  [&](const Waiting& waiting) { return waiting.key == ended.key; });
-  if (found == waiting_.end()) return;
-  const Waiting waiting = std::move(*found);
-  waiting_.erase(found);
-  const bool pauses = ended.key % 2 == 1;
-  if (ended.outcome.ending == blocks::Ending::Done) {
-    if (ended.key == last_) setPaused(pauses);
-    waiting.reply(waiting.answer);
-    return;
+  const bool is_done = ended.outcome.ending == blocks::Ending::Done;
+  if (ended.key == last_ && hold_ == Hold::Pausing) {
+    changeTo(is_done ? Hold::Paused : Hold::None);
+  } else if (ended.key == last_ && hold_ == Hold::Resuming) {
+    changeTo(is_done ? Hold::None : Hold::Paused);
+    if (is_done) core_.desk.stop(false);
   }
-  if (ended.key == last_) asked_ = !pauses;
-  waiting.reply(refusal(
-      ended.outcome.error_id,
-      fmt::format("{} was not taken: {}", pauses ? "Pause()" : "Resume()", ended.outcome.error_description)));
+  const auto mine = std::stable_partition(waiting_.begin(), waiting_.end(),
+                                          [&](const Waiting& waiting) { return waiting.key != ended.key; });
+  const std::vector<Waiting> answered(mine, waiting_.end());
+  waiting_.erase(mine, waiting_.end());
+  for (const Waiting& waiting : answered) {
+    waiting.reply(is_done ? waiting.answer
+                          : refusal(ended.outcome.error_id,
+                                    "the controller has not taken it: " + ended.outcome.error_description));
+  }
 }
 
-void FeedrateDesk::setPaused(bool paused) {
-  asked_ = paused;
-  paused_ = paused;
-  seen_ = false;
-  robot_.pausedByUs(paused);
-  if (!paused) desk_.stop(false);
+void FeedrateDesk::changeTo(Hold hold) {
+  if (hold == Hold::Pausing) seen_ = false;
+  hold_ = hold;
+  core_.robot.pausedByUs(hold == Hold::Paused || hold == Hold::Resuming);
 }
 
+/// An emergency stop, and a project that is stopped, end a pause, too; the path stays stopped then.
 void FeedrateDesk::robotChanged() {
-  if (!paused_ || !robot_.tellsPause()) return;
-  if (robot_.paused()) {
+  if (hold_ == Hold::None || !core_.robot.tellsPause()) return;
+  if (core_.robot.emergencyStop() || core_.robot.projectStopped()) {
+    forget();
+  } else if (core_.robot.paused()) {
     seen_ = true;
-  } else if (seen_) {
-    setPaused(false);
-    actions_.emplace_back(LogMessage{Severity::Warning,
-                                     "the project goes on, though the path was stopped: somebody let it go"});
+  } else if (seen_ && (hold_ == Hold::Paused || hold_ == Hold::Resuming)) {
+    if (hold_ == Hold::Paused) {
+      core_.actions.emplace_back(LogMessage{
+          Severity::Warning, "the project goes on, though the path was stopped: somebody let it go"});
+    }
+    changeTo(Hold::None);
+    core_.desk.stop(false);
   }
 }
 
-/// Its commands end by themselves. Whether the project is paused behind the next link nobody knows here;
-/// paths wait all the same.
-void FeedrateDesk::linkLost() {
-  asked_ = false;
-  paused_ = false;
-  robot_.pausedByUs(false);
+void FeedrateDesk::forget() {
+  changeTo(Hold::None);
+  ++last_;  // no answer that is still to come counts
 }
 
 }  // namespace cobot_command::command

@@ -1,6 +1,8 @@
 // The feedrate of paths: changed for what is not sent yet, and at 0 by a Pause() for what the controller has.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,20 +17,30 @@ namespace cobot_command::command {
 
 class FeedrateDesk {
  public:
-  /// All have to live longer.
-  FeedrateDesk(PathDesk& desk, const PathTurn& turn, CommandWindow& window, robot::RobotWatch& robot,
-               std::vector<Action>& actions)
-      : desk_(desk), turn_(turn), window_(window), robot_(robot), actions_(actions) {}
+  /// What it uses of the core; all have to live longer.
+  struct Core {
+    PathDesk& desk;
+    const PathTurn& turn;
+    CommandWindow& window;
+    robot::RobotWatch& robot;
+    std::vector<Action>& actions;
+    /// Why nothing can be sent to the controller.
+    std::function<std::vector<blocks::Failure>()> objections;
+  };
+  explicit FeedrateDesk(Core core) : core_(std::move(core)) {}
 
   void set(const FeedrateRequest& request, const FeedrateReply& reply, Instant now);
 
   /// A Pause() or Resume() of this desk has ended: what was sent beside for no goal.
   void ended(const CommandWindow::Ended& ended);
-  /// The project may have been let go by others.
+  /// The project may have been let go by others, or stopped.
   void robotChanged();
-  void linkLost();
+  /// Whether the project is paused behind the next link nobody knows here; paths wait all the same.
+  void linkLost() { forget(); }
 
  private:
+  /// Of the pause that this desk has asked for; with no answer yet: Pausing, Resuming.
+  enum class Hold { None, Pausing, Paused, Resuming };
   struct Waiting {
     blocks::CommandKey key = 0;
     FeedrateReply reply;
@@ -37,19 +49,15 @@ class FeedrateDesk {
 
   void stop(const blocks::PathPace& pace, Waiting waiting, Instant now);
   void letGo(const blocks::PathPace& pace, double feedrate, Waiting waiting, Instant now);
-  void send(script::ScriptCommand command, Waiting waiting, Instant now);
-  /// The project is paused by this desk, as the controller has told.
-  void setPaused(bool paused);
+  /// Pausing or Resuming from now on.
+  void send(Hold hold, Waiting waiting, Instant now);
+  void changeTo(Hold hold);
+  void forget();
 
-  PathDesk& desk_;
-  const PathTurn& turn_;
-  CommandWindow& window_;
-  robot::RobotWatch& robot_;
-  std::vector<Action>& actions_;
+  Core core_;
   std::vector<Waiting> waiting_;
-  blocks::CommandKey last_ = 0;  ///< odd: a Pause(), even: a Resume()
-  bool asked_ = false;           ///< a Pause() was sent, and no Resume() behind it
-  bool paused_ = false;
+  blocks::CommandKey last_ = 0;  ///< of what was sent last, whose answer counts
+  Hold hold_ = Hold::None;
   bool seen_ = false;  ///< the status stream has shown that pause
 };
 

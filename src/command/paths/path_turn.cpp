@@ -37,6 +37,7 @@ void PathTurn::planAnew(blocks::Block block, blocks::PathWork work, Instant now)
     const auto warning = paths_->replanned(answer ? answer->outcome.detail : blocks::Detail());
     if (warning) actions_.emplace_back(LogMessage{Severity::Warning, *warning});
   };
+  planning_.drop(kNoGoal);  // of what was to be planned before
   planning_.ask({block, kNoGoal, PlanDesk::Purpose::Send, make, take}, now);
 }
 

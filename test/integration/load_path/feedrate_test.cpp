@@ -23,6 +23,17 @@ class LoadPathFeedrate : public LoadPathCell {
     goal.number_of_moves = 1;
     return goal;
   }
+  /// By a script, exactly; at half the feedrate, too.
+  [[nodiscard]] static LoadPathGoal sayable() {
+    LoadPathGoal goal = turns(20, false);
+    goal.execution = static_cast<int>(Execution::Script);
+    for (path::PathPoint& point : goal.path) {
+      point.speed = 36;  // 20 % of the rated speed
+      point.acceleration = 180;
+      point.deceleration = 180;
+    }
+    return goal;
+  }
   [[nodiscard]] double duration(GoalId id) { return toSeconds(*cell.endOf(id).planned); }
   [[nodiscard]] double joint1() { return radToDeg(cell.robot().joints[0]); }
   [[nodiscard]] Phase phaseOf(GoalId id) { return cell.progress(id).back().phase; }
@@ -139,14 +150,7 @@ TEST_F(LoadPathFeedrate, isRefusedWhereAJointWouldBeTooFast) {
 }
 
 TEST_F(LoadPathFeedrate, isSaidByAScriptAsFarAsThatCan) {
-  LoadPathGoal goal = turns(20, false);
-  goal.execution = static_cast<int>(Execution::Script);
-  for (path::PathPoint& point : goal.path) {
-    point.speed = 36;  // 20 % of the rated speed
-    point.acceleration = 180;
-    point.deceleration = 180;
-  }
-  const GoalId id = cell.submit(goal);
+  const GoalId id = cell.submit(sayable());
   passUntilActive(id, 2);
   EXPECT_TRUE(cell.setFeedrate(50)->success);
   expectDone(id);
@@ -155,20 +159,81 @@ TEST_F(LoadPathFeedrate, isSaidByAScriptAsFarAsThatCan) {
   EXPECT_EQ(cell.scripts().size(), 20U);
 }
 
-TEST_F(LoadPathFeedrate, isKeptWhereAScriptCannotSayIt) {
-  LoadPathGoal goal = turns(20, false);
-  goal.execution = static_cast<int>(Execution::Script);
-  for (path::PathPoint& point : goal.path) {
-    point.speed = 36;
-    point.acceleration = 180;
-    point.deceleration = 180;
-  }
-  const GoalId id = cell.submit(goal);
+TEST_F(LoadPathFeedrate, thatCannotBeIsNeverExceeded) {
+  const GoalId id = cell.submit(sayable());
   passUntilActive(id, 2);
+  EXPECT_TRUE(cell.setFeedrate(101)->success);
+  cell.pass(1s);
+  EXPECT_THAT(cell.warnings(), ::testing::Contains(HasSubstr("the path keeps its feedrate")));
   EXPECT_TRUE(cell.setFeedrate(51)->success);
+  cell.pass(1min);
+  EXPECT_EQ(cell.outcome(id), nullptr) << "nothing is sent that would be faster";
+  EXPECT_EQ(phaseOf(id), Phase::Held);
+  EXPECT_THAT(cell.progress(id).back().text, HasSubstr("at a feedrate of 51 %"));
+  EXPECT_TRUE(cell.setFeedrate(50)->success);
   expectDone(id);
-  EXPECT_THAT(cell.scripts()[19], HasSubstr(",20,200,"));
-  EXPECT_THAT(cell.warnings(), ::testing::Contains(HasSubstr("the path keeps its feedrate: at 51 %")));
+  EXPECT_THAT(cell.scripts().back(), HasSubstr(",10,400,"));
+}
+
+TEST_F(LoadPathFeedrate, ofAScriptLeavesBaseAndTcpAsTheyWere) {
+  arm::Pose tool = arm::Pose::Identity();
+  tool.translation().z() = 0.1;
+  ASSERT_TRUE(cell.write({3, std::optional(tables::Tool{"", tool, 0})}));
+  LoadPathGoal goal = sayable();
+  path::PathPoint first = pathLine({417.5, -122.3, 381.05, 180, 0, 90});
+  first.pose_type = static_cast<int>(path::MovedFrame::Tool);
+  first.pose_id = 3;
+  goal.path.insert(goal.path.begin(), first);
+  goal.number_of_moves = 21;
+  goal.allow_approximation = true;
+  const GoalId id = cell.submit(goal);
+  passUntilActive(id, 3);
+  EXPECT_TRUE(cell.setFeedrate(50)->success);
+  expectDone(id);
+  ASSERT_THAT(cell.scripts().front(), HasSubstr("ChangeTCP"));
+  EXPECT_THAT(cell.scripts().back(), HasSubstr("ChangeTCP")) << "though what was planned again sets none";
+}
+
+TEST_F(LoadPathFeedrate, leavesAPauseOfSomebodyElseToHim) {
+  const GoalId id = cell.submit(quarterTurn());
+  ASSERT_TRUE(cell.passUntil([&] { return joint1() > 20; }));
+  cell.operate(simulator::PauseProject{});
+  cell.pass(1s);
+  cell.setFeedrate(0);
+  cell.setFeedrate(100);
+  cell.pass(1min);
+  EXPECT_EQ(cell.outcome(id), nullptr);
+  EXPECT_EQ(cell.scripts().size(), 1U) << "neither Pause() nor Resume()";
+  cell.operate(simulator::ResumeProject{});
+  expectDone(id);
+}
+
+TEST_F(LoadPathFeedrate, ofNoughtOutlastsAnEmergencyStop) {
+  const GoalId id = cell.submit(quarterTurn());
+  ASSERT_TRUE(cell.passUntil([&] { return joint1() > 20; }));
+  cell.setFeedrate(0);
+  cell.pass(1s);
+  cell.operate(simulator::SetEmergencyStop{true});
+  cell.endOf(id);
+  EXPECT_TRUE(cell.controls().stopped);
+}
+
+TEST_F(LoadPathFeedrate, ofNoughtWithoutALinkIsKept) {
+  cell.dropConnections();
+  const auto answer = cell.setFeedrate(0);
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(cell.controls().stopped);
+  EXPECT_TRUE(cell.setFeedrate(std::nullopt));
+  EXPECT_FALSE(cell.controls().stopped);
+}
+
+TEST_F(LoadPathFeedrate, ofNoughtLetsAFinishDropWhatWaits) {
+  cell.setFeedrate(0);
+  const GoalId id = cell.submit(quarterTurn());
+  cell.pass(1s);
+  cell.finish();
+  ASSERT_NE(cell.outcome(id), nullptr);
+  EXPECT_EQ(cell.outcome(id)->ending, Ending::CommandAborted);
 }
 
 TEST_F(LoadPathFeedrate, ofNoughtIsOverWhenSomebodyLetsTheProjectGo) {

@@ -65,7 +65,7 @@ std::vector<Recipe> recipes() {
       line(1015, [](auto& p) { p.orientation_speed = 0; }),
       point(1017, [](auto& p) { p.move_type = 2; }),
       point(1018, [](auto& p) { p.target_type = 3; }),
-      point(1020, [](auto& p) { p.interpolation = 4; }),
+      line(1020, [](auto& p) { p.interpolation = 4; }),
       line(1022, [](auto& p) { blends(p, -0.1); }),
       point(1023, [](auto& p) { blends(p, 100.1); }),
       point(1024, [](auto& p) { p.termination_type = 1; }),
