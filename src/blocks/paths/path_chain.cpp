@@ -210,10 +210,13 @@ std::vector<LoadedPiecePtr> PathChain::unsent() const {
   return unsent;
 }
 
-bool PathChain::differsFrom(double feedrate) const {
-  if (!next()) return false;
-  return std::any_of(members_.begin() + static_cast<std::ptrdiff_t>(memberAt(sent_points_)), members_.end(),
-                     [&](const Member& m) { return m.loaded->feedrate != feedrate; });
+std::optional<PathChain::Feedrates> PathChain::feedrates() const {
+  if (!next()) return std::nullopt;
+  const auto first = members_.begin() + static_cast<std::ptrdiff_t>(memberAt(sent_points_));
+  const auto [lowest, highest] = std::minmax_element(
+      first, members_.end(),
+      [](const Member& a, const Member& b) { return a.loaded->feedrate < b.loaded->feedrate; });
+  return Feedrates{lowest->loaded->feedrate, highest->loaded->feedrate};
 }
 
 std::optional<PathRest> PathChain::rest() const {
@@ -254,12 +257,6 @@ void PathChain::reload(const std::vector<LoadedPathPtr>& loaded) {
   open_end_sent_ = false;
   ++next_key_;
   advance();
-}
-
-bool PathChain::isFasterThan(double feedrate) const {
-  return next() &&
-         std::any_of(members_.begin() + static_cast<std::ptrdiff_t>(memberAt(sent_points_)), members_.end(),
-                     [&](const Member& m) { return m.loaded->feedrate > feedrate; });
 }
 
 double PathChain::highestFeedrate() const {

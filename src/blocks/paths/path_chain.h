@@ -41,6 +41,11 @@ class PathChain {
     std::size_t first = 0;  ///< of its points
     [[nodiscard]] std::size_t behind() const { return first + piece->plan.points().size(); }
   };
+  /// That it was planned with.
+  struct Feedrates {
+    double lowest = 1.0;
+    double highest = 1.0;
+  };
   /// Points in front of `done` are done; those from there to `behind_active` move the robot.
   struct Place {
     std::size_t done = 0;
@@ -97,9 +102,8 @@ class PathChain {
   Sent take(CommandKey key);
 
   // --- What is not sent, at another feedrate.
-  /// Some of it was planned with another one.
-  [[nodiscard]] bool differsFrom(double feedrate) const;
-  [[nodiscard]] bool isFasterThan(double feedrate) const;
+  /// Nothing: all is sent.
+  [[nodiscard]] std::optional<Feedrates> feedrates() const;
   /// Nothing: all is sent.
   [[nodiscard]] std::optional<PathRest> rest() const;
   /// Takes the place of what rest() told. Precondition: that has not changed since.

@@ -241,13 +241,15 @@ bool PathGoals::mayGoOn() const {
 
 /// Nobody is driven faster than was asked for: what cannot be slower waits.
 bool PathGoals::hasFeedrate() const {
-  if (!chain_.differsFrom(controls_.feedrate)) return true;
-  return !refusal_.empty() && !chain_.isFasterThan(controls_.feedrate);
+  const auto planned = chain_.feedrates();
+  const double asked = controls_.feedrate;
+  if (!planned || (planned->lowest == asked && planned->highest == asked)) return true;
+  return !refusal_.empty() && planned->highest <= asked;
 }
 
 std::optional<PathWork> PathGoals::takeReplan() {
   const std::pair<CommandKey, double> wanted(chain_.nextKey(), controls_.feedrate);
-  if (!refusal_.empty() || !chain_.differsFrom(wanted.second) || replanning_ == wanted) return std::nullopt;
+  if (!refusal_.empty() || hasFeedrate() || replanning_ == wanted) return std::nullopt;
   replanning_ = wanted;
   return [rest = *chain_.rest(), wanted]() {
     const auto [key, feedrate] = wanted;
