@@ -52,6 +52,7 @@ bool PathGoals::join(GoalId goal, const Outcome& planned, Instant now) {
   const auto& report = planned.detail.as<PathReport>();
   if (!report.loaded || report.loaded->behind != chain_.end()) return false;
   chain_.add(goal, report);
+  refusal_.clear();
   tell(now);
   return true;
 }
@@ -102,6 +103,7 @@ bool PathGoals::done(std::size_t points, Instant now) {
     const Member& first = chain_.members().front();
     reports_.end(first.goal, complete(first, Outcome(), now), chain_.members()[1].goal);
     chain_.dropFirst();
+    refusal_.clear();
   }
   return false;
 }
@@ -190,14 +192,14 @@ void PathGoals::tellStatus(Instant now) {
   follow(now);
   PathStatus status = statusOf(chain_, place_, progress_, now);
   tellControls(status);
-  reports_.tellEveryone(Detail(std::move(status)));
+  reports_.tellEveryone(Detail(status));
 }
 
 void PathGoals::endStatus() {
   if (!status_clock_.end()) return;
   PathStatus status;
   tellControls(status);
-  reports_.tellEveryone(Detail(std::move(status)));
+  reports_.tellEveryone(Detail(status));
 }
 
 void PathGoals::tellControls(PathStatus& status) const {
@@ -300,6 +302,7 @@ void PathGoals::dropFrom(std::size_t member, const std::string& why, Instant now
     reports_.end(members[i].goal, complete(members[i], commandAborted(text), now), reports_.goal());
   }
   chain_.dropFrom(member);
+  refusal_.clear();
 }
 
 Outcome PathGoals::endAll(const std::vector<Outcome>& outcomes, Instant now) {

@@ -108,7 +108,7 @@ class PathGoals final : public GoalChain {
   bool is_held_ = false;  ///< the robot is
   /// Of the chain as it was when that began, and for that feedrate.
   std::optional<std::pair<CommandKey, double>> replanning_;
-  std::string refusal_;  ///< of the feedrate; empty: none
+  std::string refusal_;  ///< of the feedrate, by the goals that there are; empty: none
 };
 
 }  // namespace cobot_command::blocks

@@ -98,6 +98,17 @@ TEST_F(PathReplan, thatTookTooLongIsTriedAgainWithTheNextFeedrate) {
   EXPECT_TRUE(paths().takeReplan()) << "what could not be may be by now";
 }
 
+TEST_F(PathReplan, thatWasRefusedIsTriedAgainWithoutTheGoalThatRefusedIt) {
+  use(0.5);
+  ASSERT_TRUE(paths().takeReplan());
+  EXPECT_TRUE(paths().replanned(Detail()));
+  ASSERT_TRUE(run_->chain()->takeOut(2, "cancelled", now_));
+  const auto work = paths().takeReplan();
+  ASSERT_TRUE(work);
+  EXPECT_FALSE(paths().replanned((*work)()));
+  EXPECT_TRUE(sends());
+}
+
 TEST_F(PathReplan, thatIsRefusedIsNotChargedToAnotherFeedrate) {
   use(0.5);
   ASSERT_TRUE(paths().takeReplan());
