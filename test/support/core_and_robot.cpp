@@ -10,9 +10,12 @@
 
 namespace cobot_command::testing {
 
-CoreAndRobot::CoreAndRobot(const std::string& model, simulator::Settings settings, link::LinkSettings link)
-    : core_(arm::ArmModel::named(model).value(), link, {}, command::Planning::AtOnce),
-      controller_(arm::ArmModel::named(model).value(), std::move(settings), now_) {
+CoreAndRobot::CoreAndRobot(const std::string& model, simulator::Settings settings, link::LinkSettings link,
+                           Duration planning)
+    : core_(arm::ArmModel::named(model).value(), link, {},
+            planning > Duration::zero() ? command::Planning::Beside : command::Planning::AtOnce),
+      controller_(arm::ArmModel::named(model).value(), std::move(settings), now_),
+      planning_(planning) {
   settle();
 }
 
@@ -122,7 +125,8 @@ bool CoreAndRobot::takeOutputs() {
 }
 
 Instant CoreAndRobot::nextEvent() const {
-  return std::min(controller_.nextEvent(), core_.nextDeadline().value_or(Instant::max()));
+  const Instant next = std::min(controller_.nextEvent(), core_.nextDeadline().value_or(Instant::max()));
+  return plans_.empty() ? next : std::min(next, plans_.front().due);
 }
 
 void CoreAndRobot::advanceTo(Instant instant) {
@@ -131,6 +135,17 @@ void CoreAndRobot::advanceTo(Instant instant) {
   takeOutputs();
   core_.advance(now_);
   settle();
+  answerPlans();
+}
+
+/// In the order in which they were asked for; those of both lanes take their time beside each other.
+void CoreAndRobot::answerPlans() {
+  while (!plans_.empty() && plans_.front().due <= now_) {
+    const Plan plan = std::move(plans_.front());
+    plans_.pop_front();
+    core_.planned(plan.asked.id, plan.asked.work(), now_);
+    settle();
+  }
 }
 
 void CoreAndRobot::take(const command::OpenConnection& action) {

@@ -2,6 +2,7 @@
 // their coming to their end, without sockets, threads and waiting.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -17,8 +18,9 @@ namespace cobot_command::testing {
 
 class CoreAndRobot {
  public:
+  /// `planning`: so long a plan takes, beside the core; zero: it is made in the middle of the event.
   explicit CoreAndRobot(const std::string& model = "tm5-900", simulator::Settings settings = {},
-                        link::LinkSettings link = {});
+                        link::LinkSettings link = {}, Duration planning = Duration::zero());
 
   /// Until the core is ready for commands.
   blocks::GoalId connect();
@@ -32,6 +34,9 @@ class CoreAndRobot {
   /// What was answered until now; nothing: nothing yet.
   std::optional<command::FeedrateAnswer> setFeedrate(std::optional<double> percent);
   [[nodiscard]] const std::optional<command::FeedrateAnswer>& feedrateAnswer() const { return *answer_; }
+  /// The answer to the last one, when it comes.
+  using FeedratePromise = std::shared_ptr<std::optional<command::FeedrateAnswer>>;
+  [[nodiscard]] FeedratePromise feedratePromise() const { return answer_; }
   /// As if the network were gone: both sides learn of it at once.
   void dropConnections();
 
@@ -61,7 +66,13 @@ class CoreAndRobot {
     simulator::ClientId client;
   };
 
+  struct Plan {
+    Instant due;
+    command::PlanAsked asked;
+  };
+
   void settle();
+  void answerPlans();
   bool takeActions();
   bool takeOutputs();
   [[nodiscard]] Instant nextEvent() const;
@@ -73,6 +84,7 @@ class CoreAndRobot {
   void take(const command::GoalProgressed& action) { progress_[action.goal].push_back(action.progress); }
   void take(const command::GoalEnded& action);
   void take(const command::StatusChanged& action) { status_ = action.status; }
+  void take(const command::PlanAsked& action) { plans_.push_back({now_ + planning_, action}); }
   void take(const command::PathControlsChanged& action) { controls_ = action.controls; }
   void take(const command::LogMessage& action) { warnings_.push_back(action.text); }
   void take(const command::RunTold& action) { told_.emplace_back(now_, action.news); }
@@ -100,9 +112,10 @@ class CoreAndRobot {
   std::vector<std::pair<Instant, blocks::Detail>> told_;
   command::CommandStatus status_;
   path::PathControls controls_;
-  std::shared_ptr<std::optional<command::FeedrateAnswer>> answer_ =
-      std::make_shared<std::optional<command::FeedrateAnswer>>();
+  FeedratePromise answer_ = std::make_shared<std::optional<command::FeedrateAnswer>>();
   std::vector<std::string> warnings_;
+  Duration planning_;
+  std::deque<Plan> plans_;
 };
 
 }  // namespace cobot_command::testing

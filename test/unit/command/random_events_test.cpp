@@ -8,10 +8,12 @@
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <random>
 #include <regex>
 #include <set>
 
+#include "block_goals.h"
 #include "core_rig.h"
 #include "motion_goals.h"
 #include "status_frames.h"
@@ -51,7 +53,8 @@ class Chaos {
         &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::enterNode,
         &Chaos::complain,      &Chaos::noise,         &Chaos::statusFrame,   &Chaos::statusFrame,
         &Chaos::statusFrame,   &Chaos::shortTime,     &Chaos::shortTime,     &Chaos::longTime,
-        &Chaos::reportEarly};
+        &Chaos::reportEarly,   &Chaos::submitPath,    &Chaos::submitPath,    &Chaos::submitPath,
+        &Chaos::setFeedrate,   &Chaos::track,         &Chaos::finishAny};
     (this->*kEvents[pick(kEvents.size())])();
     answerPlans(pick(3));
     collect();
@@ -67,6 +70,7 @@ class Chaos {
     answerPlans();
     collect();
     for (GoalId id = 1; id <= last_; ++id) EXPECT_NE(rig_.outcome(id), nullptr) << "goal " << id;
+    for (const auto& replies : feedrates_) EXPECT_EQ(*replies, 1) << "a feedrate is answered once";
     rig_.discardSent();
     rig_.connect();
     rig_.status(StatusFrames());
@@ -166,6 +170,33 @@ class Chaos {
     goal.cycles = static_cast<int>(pick(3));
     goal.buffer_mode = static_cast<int>(pick(3));
     last_ = rig_.submit(goal);
+  }
+  void submitPath() {
+    auto goal = good<LoadPathGoal>();
+    for (path::PathPoint& point : goal.path) point.termination_type = pick(3) == 0 ? 6 : 0;
+    goal.execution = static_cast<int>(pick(3));
+    goal.allow_approximation = pick(2) == 0;
+    goal.enable_tracking[0] = pick(6) == 0;
+    goal.buffer_mode = static_cast<int>(pick(3));
+    last_ = rig_.submit(goal);
+  }
+  void setFeedrate() {
+    constexpr double kPercents[] = {0, 50, 80, 100, 125, 200};
+    const auto percent = pick(3) == 0 ? std::nullopt : std::optional(kPercents[pick(std::size(kPercents))]);
+    const auto replies = feedrates_.emplace_back(std::make_shared<int>(0));
+    rig_.core.setFeedrate(
+        {percent}, [replies](const FeedrateAnswer&) { ++*replies; }, rig_.now);
+    rig_.pass(0ms);
+  }
+  void track() {
+    const TrackingSwitch request{static_cast<int>(pick(3)), pick(2) == 0, pick(2) == 0};
+    EXPECT_EQ(rig_.core.switchTracking(request, rig_.now).has_value(), request.object == 2);
+    rig_.pass(0ms);
+  }
+  void finishAny() {
+    if (pick(4) != 0) return;
+    static_cast<void>(rig_.core.finish(static_cast<FinishAfter>(pick(2)), rig_.now));
+    rig_.pass(0ms);
   }
   void cancelAny() {
     if (last_ != 0) rig_.cancel(last_ - pick(std::min<std::size_t>(last_, 4)));
@@ -318,6 +349,7 @@ class Chaos {
   std::vector<std::string> scripts_;
   std::set<std::string> script_ids_;
   std::map<GoalId, Motion> motions_;
+  std::vector<std::shared_ptr<int>> feedrates_;  ///< how often each was answered
 };
 
 /// The ends of all motions, by error id or minus the ending.
