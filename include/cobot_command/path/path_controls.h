@@ -36,11 +36,12 @@ inline constexpr double kHighestFeedrate = 1.25;
 struct PathControls {
   TrackingObjects tracking{};
   double feedrate = 1.0;  ///< (0..1.25]: so much faster runs the time of what is not sent yet
-  bool stopped = false;   ///< on the path: nothing of it moves or is sent, and nothing is lost
+  bool stopped = false;   ///< on the path: nothing more of it is sent, and nothing is lost
+  bool held = false;      ///< what the controller has stands on its way, as it has told
 };
 
 inline bool operator==(const PathControls& a, const PathControls& b) {
-  return a.tracking == b.tracking && a.feedrate == b.feedrate && a.stopped == b.stopped;
+  return a.tracking == b.tracking && a.feedrate == b.feedrate && a.stopped == b.stopped && a.held == b.held;
 }
 
 }  // namespace cobot_command::path

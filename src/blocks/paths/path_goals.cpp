@@ -114,7 +114,7 @@ void PathGoals::robotChanged(const robot::RobotWatch& robot, Instant now) {
   if (speed_ && *speed_ != robot.speedOverride()) progress_.loseClock();
   speed_ = robot.speedOverride();
   is_held_ = robot.held();
-  progress_.hold(is_held_ || controls_.stopped, now);
+  progress_.hold(is_held_ || controls_.held, now);
   if (robot.joints()) progress_.see(*robot.joints(), now);
   if (progress_.isUnderWay()) piece_end_ = now + progress_.remaining(now);
   follow(now);
@@ -124,7 +124,7 @@ void PathGoals::use(const path::PathControls& controls, Instant now) {
   if (controls == controls_) return;
   if (controls.feedrate != controls_.feedrate) refusal_.clear();
   controls_ = controls;
-  progress_.hold(is_held_ || controls_.stopped, now);
+  progress_.hold(is_held_ || controls_.held, now);
   for (Member& member : chain_.members()) member.told_at.reset();
   tell(now);
 }
@@ -159,10 +159,12 @@ void PathGoals::tell(Instant now) {
 Progress PathGoals::progressOf(const Member& member, const PathPlace& place) const {
   Progress progress;
   const bool begun = place.active || place.done_path_points > 0;
-  const bool is_stopped = controls_.stopped && phase_ != Phase::Stopping;
-  if (is_stopped && !place.waits_for_tracking) {
+  const bool waits = chain_.sent().empty() && !place.waits_for_tracking;
+  const bool is_stopped = controls_.held || (controls_.stopped && waits);
+  if (is_stopped && phase_ != Phase::Stopping) {
     progress.phase = Phase::Held;
-    progress.text = "stopped on its path: resume_path, or a feedrate above 0, lets it go on";
+    progress.text = begun ? "stopped on its path: resume_path, or a feedrate above 0, lets it go on"
+                          : "paths are stopped: resume_path, or a feedrate above 0, lets it begin";
   } else if (chain_.sent().empty() && phase_ != Phase::Stopping && !hasFeedrate()) {
     progress.phase = Phase::Held;
     progress.text =
@@ -207,7 +209,7 @@ void PathGoals::tellControls(PathStatus& status) const {
   const double asked = controls_.stopped ? 0 : kPercent * controls_.feedrate;
   status.feedrate = asked;
   const auto effective = running();
-  status.feedrate_effective = controls_.stopped || !effective ? asked : kPercent * *effective;
+  status.feedrate_effective = controls_.held ? 0 : effective ? kPercent * *effective : asked;
   const Member* const at_gate = chain_.firstAtGate();
   status.gate_waits = at_gate != nullptr && chain_.placeOf(*at_gate, place_).waits_for_tracking;
 }

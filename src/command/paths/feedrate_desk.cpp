@@ -41,7 +41,10 @@ std::optional<FeedrateAnswer> objectionTo(double percent, const blocks::PathPace
 void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& reply, Instant now) {
   const blocks::PathPace pace = core_.turn.pace();
   const double percent = request.percent.value_or(kPercent * core_.desk.controls().feedrate);
-  if (const auto refused = objectionTo(percent, pace)) {
+  if (auto refused = objectionTo(percent, pace)) {
+    const path::PathControls& now_in_force = core_.desk.controls();
+    const double asked = now_in_force.stopped ? 0 : now_in_force.feedrate;
+    refused->effective = kPercent * (now_in_force.held ? 0 : pace.running.value_or(asked));
     reply(*refused);
     return;
   }
@@ -64,7 +67,10 @@ void FeedrateDesk::stop(const blocks::PathPace& pace, Waiting waiting, Instant n
   if (hold_ == Hold::Pausing) {
     waiting.key = last_;
     waiting_.push_back(std::move(waiting));
-  } else if (!pace.running || hold_ == Hold::Paused || (stands && hold_ == Hold::None)) {
+  } else if (stands && hold_ == Hold::None) {
+    waiting.answer.message = "paths wait until resume_path, or a feedrate above 0; " + heldByOthers();
+    waiting.reply(waiting.answer);
+  } else if (!pace.running || hold_ == Hold::Paused) {
     waiting.reply(waiting.answer);
   } else {
     send(Hold::Pausing, std::move(waiting), now);
@@ -83,8 +89,10 @@ void FeedrateDesk::letGo(const blocks::PathPace& pace, double feedrate, Waiting 
   if (hold_ == Hold::Resuming) {
     waiting.key = last_;
     waiting_.push_back(std::move(waiting));
-  } else if (hold_ == Hold::None) {
+  } else if (hold_ == Hold::None || others_pause_) {
+    changeTo(Hold::None);
     core_.desk.stop(false);
+    if (const std::string held = heldByOthers(); !held.empty()) waiting.answer.message = held;
     waiting.reply(waiting.answer);
   } else {
     send(Hold::Resuming, std::move(waiting), now);
@@ -132,8 +140,19 @@ void FeedrateDesk::ended(const CommandWindow::Ended& ended) {
 
 void FeedrateDesk::changeTo(Hold hold) {
   if (hold == Hold::Pausing) seen_ = false;
+  if (hold == Hold::Pausing || hold == Hold::None) others_pause_ = false;
   hold_ = hold;
-  core_.robot.pausedByUs(hold == Hold::Paused || hold == Hold::Resuming);
+  const bool stands = hold == Hold::Paused || hold == Hold::Resuming;
+  core_.robot.pausedByUs(stands);
+  core_.desk.hold(stands);
+}
+
+std::string FeedrateDesk::heldByOthers() const {
+  if (!core_.robot.held()) return "";
+  if (!core_.robot.paused()) return "a safeguard holds the robot: it goes on when that is released";
+  return "the project is paused, and not by stop_on_path on this link: program_control with RESUME, or the "
+         "pendant, "
+         "lets it go on";
 }
 
 /// An emergency stop, and a project that is stopped, end a pause, too; the path stays stopped then.

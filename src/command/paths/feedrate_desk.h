@@ -30,6 +30,8 @@ class FeedrateDesk {
   explicit FeedrateDesk(Core core) : core_(std::move(core)) {}
 
   void set(const FeedrateRequest& request, const FeedrateReply& reply, Instant now);
+  /// Somebody else pauses the project, too: that is his to end.
+  void pausedByOthers() { others_pause_ = hold_ != Hold::None; }
 
   /// A Pause() or Resume() of this desk has ended: what was sent beside for no goal.
   void ended(const CommandWindow::Ended& ended);
@@ -52,13 +54,16 @@ class FeedrateDesk {
   /// Pausing or Resuming from now on.
   void send(Hold hold, Waiting waiting, Instant now);
   void changeTo(Hold hold);
+  /// Why the robot stands all the same; empty: nothing is known that holds it.
+  [[nodiscard]] std::string heldByOthers() const;
   void forget();
 
   Core core_;
   std::vector<Waiting> waiting_;
   blocks::CommandKey last_ = 0;  ///< of what was sent last, whose answer counts
   Hold hold_ = Hold::None;
-  bool seen_ = false;  ///< the status stream has shown that pause
+  bool seen_ = false;          ///< the status stream has shown that pause
+  bool others_pause_ = false;  ///< the same project, behind that
 };
 
 }  // namespace cobot_command::command

@@ -27,6 +27,12 @@ void PathDesk::stop(bool stopped) {
   use(changed);
 }
 
+void PathDesk::hold(bool held) {
+  path::PathControls changed = controls_;
+  changed.held = held;
+  use(changed);
+}
+
 void PathDesk::serve(blocks::PathControlled& run, Instant now) {
   run.use(controls_, now);
   if (const auto wanted = run.wantedTracking()) {

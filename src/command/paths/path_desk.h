@@ -22,6 +22,7 @@ class PathDesk {
   [[nodiscard]] std::optional<std::string> switchTracking(const TrackingSwitch& request);
   void setFeedrate(double feedrate);
   void stop(bool stopped);
+  void hold(bool held);
   /// Tells a run how it is controlled now, behind every event; what it wants of automatic objects, it gets.
   void serve(blocks::PathControlled& run, Instant now);
 

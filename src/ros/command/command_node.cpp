@@ -241,7 +241,10 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                  },
                  [&](const command::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
                  [&](const command::TablesChanged& a) { tables_->take(a.tables); },
-                 [&](const command::PathControlsChanged& a) { path_services_->take(a.controls); },
+                 [&](const command::PathControlsChanged& a) {
+                   path_services_->take(a.controls);
+                   paths_->take(a);
+                 },
                  [&](const command::PathPlanned& a) { paths_->take(a); },
                  [&](const command::GoalPreviewed& a) { paths_->take(a); },
                  [&](const command::RunTold& a) { paths_->take(a); },

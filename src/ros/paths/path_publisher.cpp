@@ -56,7 +56,17 @@ void PathPublisher::take(const command::GoalEnded& end) {
 
 void PathPublisher::take(const command::RunTold& told) {
   const auto* const status = told.news.find<blocks::PathStatus>();
-  if (status != nullptr) status_.publish(toMessage(*status, ros::Time::now()));
+  if (status == nullptr) return;
+  told_ = *status;
+  status_.publish(toMessage(told_, ros::Time::now()));
+}
+
+void PathPublisher::take(const command::PathControlsChanged& changed) {
+  constexpr double kPercent = 100;
+  if (told_.path_planner_active) return;
+  told_.feedrate = changed.controls.stopped ? 0 : kPercent * changed.controls.feedrate;
+  told_.feedrate_effective = told_.feedrate;
+  status_.publish(toMessage(told_, ros::Time::now()));
 }
 
 void PathPublisher::showActive() {

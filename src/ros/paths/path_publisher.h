@@ -11,6 +11,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
+#include "cobot_command/blocks/load_path.h"
 #include "cobot_command/command/actions.h"
 
 namespace cobot_command::ros_adapter {
@@ -26,6 +27,8 @@ class PathPublisher {
   void take(const command::GoalProgressed& progress);
   void take(const command::GoalEnded& end);
   void take(const command::RunTold& told);
+  /// With no path under way the status has what is asked of the next one.
+  void take(const command::PathControlsChanged& changed);
 
  private:
   [[nodiscard]] MarkerSite site() const;
@@ -37,6 +40,7 @@ class PathPublisher {
   ros::Publisher active_point_;
   ros::Publisher status_;
   PathBoard board_;
+  blocks::PathStatus told_;                ///< last
   std::optional<Eigen::Vector3d> active_;  ///< that was told last
 };
 

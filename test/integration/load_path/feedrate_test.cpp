@@ -194,6 +194,35 @@ TEST_F(LoadPathFeedrate, ofAScriptLeavesBaseAndTcpAsTheyWere) {
   EXPECT_THAT(cell.scripts().back(), HasSubstr("ChangeTCP")) << "though what was planned again sets none";
 }
 
+TEST_F(LoadPathFeedrate, ofNoughtIsToldAsHeldOnlyWhenTheControllerHasTakenIt) {
+  const GoalId id = cell.submit(quarterTurn());
+  ASSERT_TRUE(cell.passUntil([&] { return joint1() > 20; }));
+  cell.operate(simulator::SetFault{"refuse_script", true, 1, 0, "1"});
+  cell.setFeedrate(0);
+  cell.pass(200ms);
+  ASSERT_TRUE(cell.feedrateAnswer());
+  EXPECT_FALSE(cell.feedrateAnswer()->success);
+  for (const Progress& progress : cell.progress(id)) EXPECT_NE(progress.phase, Phase::Held);
+  EXPECT_TRUE(cell.controls().stopped && !cell.controls().held);
+  expectDone(id);
+}
+
+TEST_F(LoadPathFeedrate, leavesAPauseThatCameBehindItsOwnToWhomeverPaused) {
+  const GoalId id = cell.submit(quarterTurn());
+  ASSERT_TRUE(cell.passUntil([&] { return joint1() > 20; }));
+  cell.setFeedrate(0);
+  cell.pass(1s);
+  cell.submit(ProgramControlGoal{0, 0});
+  cell.pass(1s);
+  const auto answer = cell.setFeedrate(std::nullopt);
+  ASSERT_TRUE(answer);
+  EXPECT_THAT(answer->message, HasSubstr("program_control with RESUME"));
+  cell.pass(1min);
+  EXPECT_EQ(cell.outcome(id), nullptr);
+  cell.submit(ProgramControlGoal{0, 1});
+  expectDone(id);
+}
+
 TEST_F(LoadPathFeedrate, leavesAPauseOfSomebodyElseToHim) {
   const GoalId id = cell.submit(quarterTurn());
   ASSERT_TRUE(cell.passUntil([&] { return joint1() > 20; }));
