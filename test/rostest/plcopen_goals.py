@@ -75,7 +75,9 @@ def _feedback_faults(record):
             yield f"progress {feedback.progress}"
         if getattr(goal, "check_only", False) and record.block != "check_sequence":
             yield "is told of as if it ran, though it is only to be checked"
-    if getattr(goal, "buffer_mode", None) == 0 and any(f.place_in_queue > 1 for _, f in record.feedback):
+    # Behind another one of its kind a path joins, or waits to: that is no refusal.
+    refuses = record.block != "load_path" and getattr(goal, "buffer_mode", None) == 0
+    if refuses and any(f.place_in_queue > 1 for _, f in record.feedback):
         yield "REFUSE, and it waits behind another goal"
 
 

@@ -163,6 +163,13 @@ class GoalRulesTest(unittest.TestCase):
         second = record("b", LoadPathGoal(), 2, 4, GoalStatus.SUCCEEDED, "load_path")
         self.assert_found("", plcopen_goals.Round([first, second], []).faults())
 
+    def test_lets_a_path_wait_behind_others_of_its_kind_though_it_refuses_to(self):
+        for goal, block, words in ((LoadPathGoal(), "load_path", ""), (to_joints(*HOME, buffer_mode=0), "move_absolute", "waits behind another goal")):
+            with self.subTest(block=block):
+                waits = record("a", goal, None, 4, GoalStatus.RECALLED, block, waits_since=1)
+                waits.feedback[0][1].place_in_queue = 2
+                self.assert_found(words, plcopen_goals.faults_of(waits, set()))
+
     def test_finds_goals_that_outlive_the_failure_in_front_of_them(self):
         goal = to_joints(*HOME)
         failed = record("a", goal, 1, 3, GoalStatus.ABORTED, **FAILED)
