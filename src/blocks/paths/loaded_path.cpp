@@ -28,18 +28,30 @@ std::size_t lineBehind(const path::PvtBlock& block, std::size_t point) {
   return 1 + block.ends.at(point);
 }
 
-constexpr Duration kSpeedStep = std::chrono::milliseconds(25);
-
 /// Of its rated speed, of the joint that is nearest to it.
-double fastestOf(const PathPlan& plan, const arm::ArmModel& arm) {
+double shareOfRated(const arm::JointVector& speed, const arm::ArmModel& arm) {
+  double largest = 0;
+  for (std::size_t joint = 0; joint < arm.limits().size(); ++joint) {
+    const double share = std::abs(speed[static_cast<Eigen::Index>(joint)]) / arm.limits()[joint].max_velocity;
+    largest = std::max(largest, share);
+  }
+  return largest;
+}
+
+/// By the points that are sent: these are sampled already.
+double fastestOf(const path::PvtBlock& block, const arm::ArmModel& arm) {
   double fastest = 0;
-  for (Duration time{}; time < plan.duration(); time += kSpeedStep) {
-    const arm::JointVector speed = plan.at(time).velocity;
-    for (std::size_t joint = 0; joint < arm.limits().size(); ++joint) {
-      const double share =
-          std::abs(speed[static_cast<Eigen::Index>(joint)]) / arm.limits()[joint].max_velocity;
-      fastest = std::max(fastest, share);
-    }
+  for (const motion::PvtJointPoint& point : block.points) {
+    fastest = std::max(fastest, shareOfRated(point.velocity, arm));
+  }
+  return fastest;
+}
+
+double fastestOf(const PathPlan& plan, const arm::ArmModel& arm) {
+  constexpr Duration kStep = std::chrono::milliseconds(25);
+  double fastest = 0;
+  for (Duration time{}; time < plan.duration(); time += kStep) {
+    fastest = std::max(fastest, shareOfRated(plan.at(time).velocity, arm));
   }
   return fastest;
 }
@@ -48,7 +60,7 @@ LoadedPiecePtr toLoaded(path::PathPiece piece, const arm::ArmModel& arm) {
   // A motion also without a way: it is stopped with the others.
   LoadedPiece loaded{std::move(piece.plan), motionOrder(path::scriptOf(piece.block, {}))};
   loaded.order.is_previewed = true;
-  loaded.fastest = fastestOf(loaded.plan, arm);
+  loaded.fastest = fastestOf(piece.block, arm);
   if (!loaded.order.lines.empty()) {
     loaded.marked = path::markedPoints(loaded.plan, kMostMarks);
     for (const std::size_t point : loaded.marked) {
@@ -180,6 +192,13 @@ std::optional<PathRefusal> loadScript(path::PathPlanner planner, const path::Scr
   return std::nullopt;
 }
 
+/// `active`: of a script, in front of its own points.
+std::optional<PathRefusal> loadPieces(path::PathPlanner planner, const path::ScriptFrames& active,
+                                      LoadedPath& loaded) {
+  return loaded.execution == Execution::Script ? loadScript(std::move(planner), active, loaded)
+                                               : loadPvts(std::move(planner), loaded);
+}
+
 }  // namespace
 
 Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
@@ -209,8 +228,7 @@ Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   loaded->allow_approximation = goal.allow_approximation;
   loaded->settings = scene.path;
   report(*loaded);
-  auto refusal = execution == Execution::Script ? loadScript(std::move(planner), loaded->frames, *loaded)
-                                                : loadPvts(std::move(planner), *loaded);
+  auto refusal = loadPieces(std::move(planner), loaded->frames, *loaded);
   if (refusal) return refuse(*std::move(refusal));
   return LoadedPathPtr(std::move(loaded));
 }
@@ -240,8 +258,7 @@ Result<std::vector<LoadedPathPtr>, PathRefusal> loadAgain(const PathRest& rest, 
     // Of one that is on its way nobody knows here what its points in front of these have set.
     const bool is_whole = part.points.size() == loaded->move_ids.size();
     const auto active = is_whole ? loaded->frames : path::ScriptFrames();
-    refusal = loaded->execution == Execution::Script ? loadScript(planner, active, *loaded)
-                                                     : loadPvts(planner, *loaded);
+    refusal = loadPieces(planner, active, *loaded);
     if (refusal) return refuse(*std::move(refusal));
     planner = *loaded->end;
     made.push_back(std::move(loaded));
