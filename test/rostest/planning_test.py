@@ -40,8 +40,8 @@ class Planning(CobotTestCase):
         self.assertIn("while it was planned", result.error_description)
 
     def test_takes_no_more_checks_than_may_wait(self):
-        # One that takes long, and the others behind it: no more at a time than actionlib's own queues hold.
-        checks = [self.robot.send(sequence(*slow_lines(200))).wait_until_known()]
+        # Those that take long, and the others behind them: no more at a time than actionlib's own queues hold.
+        checks = [self.robot.send(sequence(*slow_lines(200))).wait_until_known() for _ in range(10)]
         while len(checks) < 64:
             burst = [self.robot.send(sequence(*slow_lines(1))) for _ in range(9)]
             checks += [check.wait_until_known() for check in burst]
