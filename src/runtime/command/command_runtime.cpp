@@ -201,6 +201,17 @@ class CommandRuntime::Impl {
   bool retired_ = false;
 };
 
+/// Has the core's thread call `ask(core, reply, now)`, which calls `reply` once: at once, or later.
+template <typename Answer, typename Ask>
+std::optional<std::future<Answer>> CommandRuntime::ask(Ask ask) {
+  const auto answer = std::make_shared<std::promise<Answer>>();
+  auto answered = answer->get_future();
+  const auto reply = [answer](const Answer& given) { answer->set_value(given); };
+  const bool posted =
+      impl_->post([ask = std::move(ask), reply](auto& core, Instant now) { ask(core, reply, now); });
+  return posted ? std::optional(std::move(answered)) : std::nullopt;
+}
+
 CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::LinkSettings& settings,
                                Observer observer, command::CorePorts ports)
     : impl_(std::make_unique<Impl>(std::move(arm), settings, std::move(observer), std::move(ports))) {}
@@ -220,39 +231,29 @@ void CommandRuntime::useTables(tables::DataTables tables) {
 }
 
 std::optional<std::future<command::TableAnswer>> CommandRuntime::writeTable(command::TableWrite write) {
-  const auto answer = std::make_shared<std::promise<command::TableAnswer>>();
-  auto answered = answer->get_future();
-  const bool posted = impl_->post([=, write = std::move(write)](auto& core, Instant /*now*/) {
-    answer->set_value(core.writeTable(write));
-  });
-  return posted ? std::optional(std::move(answered)) : std::nullopt;
+  return ask<command::TableAnswer>(
+      [write = std::move(write)](auto& core, const auto& reply, Instant /*now*/) {
+        reply(core.writeTable(write));
+      });
 }
 
 std::optional<std::future<command::TableAnswer>> CommandRuntime::tryTable(command::TableWrite write) {
-  const auto answer = std::make_shared<std::promise<command::TableAnswer>>();
-  auto answered = answer->get_future();
-  const bool posted = impl_->post([=, write = std::move(write)](auto& core, Instant /*now*/) {
-    answer->set_value(core.tryTable(write));
-  });
-  return posted ? std::optional(std::move(answered)) : std::nullopt;
+  return ask<command::TableAnswer>(
+      [write = std::move(write)](auto& core, const auto& reply, Instant /*now*/) {
+        reply(core.tryTable(write));
+      });
 }
 
 std::optional<std::future<command::FeedrateAnswer>> CommandRuntime::setFeedrate(
     command::FeedrateRequest request) {
-  const auto answer = std::make_shared<std::promise<command::FeedrateAnswer>>();
-  auto answered = answer->get_future();
-  const auto reply = [answer](const command::FeedrateAnswer& given) { answer->set_value(given); };
-  const bool posted = impl_->post([=](auto& core, Instant now) { core.setFeedrate(request, reply, now); });
-  return posted ? std::optional(std::move(answered)) : std::nullopt;
+  return ask<command::FeedrateAnswer>(
+      [request](auto& core, const auto& reply, Instant now) { core.setFeedrate(request, reply, now); });
 }
 
 std::optional<std::future<std::optional<std::string>>> CommandRuntime::switchTracking(
     command::TrackingSwitch request) {
-  const auto answer = std::make_shared<std::promise<std::optional<std::string>>>();
-  auto answered = answer->get_future();
-  const bool posted =
-      impl_->post([=](auto& core, Instant now) { answer->set_value(core.switchTracking(request, now)); });
-  return posted ? std::optional(std::move(answered)) : std::nullopt;
+  return ask<std::optional<std::string>>(
+      [request](auto& core, const auto& reply, Instant now) { reply(core.switchTracking(request, now)); });
 }
 
 void CommandRuntime::keepConnected(blocks::ConnectGoal target) {
@@ -264,12 +265,10 @@ void CommandRuntime::cancel(blocks::GoalId id) {
 }
 
 std::optional<std::future<command::FinishReport>> CommandRuntime::finish(blocks::FinishAfter after) {
-  const auto report = std::make_shared<std::promise<command::FinishReport>>();
-  auto reported = report->get_future();
-  const bool posted = impl_->post([=, newest = impl_->newestGoal()](auto& core, Instant now) {
-    report->set_value(core.finish(after, now, newest));
-  });
-  return posted ? std::optional(std::move(reported)) : std::nullopt;
+  return ask<command::FinishReport>(
+      [after, newest = impl_->newestGoal()](auto& core, const auto& reply, Instant now) {
+        reply(core.finish(after, now, newest));
+      });
 }
 
 void CommandRuntime::retire(const std::function<void()>& begun) {

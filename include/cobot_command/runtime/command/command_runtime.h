@@ -73,6 +73,9 @@ class CommandRuntime {
   void stop();
 
  private:
+  template <typename Answer, typename Ask>
+  std::optional<std::future<Answer>> ask(Ask ask);
+
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
