@@ -13,11 +13,6 @@ struct TrackingSwitch {
   bool automatic = false;  ///< from now on it switches itself to what the next goal wants
 };
 
-namespace feedrate_error {
-inline constexpr int kRange = 0x273;
-inline constexpr int kJointSpeed = 0x204;
-}  // namespace feedrate_error
-
 /// How fast the time of paths runs, 0 to 125 %; 0: the path under way is stopped on its way, and nothing of
 /// it is lost. Nothing: as it was before it was stopped.
 struct FeedrateRequest {

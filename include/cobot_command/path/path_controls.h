@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace cobot_command::path {
 
@@ -38,6 +39,14 @@ struct PathControls {
   double feedrate = 1.0;  ///< (0..1.25]: so much faster runs the time of what is not sent yet
   bool stopped = false;   ///< on the path: nothing more of it is sent, and nothing is lost
   bool held = false;      ///< what the controller has stands on its way, as it has told
+
+  /// Of what is sent next.
+  [[nodiscard]] double asked() const { return stopped ? 0 : feedrate; }
+  /// Of what moves the arm now. `running`: that what the controller has was planned with; nothing: it has
+  /// nothing.
+  [[nodiscard]] double effective(const std::optional<double>& running) const {
+    return held ? 0 : running.value_or(asked());
+  }
 };
 
 inline bool operator==(const PathControls& a, const PathControls& b) {

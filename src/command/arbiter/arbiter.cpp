@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal_rules.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/deadline.h"
@@ -32,13 +31,7 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
       turns_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, std::move(ports.frames)),
       feedrate_({parts.paths, paths_, window_, parts.robot, parts.actions,
                  [&keeper = parts.keeper] { return keeper.objectionsToATry(); }}),
-      front_desk_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_) {}
-
-void Arbiter::take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
-  const blocks::GoalTraits traits = blocks::GoalRules(goal).traits();
-  if (traits.way == blocks::Way::Beside && traits.halts) feedrate_.pausedByOthers();
-  front_desk_.take(id, goal, now);
-}
+      front_desk_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, feedrate_) {}
 
 // --- Ends that are asked for.
 

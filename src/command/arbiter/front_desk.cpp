@@ -74,7 +74,8 @@ void FrontDesk::stopOnRequest(blocks::GoalId id, const blocks::Goal& goal, Insta
 
 void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
   const blocks::GoalRules rules(goal);
-  const bool tried_anyway = rules.traits().tried_anyway;
+  const blocks::GoalTraits traits = rules.traits();
+  const bool tried_anyway = traits.tried_anyway;
   const bool only_connection = tried_anyway && !parts_.keeper.run().disconnecting();
   Failures failures = rules.violations();
   append(failures, only_connection ? parts_.keeper.objectionsToATry() : parts_.keeper.objectionsToCommands());
@@ -86,6 +87,7 @@ void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant 
   const blocks::Command command = *rules.command();
   parts_.board.accept(command.block, id, command.traits.command_id);
   desks_.window.sendBeside(command, id, now);
+  if (traits.halts) feedrate_.pausedByOthers();
 }
 
 void FrontDesk::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now) {

@@ -6,14 +6,15 @@
 
 #include "arbiter/core_parts.h"
 #include "arbiter/turns.h"
+#include "paths/feedrate_desk.h"
 
 namespace cobot_command::command {
 
 class FrontDesk {
  public:
   /// All have to live longer.
-  FrontDesk(const CoreParts& parts, const Turns::Desks& desks, Turns& turns)
-      : parts_(parts), desks_(desks), turns_(turns) {}
+  FrontDesk(const CoreParts& parts, const Turns::Desks& desks, Turns& turns, FeedrateDesk& feedrate)
+      : parts_(parts), desks_(desks), turns_(turns), feedrate_(feedrate) {}
 
   /// Executes it, has it wait, or ends it.
   void take(blocks::GoalId id, const blocks::Goal& goal, Instant now);
@@ -33,6 +34,7 @@ class FrontDesk {
   CoreParts parts_;
   Turns::Desks desks_;
   Turns& turns_;
+  FeedrateDesk& feedrate_;
 };
 
 }  // namespace cobot_command::command

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::command {
 namespace {
@@ -24,13 +25,13 @@ std::optional<FeedrateAnswer> objectionTo(double percent, const blocks::PathPace
   constexpr double kMost = kPercent * path::kHighestFeedrate;
   if (!(percent >= 0 && percent <= kMost)) {
     return refusal(
-        feedrate_error::kRange,
+        blocks::own_error::kFeedrateRange,
         fmt::format("the feedrate is {} %, allowed: 0 to {}: choose one in this range", percent, kMost));
   }
   const double highest = kPercent * pace.highest;
   if (percent <= highest * (1 + 1e-9)) return std::nullopt;
   return refusal(
-      feedrate_error::kJointSpeed,
+      blocks::own_error::kJointSpeed,
       fmt::format("at {:.6g} % a joint would be faster than its rated speed on a path that is loaded; "
                   "highest that fits: {:.1f} %",
                   percent, std::floor(10 * highest) / 10));
@@ -42,9 +43,7 @@ void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& repl
   const blocks::PathPace pace = core_.turn.pace();
   const double percent = request.percent.value_or(kPercent * core_.desk.controls().feedrate);
   if (auto refused = objectionTo(percent, pace)) {
-    const path::PathControls& now_in_force = core_.desk.controls();
-    const double asked = now_in_force.stopped ? 0 : now_in_force.feedrate;
-    refused->effective = kPercent * (now_in_force.held ? 0 : pace.running.value_or(asked));
+    refused->effective = kPercent * core_.desk.controls().effective(pace.running);
     reply(*refused);
     return;
   }
@@ -151,8 +150,7 @@ std::string FeedrateDesk::heldByOthers() const {
   if (!core_.robot.held()) return "";
   if (!core_.robot.paused()) return "a safeguard holds the robot: it goes on when that is released";
   return "the project is paused, and not by stop_on_path on this link: program_control with RESUME, or the "
-         "pendant, "
-         "lets it go on";
+         "pendant, lets it go on";
 }
 
 /// An emergency stop, and a project that is stopped, end a pause, too; the path stays stopped then.

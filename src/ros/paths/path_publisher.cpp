@@ -1,6 +1,7 @@
 #include "paths/path_publisher.h"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "paths/path_messages.h"
@@ -64,8 +65,8 @@ void PathPublisher::take(const command::RunTold& told) {
 void PathPublisher::take(const command::PathControlsChanged& changed) {
   constexpr double kPercent = 100;
   if (told_.path_planner_active) return;
-  told_.feedrate = changed.controls.stopped ? 0 : kPercent * changed.controls.feedrate;
-  told_.feedrate_effective = told_.feedrate;
+  told_.feedrate = kPercent * changed.controls.asked();
+  told_.feedrate_effective = kPercent * changed.controls.effective(std::nullopt);
   status_.publish(toMessage(told_, ros::Time::now()));
 }
 

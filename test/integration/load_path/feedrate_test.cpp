@@ -65,7 +65,7 @@ TEST_F(LoadPathFeedrate, isRefusedOutsideItsRangeAndStaysAsItWas) {
   for (const double percent : {125.1, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     const auto answer = cell.setFeedrate(percent);
     ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->error_id, command::feedrate_error::kRange);
+    EXPECT_EQ(answer->error_id, own_error::kFeedrateRange);
     EXPECT_THAT(answer->message, HasSubstr("allowed: 0 to 125"));
   }
   EXPECT_EQ(cell.controls(), path::PathControls());
@@ -143,7 +143,7 @@ TEST_F(LoadPathFeedrate, isRefusedWhereAJointWouldBeTooFast) {
   const GoalId id = cell.submit(goal);
   passUntilActive(id, 1);
   const auto answer = cell.setFeedrate(125);
-  EXPECT_EQ(answer->error_id, command::feedrate_error::kJointSpeed);
+  EXPECT_EQ(answer->error_id, own_error::kJointSpeed);
   EXPECT_THAT(answer->message, HasSubstr("highest that fits: 105.9 %"));
   EXPECT_EQ(cell.controls().feedrate, 1.0);
   expectDone(id);

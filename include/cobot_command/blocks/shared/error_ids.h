@@ -130,10 +130,11 @@ inline constexpr int kInputInvalid = 0x263;
 inline constexpr int kWaitRange = 0x264;
 inline constexpr int kInputTimedOut = 0x265;
 inline constexpr int kInputUnknown = 0x266;
-// Paths; 0x273 and 0x276 are of the services for the feedrate.
+// Paths.
 inline constexpr int kTrackingOffset = 0x270;
 inline constexpr int kNotInAScript = 0x271;
 inline constexpr int kPvtUnavailable = 0x272;
+inline constexpr int kFeedrateRange = 0x273;  ///< of the service, no goal has it
 inline constexpr int kPathDeviates = 0x274;
 inline constexpr int kExecutionUnknown = 0x275;
 inline constexpr int kPvtTooLong = 0x277;
