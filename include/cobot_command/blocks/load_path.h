@@ -62,9 +62,9 @@ struct PathReport {
 /// Where the points are that a goal loads, in the words of the instruction. All add up to number_of_moves,
 /// active ones included.
 enum class ProgressSource {
-  Plan,    ///< by time
-  Stream,  ///< by the joints of the status stream
-  Tag      ///< all that is told was told by queue tags
+  Tag = 0,     ///< all that is told was told by queue tags
+  Stream = 1,  ///< by the joints of the status stream
+  Plan = 2     ///< by time
 };
 
 /// Detail of its progress.

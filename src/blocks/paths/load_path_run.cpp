@@ -210,11 +210,11 @@ std::optional<path::TrackingFlags> LoadPathRun::wantedTracking() const {
 }
 
 std::optional<PathWork> LoadPathRun::takeReplan() {
-  return state_ == State::Following ? goals_.takeReplan() : std::nullopt;
+  return state_ == State::Following ? goals_.replan().take() : std::nullopt;
 }
 
 std::optional<std::string> LoadPathRun::replanned(const Detail& found) {
-  return state_ == State::Following ? goals_.replanned(found) : std::nullopt;
+  return state_ == State::Following ? goals_.replan().answered(found) : std::nullopt;
 }
 
 // --- Ends.

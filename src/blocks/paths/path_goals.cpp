@@ -14,14 +14,6 @@ namespace {
 /// So many goals may one chain have at a time.
 constexpr std::size_t kMostGoals = 64;
 
-/// What became of a plan at another feedrate.
-struct Reloaded {
-  CommandKey key = 0;  ///< of the chain that was planned
-  double feedrate = 0;
-  std::vector<LoadedPathPtr> loaded;
-  std::string refusal;
-};
-
 /// "tracking object 0 to be on": of those that are not as they should be.
 std::string textOfGate(const path::TrackingObjects& objects, const path::TrackingFlags& wanted) {
   std::vector<std::string> texts;
@@ -52,7 +44,7 @@ bool PathGoals::join(GoalId goal, const Outcome& planned, Instant now) {
   const auto& report = planned.detail.as<PathReport>();
   if (!report.loaded || report.loaded->behind != chain_.end()) return false;
   chain_.add(goal, report);
-  refusal_.clear();
+  replan_.goalsChanged();
   tell(now);
   return true;
 }
@@ -103,7 +95,7 @@ bool PathGoals::done(std::size_t points, Instant now) {
     const Member& first = chain_.members().front();
     reports_.end(first.goal, complete(first, Outcome(), now), chain_.members()[1].goal);
     chain_.dropFirst();
-    refusal_.clear();
+    replan_.goalsChanged();
   }
   return false;
 }
@@ -122,8 +114,8 @@ void PathGoals::robotChanged(const robot::RobotWatch& robot, Instant now) {
 
 void PathGoals::use(const path::PathControls& controls, Instant now) {
   if (controls == controls_) return;
-  if (controls.feedrate != controls_.feedrate) refusal_.clear();
   controls_ = controls;
+  replan_.ask(controls.feedrate);
   progress_.hold(is_held_ || controls_.held, now);
   for (Member& member : chain_.members()) member.told_at.reset();
   tell(now);
@@ -156,8 +148,7 @@ void PathGoals::tell(Instant now) {
   }
 }
 
-Progress PathGoals::progressOf(const Member& member, const PathPlace& place) const {
-  Progress progress;
+void PathGoals::tellPhase(Progress& progress, const Member& member, const PathPlace& place) const {
   const bool begun = place.active || place.done_path_points > 0;
   const bool waits = chain_.sent().empty() && !place.waits_for_tracking;
   const bool is_stopped = controls_.held || (controls_.stopped && waits);
@@ -165,10 +156,9 @@ Progress PathGoals::progressOf(const Member& member, const PathPlace& place) con
     progress.phase = Phase::Held;
     progress.text = begun ? "stopped on its path: resume_path, or a feedrate above 0, lets it go on"
                           : "paths are stopped: resume_path, or a feedrate above 0, lets it begin";
-  } else if (chain_.sent().empty() && phase_ != Phase::Stopping && !hasFeedrate()) {
+  } else if (chain_.sent().empty() && phase_ != Phase::Stopping && !replan_.isServed()) {
     progress.phase = Phase::Held;
-    progress.text =
-        refusal_.empty() ? "is planned at another feedrate" : refusal_ + ": waits for another one";
+    progress.text = replan_.text();
   } else if (phase_ == Phase::Stopping || begun) {
     progress.phase = phase_;
     progress.text = text_;
@@ -179,6 +169,11 @@ Progress PathGoals::progressOf(const Member& member, const PathPlace& place) con
     progress.phase = std::min(phase_, Phase::Queued);
     progress.text = "loaded behind what is under way";
   }
+}
+
+Progress PathGoals::progressOf(const Member& member, const PathPlace& place) const {
+  Progress progress;
+  tellPhase(progress, member, place);
   progress.planned = member.loaded->planned;
   const double share = place.active ? progress_.share() : 0;
   progress.fraction = (place.done_path_points + share) / static_cast<double>(member.count());
@@ -206,10 +201,8 @@ void PathGoals::endStatus() {
 
 void PathGoals::tellControls(PathStatus& status) const {
   constexpr double kPercent = 100;
-  const double asked = controls_.stopped ? 0 : kPercent * controls_.feedrate;
-  status.feedrate = asked;
-  const auto effective = running();
-  status.feedrate_effective = controls_.held ? 0 : effective ? kPercent * *effective : asked;
+  status.feedrate = kPercent * controls_.asked();
+  status.feedrate_effective = kPercent * controls_.effective(running());
   const Member* const at_gate = chain_.firstAtGate();
   status.gate_waits = at_gate != nullptr && chain_.placeOf(*at_gate, place_).waits_for_tracking;
 }
@@ -240,45 +233,7 @@ PathPace PathGoals::pace() const {
 }
 
 bool PathGoals::mayGoOn() const {
-  return !controls_.stopped && !chain_.isNextAtGate() && hasFeedrate();
-}
-
-/// Nobody is driven faster than was asked for: what cannot be slower waits.
-bool PathGoals::hasFeedrate() const {
-  const auto planned = chain_.feedrates();
-  const double asked = controls_.feedrate;
-  if (!planned || (planned->lowest == asked && planned->highest == asked)) return true;
-  return !refusal_.empty() && planned->highest <= asked;
-}
-
-std::optional<PathWork> PathGoals::takeReplan() {
-  const std::pair<CommandKey, double> wanted(chain_.nextKey(), controls_.feedrate);
-  if (!refusal_.empty() || hasFeedrate() || replanning_ == wanted) return std::nullopt;
-  replanning_ = wanted;
-  return [rest = *chain_.rest(), wanted]() {
-    const auto [key, feedrate] = wanted;
-    auto loaded = loadAgain(rest, feedrate);
-    if (loaded) return Detail(Reloaded{key, feedrate, *std::move(loaded), ""});
-    const path::PathRefusal& why = loaded.error();
-    return Detail(Reloaded{key, feedrate, {}, fmt::format("point {}: {}", why.index, why.found)});
-  };
-}
-
-std::optional<std::string> PathGoals::replanned(const Detail& found) {
-  const Reloaded& reloaded = found.as<Reloaded>();
-  const std::pair<CommandKey, double> wanted(chain_.nextKey(), controls_.feedrate);
-  const bool is_of_now =
-      replanning_ == wanted && (found.isNone() || std::pair(reloaded.key, reloaded.feedrate) == wanted);
-  if (!is_of_now) return std::nullopt;  // it is asked for once more, if it is not yet
-  replanning_.reset();
-  if (!reloaded.loaded.empty()) {
-    chain_.reload(reloaded.loaded);
-    return std::nullopt;
-  }
-  refusal_ = fmt::format(
-      "at a feedrate of {:.6g} % {}", 100 * controls_.feedrate,
-      reloaded.refusal.empty() ? "it could not be planned in the time there was" : reloaded.refusal);
-  return refusal_ + (hasFeedrate() ? "; the path keeps its feedrate" : "; the path waits for another one");
+  return !controls_.stopped && !chain_.isNextAtGate() && replan_.isServed();
 }
 
 /// Once the last point in front is under way: what is automatic would be in its way until then.
@@ -304,7 +259,7 @@ void PathGoals::dropFrom(std::size_t member, const std::string& why, Instant now
     reports_.end(members[i].goal, complete(members[i], commandAborted(text), now), reports_.goal());
   }
   chain_.dropFrom(member);
-  refusal_.clear();
+  replan_.goalsChanged();
 }
 
 Outcome PathGoals::endAll(const std::vector<Outcome>& outcomes, Instant now) {

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "paths/path_chain.h"
 #include "paths/path_progress.h"
+#include "paths/path_replan.h"
 #include "paths/path_status_report.h"
 
 #include "cobot_command/blocks/shared/path_controlled.h"
@@ -64,9 +64,7 @@ class PathGoals final : public GoalChain {
   /// Nothing: the robot is as near to its path as the goal that moves it allows.
   [[nodiscard]] std::optional<Failure> deviation() const;
   [[nodiscard]] PathPace pace() const;
-  /// Nothing: all that is not sent has the feedrate that is asked for, or cannot have it.
-  [[nodiscard]] std::optional<PathWork> takeReplan();
-  [[nodiscard]] std::optional<std::string> replanned(const Detail& found);
+  [[nodiscard]] PathReplan& replan() { return replan_; }
   /// What is next may be sent, as far as feedrate and gates go.
   [[nodiscard]] bool mayGoOn() const;
   /// What automatic tracking objects are to be, for the goal that is at its gate.
@@ -86,13 +84,13 @@ class PathGoals final : public GoalChain {
   void tell(Instant now);
   /// The feedrate of what the controller has first.
   [[nodiscard]] std::optional<double> running() const;
-  /// What is next has the feedrate that is asked for, or a lower one, as it cannot have that.
-  [[nodiscard]] bool hasFeedrate() const;
   void tellControls(PathStatus& status) const;
+  void tellPhase(Progress& progress, const Member& member, const PathPlace& place) const;
   [[nodiscard]] Progress progressOf(const Member& member, const PathPlace& place) const;
 
   RunReports& reports_;
   PathChain chain_;
+  PathReplan replan_{chain_};
   PathProgress progress_;
   PathChain::Place place_;
   PathStatusClock status_clock_;
@@ -106,9 +104,6 @@ class PathGoals final : public GoalChain {
   std::optional<SixValues> pose_;
   bool stays_ = false;
   bool is_held_ = false;  ///< the robot is
-  /// Of the chain as it was when that began, and for that feedrate.
-  std::optional<std::pair<CommandKey, double>> replanning_;
-  std::string refusal_;  ///< of the feedrate, by the goals that there are; empty: none
 };
 
 }  // namespace cobot_command::blocks

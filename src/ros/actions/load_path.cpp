@@ -83,32 +83,6 @@ void findTheWorld(blocks::LoadPathGoal& goal, const Lookups& lookups) {
   goal.world_fault = std::move(place.fault);
 }
 
-std::uint8_t toMessage(blocks::ProgressSource source) {
-  using Message = cobot_command::LoadPathFeedback;
-  switch (source) {
-    case blocks::ProgressSource::Tag:
-      return Message::TAG;
-    case blocks::ProgressSource::Stream:
-      return Message::STREAM;
-    case blocks::ProgressSource::Plan:
-      break;
-  }
-  return Message::PLAN;
-}
-
-std::uint8_t toMessage(blocks::Execution execution) {
-  using Message = cobot_command::LoadPathGoal;
-  switch (execution) {
-    case blocks::Execution::Script:
-      return Message::SCRIPT;
-    case blocks::Execution::Pvt:
-      return Message::PVT;
-    case blocks::Execution::Auto:
-      break;
-  }
-  return Message::AUTO;
-}
-
 }  // namespace
 
 blocks::LoadPathGoal toGoal(const cobot_command::LoadPathGoal& message, const Lookups& lookups) {
@@ -138,7 +112,7 @@ void fill(cobot_command::LoadPathResult& message, const blocks::Outcome& outcome
   message.error_index = report.error_index;
   message.error_joint = report.error_joint;
   message.method_id = report.method_id;
-  message.execution = toMessage(report.execution);
+  message.execution = static_cast<std::uint8_t>(report.execution);
   message.execution_reason = report.execution_reason;
   message.approximations = report.approximations;
   message.blends_lost.assign(report.blends_lost.begin(), report.blends_lost.end());
@@ -175,7 +149,7 @@ void fill(cobot_command::LoadPathFeedback& message, const blocks::Progress& prog
   message.pending_path_points = place.pending_path_points;
   message.queued_path_points = place.queued_path_points;
   message.done_path_points = place.done_path_points;
-  message.progress_source = toMessage(place.source);
+  message.progress_source = static_cast<std::uint8_t>(place.source);
 }
 
 template <>

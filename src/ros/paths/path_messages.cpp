@@ -3,23 +3,6 @@
 #include <cstdint>
 
 namespace cobot_command::ros_adapter {
-namespace {
-
-std::uint8_t toMessage(blocks::ProgressSource source) {
-  using Message = cobot_command::PathStatus;
-  switch (source) {
-    case blocks::ProgressSource::Tag:
-      return Message::TAG;
-    case blocks::ProgressSource::Stream:
-      return Message::STREAM;
-    case blocks::ProgressSource::Plan:
-      break;
-  }
-  return Message::PLAN;
-}
-
-}  // namespace
-
 cobot_command::PathStatus toMessage(const blocks::PathStatus& status, const ros::Time& stamp) {
   cobot_command::PathStatus message;
   message.header.stamp = stamp;
@@ -40,7 +23,7 @@ cobot_command::PathStatus toMessage(const blocks::PathStatus& status, const ros:
   message.feedrate = status.feedrate;
   message.feedrate_effective = status.feedrate_effective;
   message.gate_waits = status.gate_waits;
-  message.progress_source = toMessage(status.source);
+  message.progress_source = static_cast<std::uint8_t>(status.source);
   return message;
 }
 

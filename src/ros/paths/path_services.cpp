@@ -78,20 +78,21 @@ bool PathServices::setFeedrate(cobot_command::SetFeedrate::Request& request,
   return true;
 }
 
-bool PathServices::stopOnPath(std_srvs::Trigger::Request& /*request*/,
-                              std_srvs::Trigger::Response& response) {
-  const command::FeedrateAnswer answer = asked({0.0});
+bool PathServices::trigger(const command::FeedrateRequest& request, std_srvs::Trigger::Response& response) {
+  const command::FeedrateAnswer answer = asked(request);
   response.success = static_cast<std::uint8_t>(answer.success);
   response.message = answer.message;
   return true;
 }
 
+bool PathServices::stopOnPath(std_srvs::Trigger::Request& /*request*/,
+                              std_srvs::Trigger::Response& response) {
+  return trigger({0.0}, response);
+}
+
 bool PathServices::resumePath(std_srvs::Trigger::Request& /*request*/,
                               std_srvs::Trigger::Response& response) {
-  const command::FeedrateAnswer answer = asked({std::nullopt});
-  response.success = static_cast<std::uint8_t>(answer.success);
-  response.message = answer.message;
-  return true;
+  return trigger({std::nullopt}, response);
 }
 
 }  // namespace cobot_command::ros_adapter

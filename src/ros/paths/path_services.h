@@ -45,6 +45,7 @@ class PathServices {
                    cobot_command::SetFeedrate::Response& response);
   bool stopOnPath(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool resumePath(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool trigger(const command::FeedrateRequest& request, std_srvs::Trigger::Response& response);
   [[nodiscard]] command::FeedrateAnswer asked(const command::FeedrateRequest& request);
 
   Core core_;

@@ -1,0 +1,64 @@
+#include "paths/path_replan.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace cobot_command::blocks {
+namespace {
+
+/// What became of a plan at another feedrate.
+struct Reloaded {
+  CommandKey key = 0;  ///< of the chain that was planned
+  double feedrate = 0;
+  std::vector<LoadedPathPtr> loaded;
+  std::string refusal;
+};
+
+}  // namespace
+
+void PathReplan::ask(double feedrate) {
+  if (feedrate != feedrate_) refusal_.clear();
+  feedrate_ = feedrate;
+}
+
+/// Nobody is driven faster than was asked for: what cannot be slower waits.
+bool PathReplan::isServed() const {
+  const auto planned = chain_.feedrates();
+  if (!planned || (planned->lowest == feedrate_ && planned->highest == feedrate_)) return true;
+  return !refusal_.empty() && planned->highest <= feedrate_;
+}
+
+std::optional<PathWork> PathReplan::take() {
+  if (!refusal_.empty() || isServed() || under_way_ == wanted()) return std::nullopt;
+  under_way_ = wanted();
+  return [rest = *chain_.rest(), wanted = wanted()]() {
+    const auto [key, feedrate] = wanted;
+    auto loaded = loadAgain(rest, feedrate);
+    if (loaded) return Detail(Reloaded{key, feedrate, *std::move(loaded), ""});
+    const path::PathRefusal& why = loaded.error();
+    return Detail(Reloaded{key, feedrate, {}, fmt::format("point {}: {}", why.index, why.found)});
+  };
+}
+
+std::optional<std::string> PathReplan::answered(const Detail& found) {
+  const Reloaded& reloaded = found.as<Reloaded>();
+  const bool is_of_now =
+      under_way_ == wanted() && (found.isNone() || Wanted(reloaded.key, reloaded.feedrate) == wanted());
+  if (!is_of_now) return std::nullopt;  // it is asked for once more, if it is not yet
+  under_way_.reset();
+  if (!reloaded.loaded.empty()) {
+    chain_.reload(reloaded.loaded);
+    return std::nullopt;
+  }
+  refusal_ = fmt::format(
+      "at a feedrate of {:.6g} % {}", 100 * feedrate_,
+      reloaded.refusal.empty() ? "it could not be planned in the time there was" : reloaded.refusal);
+  return refusal_ + (isServed() ? "; the path keeps its feedrate" : "; the path waits for another one");
+}
+
+std::string PathReplan::text() const {
+  return refusal_.empty() ? "is planned at another feedrate" : refusal_ + ": waits for another one";
+}
+
+}  // namespace cobot_command::blocks
