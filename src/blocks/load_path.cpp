@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "chain/loaded_path.h"
 #include "paths/load_path_run.h"
-#include "paths/loaded_path.h"
 #include "shared/parameter_checks.h"
 #include <fmt/format.h>
 

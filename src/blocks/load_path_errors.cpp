@@ -182,6 +182,11 @@ void addOwn(ErrorTable& table) {
            "max_deviation; the robot is told to stop")
       .row(own_error::kExecutionUnknown, "Execution unknown", "Use 0 (AUTO), 1 (SCRIPT) or 2 (PVT)",
            "execution is none of them")
+      .row(own_error::kRestNotPlanned, "Rest of the path cannot be planned",
+           "Choose another feedrate, and send the points from error_index on again",
+           "set_feedrate with restart has stopped the robot, and from where it stands, at this feedrate, "
+           "there is "
+           "no plan, which the description tells")
       .row(own_error::kPvtTooLong, "Too long for one PVT",
            "Let the robot stop at a point in between (STOP), or choose higher speeds",
            "points that blend one into the other are more than 5000 points of a PVT, which is 125 s")

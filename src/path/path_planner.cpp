@@ -3,12 +3,12 @@
 #include <set>
 #include <utility>
 
-#include "dynamics.h"
 #include "path_corner.h"
-#include "point_checks.h"
-#include "point_motion.h"
+#include "points/dynamics.h"
+#include "points/point_checks.h"
+#include "points/point_motion.h"
+#include "points/target.h"
 #include "pvt/pvt_points.h"
-#include "target.h"
 #include <fmt/format.h>
 
 namespace cobot_command::path {

@@ -38,7 +38,8 @@ ALLOWED = {
 # them all. Above is what a wing may use of other rooms, where it is less than what its room may.
 WINGS = {
     "blocks/list": {"goal.h", "goal_rules.h", "shared"},
-    "blocks/paths": {"goal.h", "list", "shared"},
+    "blocks/chain": {"goal.h", "list", "shared"},
+    "blocks/paths": {"chain", "goal.h", "list", "shared"},
     "blocks/runs": {"goal.h", "list", "shared"},
     "blocks/shared": set(),
     "blocks/trajectory": {"follow_joint_trajectory.h", "goal.h", "shared"},
@@ -55,6 +56,7 @@ WINGS = {
     "motion/kinds": {"blend.h", "command.h", "curves", "paths", "planner.h", "profiles", "pvt.h", "velocity.h"},
     "motion/paths": {"command.h", "curves", "planner.h", "profiles", "refusal.h"},
     "motion/profiles": {"command.h", "trajectory.h"},
+    "path/points": {"motion_refusal.h", "path_plan.h", "path_point.h", "path_refusal.h", "path_scene.h"},
     "path/pvt": {"motion_refusal.h", "path_pieces.h", "path_plan.h", "path_refusal.h", "path_scene.h", "pvt_block.h"},
     "tm_script/execution": {"checker.h", "environment.h", "functions.h", "interpreter.h", "script.h", "values", "variables.h"},
     "tm_script/grammar": {"open_end.h", "parser.h", "script.h", "values"},

@@ -40,8 +40,10 @@ class Planning(CobotTestCase):
         self.assertIn("while it was planned", result.error_description)
 
     def test_takes_no_more_checks_than_may_wait(self):
-        # Those that take long, and the others behind them: no more at a time than actionlib's own queues hold.
-        checks = [self.robot.send(sequence(*slow_lines(200))).wait_until_known() for _ in range(10)]
+        # One that takes long, and the others behind it: no more at a time than actionlib's own queues hold.
+        self.set_project_speed(5)  # of 1 mm/s: it is planned for as long as it may
+        self.addCleanup(self.set_project_speed, 100)
+        checks = [self.robot.send(sequence(*slow_lines(200))).wait_until_known()]
         while len(checks) < 64:
             burst = [self.robot.send(sequence(*slow_lines(1))) for _ in range(9)]
             checks += [check.wait_until_known() for check in burst]
@@ -74,10 +76,13 @@ class Planning(CobotTestCase):
         for goal in goals:
             with self.subTest(type(goal).__name__):
                 self.assert_rejected(self.robot.run(goal, "hurried/"), 0x20C)
-        self.robot.operate("set_project_speed", 100)
-        self.robot.robot_status.wait_for(lambda s: s.project_speed == 100, "the whole speed")
+        self.set_project_speed(100)
         connect.cancel()
         self.assert_done(connect.finish())
+
+    def set_project_speed(self, percent):
+        self.robot.operate("set_project_speed", percent)
+        self.robot.robot_status.wait_for(lambda s: s.project_speed == percent, "the project speed")
 
     # --- One motion.
     def test_refuses_ways_that_leave_the_reach(self):

@@ -46,10 +46,12 @@ std::optional<std::string> CoreAndRobot::switchTracking(const command::TrackingS
   return refusal;
 }
 
-std::optional<command::FeedrateAnswer> CoreAndRobot::setFeedrate(std::optional<double> percent) {
+std::optional<command::FeedrateAnswer> CoreAndRobot::setFeedrate(std::optional<double> percent,
+                                                                 bool restart) {
   answer_ = std::make_shared<std::optional<command::FeedrateAnswer>>();
   core_.setFeedrate(
-      {percent}, [answer = answer_](const command::FeedrateAnswer& given) { *answer = given; }, now_);
+      {percent, restart}, [answer = answer_](const command::FeedrateAnswer& given) { *answer = given; },
+      now_);
   settle();
   return *answer_;
 }

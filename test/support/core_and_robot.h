@@ -32,7 +32,7 @@ class CoreAndRobot {
   command::TableAnswer write(const command::TableWrite& entry) { return core_.writeTable(entry); }
   [[nodiscard]] std::optional<std::string> switchTracking(const command::TrackingSwitch& request);
   /// What was answered until now; nothing: nothing yet.
-  std::optional<command::FeedrateAnswer> setFeedrate(std::optional<double> percent);
+  std::optional<command::FeedrateAnswer> setFeedrate(std::optional<double> percent, bool restart = false);
   [[nodiscard]] const std::optional<command::FeedrateAnswer>& feedrateAnswer() const { return *answer_; }
   /// The answer to the last one, when it comes.
   using FeedratePromise = std::shared_ptr<std::optional<command::FeedrateAnswer>>;

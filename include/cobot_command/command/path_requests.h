@@ -17,6 +17,8 @@ struct TrackingSwitch {
 /// it is lost. Nothing: as it was before it was stopped.
 struct FeedrateRequest {
   std::optional<double> percent;
+  /// Also of what the controller has: the robot is stopped, and the rest planned from where it stands.
+  bool restart = false;
 };
 
 struct FeedrateAnswer {

@@ -27,7 +27,8 @@ std::optional<Command> LoadPathRun::next() const {
   if (restore_.isOwed()) return restore_.command();
   const PathChain& pieces = goals_.pieces();
   const LoadedPiecePtr piece = pieces.next();
-  if (state_ != State::Following || !piece || pieces.isNextOpen() || !goals_.mayGoOn()) return std::nullopt;
+  const bool waits = restarting_ || pieces.isNextOpen() || !goals_.mayGoOn();
+  if (state_ != State::Following || !piece || waits) return std::nullopt;
   Command command;
   command.key = pieces.nextKey();
   command.block = block();
@@ -69,11 +70,11 @@ std::optional<Instant> LoadPathRun::nextDeadline() const {
 // --- What becomes of it.
 
 void LoadPathRun::commandProgressed(CommandKey key, const Progress& progress, Instant now) {
-  if (goals_.pieces().isFirst(key)) goals_.progressed(progress, now);
+  if (goals_.pieces().sent().isFirst(key)) goals_.progressed(progress, now);
 }
 
 void LoadPathRun::commandPassed(CommandKey key, std::size_t mark, Instant now) {
-  if (!goals_.pieces().isFirst(key)) return;
+  if (!goals_.pieces().sent().isFirst(key)) return;
   const PathChain::Sent& sent = goals_.pieces().sent().front();
   done(sent.first + sent.piece->marked[mark] + 1, now);
 }
@@ -86,12 +87,16 @@ void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant n
     fire(Event::NothingLeft, now);
     return;
   }
-  if (!pieces.isSent(key)) {  // stopped before it was
+  if (!pieces.sent().has(key)) {  // stopped before it was
     endEarly(outcome, now);
     return;
   }
-  const bool was_first = pieces.isFirst(key);
-  const std::size_t behind = pieces.take(key).behind();
+  if (restarting_ && state_ == State::Following && outcome.ending == Ending::CommandAborted) {
+    goals_.takeBack(key, now);
+    return;
+  }
+  const bool was_first = pieces.sent().isFirst(key);
+  const std::size_t behind = pieces.sent().take(key).behind();
   if (was_first) waits_from_ = now;
   if (outcome.ending != Ending::Done) {
     if (was_first) goals_.pieceEnded();
@@ -169,7 +174,19 @@ void LoadPathRun::robotChanged(const robot::RobotWatch& robot, Instant now) {
   } else if (state_ == State::Explaining) {
     tellStoppedProject(robot, *failure_);
     if (!robot.status() || reason_.endsWithFrame(now)) fire(Event::Failed, now);
+  } else if (restarting_ && state_ == State::Following) {
+    goOnFrom(robot, now);
   }
+}
+
+void LoadPathRun::goOnFrom(const robot::RobotWatch& robot, Instant now) {
+  restarting_ = false;
+  if (robot.joints()) {
+    goals_.rewind(*robot.joints(), now);
+    return;
+  }
+  fail({own_error::kRestNotPlanned, "the status stream does not tell where the robot stands", ""}, now);
+  endWhenNothingIsLeft(now);
 }
 
 // --- Ends that are asked for.
@@ -188,7 +205,7 @@ void LoadPathRun::interrupt(const std::string& why, Instant now) {
 void LoadPathRun::finish(FinishAfter /*after*/, Instant now) {
   constexpr const char* kWhy = "nothing more is begun behind a finish";
   goals_.dropUntouched(kWhy, now);
-  if (goals_.pieces().sent().empty() && goals_.pieces().isUntouched(0)) cancel(kWhy, now);
+  if (goals_.pieces().isUnbegun()) cancel(kWhy, now);
 }
 
 void LoadPathRun::linkLost(const std::string& reason, std::optional<Duration> patience, Instant now) {
@@ -202,11 +219,23 @@ void LoadPathRun::linkLost(const std::string& reason, std::optional<Duration> pa
 // --- What it is controlled by from outside.
 
 void LoadPathRun::use(const path::PathControls& controls, Instant now) {
-  if (!outcome()) goals_.use(controls, now);
+  if (outcome()) return;
+  goals_.use(controls, now);
+  if (auto failure = goals_.replan().takeFailure(); failure && state_ == State::Following) {
+    fail(*std::move(failure), now);
+    endWhenNothingIsLeft(now);
+  }
 }
 
+void LoadPathRun::restart() {
+  restarting_ = state_ == State::Following && !goals_.pieces().sent().empty();
+}
+
+/// Once the last point in front is under way: what is automatic would be in its way until then.
 std::optional<path::TrackingFlags> LoadPathRun::wantedTracking() const {
-  return state_ == State::Following ? goals_.wantedTracking() : std::nullopt;
+  const PathMember* const waits = goals_.pieces().firstAtGate();
+  const bool is_next = waits != nullptr && goals_.place().behind_active >= waits->first;
+  return state_ == State::Following && is_next ? std::optional(waits->loaded->tracking) : std::nullopt;
 }
 
 std::optional<PathWork> LoadPathRun::takeReplan() {

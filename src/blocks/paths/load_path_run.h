@@ -45,6 +45,7 @@ class LoadPathRun final : public Run, public PathControlled {
   [[nodiscard]] std::optional<path::TrackingFlags> wantedTracking() const override;
 
   [[nodiscard]] PathPace pace() const override { return goals_.pace(); }
+  void restart() override;
   [[nodiscard]] std::optional<PathWork> takeReplan() override;
   [[nodiscard]] std::optional<std::string> replanned(const Detail& found) override;
 
@@ -62,6 +63,8 @@ class LoadPathRun final : public Run, public PathControlled {
   /// Nothing is at the controller, or only what was sent before it failed.
   void endWhenNothingIsLeft(Instant now);
   [[nodiscard]] std::optional<Instant> openEndDue() const;
+  /// Nothing of it is at the controller any more.
+  void goOnFrom(const robot::RobotWatch& robot, Instant now);
   /// A piece, or what was to be the next one, was stopped or failed.
   void endEarly(const Outcome& outcome, Instant now);
   /// So many points are done, by a tag.
@@ -71,6 +74,7 @@ class LoadPathRun final : public Run, public PathControlled {
   State state_ = State::Following;
   Instant waits_from_;   ///< for a goal that joins, with nothing at the controller
   PathRestore restore_;  ///< goes out behind a stop
+  bool restarting_ = false;
   bool interrupted_ = false;
   std::string stopped_why_;  ///< and what became of the robot
   std::optional<Failure> failure_;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "paths/loaded_path.h"
+#include "chain/loaded_path.h"
 #include "shared/plan_clock.h"
 
 #include "cobot_command/common/time.h"

@@ -14,6 +14,12 @@ namespace {
 /// So many goals may one chain have at a time.
 constexpr std::size_t kMostGoals = 64;
 
+/// The feedrate of what the controller has first.
+std::optional<double> running(const PathChain& chain) {
+  if (chain.sent().empty()) return std::nullopt;
+  return chain.sent().front().piece->plan.points().front().feedrate;
+}
+
 /// "tracking object 0 to be on": of those that are not as they should be.
 std::string textOfGate(const path::TrackingObjects& objects, const path::TrackingFlags& wanted) {
   std::vector<std::string> texts;
@@ -32,7 +38,7 @@ PathGoals::PathGoals(RunReports& reports, GoalId first, const PathReport& planne
 // --- Goals that join.
 
 bool PathGoals::isJoinedBy(Block block) const {
-  return block == kBlock<LoadPathGoal> && chain_.members().size() < kMostGoals;
+  return block == kBlock<LoadPathGoal> && chain_.members().size() < kMostGoals && !chain_.isRewound();
 }
 
 Detail PathGoals::end() const {
@@ -68,12 +74,18 @@ void PathGoals::progressed(const Progress& progress, Instant now) {
   if (phase_ != progress.phase) chain_.tellAnew();
   phase_ = progress.phase;
   text_ = progress.text;
+  holdProgress(now);
   const Duration duration = chain_.sent().front().piece->plan.duration();
   if (progress.planned && *progress.planned > Duration::zero() && duration > Duration::zero()) {
     rate_ = toSeconds(duration) / toSeconds(*progress.planned);
   }
   if (phase_ == Phase::Active && !progress_.isUnderWay()) begin(now);
   follow(now);
+}
+
+/// Where the arm comes to rest, and how, is no deviation.
+void PathGoals::holdProgress(Instant now) {
+  progress_.hold(is_held_ || controls_.held || phase_ == Phase::Stopping, now);
 }
 
 void PathGoals::begin(Instant now) {
@@ -100,13 +112,29 @@ bool PathGoals::done(std::size_t points, Instant now) {
   return false;
 }
 
+void PathGoals::takeBack(CommandKey key, Instant now) {
+  if (progress_.isUnderWay() && chain_.sent().isFirst(key)) {
+    stand_ = progress_.standAt(now);
+    pieceEnded();
+  }
+  chain_.sent().takeBack(key);
+}
+
+void PathGoals::rewind(const arm::JointVector& joints, Instant now) {
+  PathChain::Stand stand = std::exchange(stand_, std::nullopt).value_or(PathChain::Stand{place_.done, {}});
+  stand.joints = joints;
+  phase_ = Phase::Queued;
+  text_.clear();
+  if (!done(stand.point, now)) chain_.rewind(stand);
+}
+
 void PathGoals::robotChanged(const robot::RobotWatch& robot, Instant now) {
   joints_ = robot.jointsDeg();
   pose_ = robot.toolInBaseMmDeg();
   if (speed_ && *speed_ != robot.speedOverride()) progress_.loseClock();
   speed_ = robot.speedOverride();
   is_held_ = robot.held();
-  progress_.hold(is_held_ || controls_.held, now);
+  holdProgress(now);
   if (robot.joints()) progress_.see(*robot.joints(), now);
   if (progress_.isUnderWay()) piece_end_ = now + progress_.remaining(now);
   follow(now);
@@ -116,7 +144,7 @@ void PathGoals::use(const path::PathControls& controls, Instant now) {
   if (controls == controls_) return;
   controls_ = controls;
   replan_.ask(controls.feedrate);
-  progress_.hold(is_held_ || controls_.held, now);
+  holdProgress(now);
   for (Member& member : chain_.members()) member.told_at.reset();
   tell(now);
 }
@@ -202,7 +230,7 @@ void PathGoals::endStatus() {
 void PathGoals::tellControls(PathStatus& status) const {
   constexpr double kPercent = 100;
   status.feedrate = kPercent * controls_.asked();
-  status.feedrate_effective = kPercent * controls_.effective(running());
+  status.feedrate_effective = kPercent * controls_.effective(running(chain_));
   const Member* const at_gate = chain_.firstAtGate();
   status.gate_waits = at_gate != nullptr && chain_.placeOf(*at_gate, place_).waits_for_tracking;
 }
@@ -219,28 +247,19 @@ std::optional<Failure> PathGoals::deviation() const {
                  ""};
 }
 
-std::optional<double> PathGoals::running() const {
-  if (chain_.sent().empty()) return std::nullopt;
-  return chain_.sent().front().piece->plan.points().front().feedrate;
-}
-
 PathPace PathGoals::pace() const {
   PathPace pace;
-  pace.running = running();
+  pace.running = running(chain_);
   if (const LoadedPiecePtr next = chain_.next()) pace.next_point = next->plan.points().front().index;
-  pace.highest = chain_.highestFeedrate();
+  const Member& active = chain_.members()[chain_.memberAt(place_.done)];
+  pace.active_point = active.loaded->start_index + static_cast<int>(place_.done - active.first);
+  pace.highest = chain_.highestFeedrate(false);
+  pace.highest_of_all = chain_.highestFeedrate(true);
   return pace;
 }
 
 bool PathGoals::mayGoOn() const {
   return !controls_.stopped && !chain_.isNextAtGate() && replan_.isServed();
-}
-
-/// Once the last point in front is under way: what is automatic would be in its way until then.
-std::optional<path::TrackingFlags> PathGoals::wantedTracking() const {
-  const Member* const waits = chain_.firstAtGate();
-  const bool is_next = waits != nullptr && place_.behind_active >= waits->first;
-  return is_next ? std::optional(waits->loaded->tracking) : std::nullopt;
 }
 
 // --- Ends.

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "paths/path_chain.h"
+#include "chain/path_chain.h"
+#include "chain/path_replan.h"
 #include "paths/path_progress.h"
-#include "paths/path_replan.h"
 #include "paths/path_status_report.h"
 
 #include "cobot_command/blocks/shared/path_controlled.h"
@@ -46,6 +46,10 @@ class PathGoals final : public GoalChain {
   /// By a tag: the points in front of that one are done. True: that is the whole chain, whose last goal is to
   /// end with it.
   [[nodiscard]] bool done(std::size_t points, Instant now);
+  /// That command was stopped, to be planned anew from where the robot stands.
+  void takeBack(CommandKey key, Instant now);
+  /// All that was sent is done, or taken back.
+  void rewind(const arm::JointVector& joints, Instant now);
   void robotChanged(const robot::RobotWatch& robot, Instant now);
   void use(const path::PathControls& controls, Instant now);
   /// Nothing more is sent: what is not under way stays where it is.
@@ -67,8 +71,6 @@ class PathGoals final : public GoalChain {
   [[nodiscard]] PathReplan& replan() { return replan_; }
   /// What is next may be sent, as far as feedrate and gates go.
   [[nodiscard]] bool mayGoOn() const;
-  /// What automatic tracking objects are to be, for the goal that is at its gate.
-  [[nodiscard]] std::optional<path::TrackingFlags> wantedTracking() const;
 
   // --- Ends.
   /// Of goals behind the first one, of which nothing was sent.
@@ -80,10 +82,9 @@ class PathGoals final : public GoalChain {
 
  private:
   void dropFrom(std::size_t member, const std::string& why, Instant now);
+  void holdProgress(Instant now);
   void follow(Instant now);
   void tell(Instant now);
-  /// The feedrate of what the controller has first.
-  [[nodiscard]] std::optional<double> running() const;
   void tellControls(PathStatus& status) const;
   void tellPhase(Progress& progress, const Member& member, const PathPlace& place) const;
   [[nodiscard]] Progress progressOf(const Member& member, const PathPlace& place) const;
@@ -98,9 +99,10 @@ class PathGoals final : public GoalChain {
   Phase phase_ = Phase::Sent;
   std::string text_;
   double rate_ = 1.0;
-  std::optional<Instant> piece_end_;  ///< by the clock
-  std::optional<double> speed_;       ///< of the project, as streamed last
-  std::optional<SixValues> joints_;   ///< that were streamed last [deg]
+  std::optional<Instant> piece_end_;       ///< by the clock
+  std::optional<PathChain::Stand> stand_;  ///< where what was taken back has left the robot
+  std::optional<double> speed_;            ///< of the project, as streamed last
+  std::optional<SixValues> joints_;        ///< that were streamed last [deg]
   std::optional<SixValues> pose_;
   bool stays_ = false;
   bool is_held_ = false;  ///< the robot is

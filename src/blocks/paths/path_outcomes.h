@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "paths/path_chain.h"
+#include "chain/path_chain.h"
 
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/path/deviation_watch.h"

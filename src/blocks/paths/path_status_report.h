@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "paths/path_chain.h"
+#include "chain/path_chain.h"
 #include "paths/path_progress.h"
 
 #include "cobot_command/common/time.h"

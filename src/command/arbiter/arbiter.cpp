@@ -29,7 +29,7 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
              [this](Ticket ticket, Instant now) { return turns_.occupancy().originBehind(ticket, now); }),
       paths_(parts.paths, desk_, parts.actions),
       turns_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, std::move(ports.frames)),
-      feedrate_({parts.paths, paths_, window_, parts.robot, parts.actions,
+      feedrate_({parts.paths, paths_, window_, parts.forecast, parts.robot, parts.actions,
                  [&keeper = parts.keeper] { return keeper.objectionsToATry(); }}),
       front_desk_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, feedrate_) {}
 

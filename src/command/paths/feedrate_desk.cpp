@@ -21,14 +21,14 @@ FeedrateAnswer refusal(int error_id, std::string message) {
   return answer;
 }
 
-std::optional<FeedrateAnswer> objectionTo(double percent, const blocks::PathPace& pace) {
+std::optional<FeedrateAnswer> objectionTo(double percent, bool restarts, const blocks::PathPace& pace) {
   constexpr double kMost = kPercent * path::kHighestFeedrate;
   if (!(percent >= 0 && percent <= kMost)) {
     return refusal(
         blocks::own_error::kFeedrateRange,
         fmt::format("the feedrate is {} %, allowed: 0 to {}: choose one in this range", percent, kMost));
   }
-  const double highest = kPercent * pace.highest;
+  const double highest = kPercent * (restarts ? pace.highest_of_all : pace.highest);
   if (percent <= highest * (1 + 1e-9)) return std::nullopt;
   return refusal(
       blocks::own_error::kJointSpeed,
@@ -42,7 +42,13 @@ std::optional<FeedrateAnswer> objectionTo(double percent, const blocks::PathPace
 void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& reply, Instant now) {
   const blocks::PathPace pace = core_.turn.pace();
   const double percent = request.percent.value_or(kPercent * core_.desk.controls().feedrate);
-  if (auto refused = objectionTo(percent, pace)) {
+  const bool restarts = request.restart && pace.running && percent != 0;
+  auto refused = objectionTo(percent, restarts, pace);
+  if (!refused && restarts && !core_.robot.joints()) {
+    refused = refusal(blocks::own_error::kStartUnknown,
+                      "the status stream does not tell where the robot stands: set it without restart");
+  }
+  if (refused) {
     refused->effective = kPercent * core_.desk.controls().effective(pace.running);
     reply(*refused);
     return;
@@ -51,6 +57,8 @@ void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& repl
   waiting.answer.success = true;
   if (percent == 0) {
     stop(pace, std::move(waiting), now);
+  } else if (restarts) {
+    restart(pace, percent / kPercent, std::move(waiting), now);
   } else {
     letGo(pace, percent / kPercent, std::move(waiting), now);
   }
@@ -80,8 +88,11 @@ void FeedrateDesk::letGo(const blocks::PathPace& pace, double feedrate, Waiting 
   const bool is_same = feedrate == core_.desk.controls().feedrate;
   core_.desk.setFeedrate(feedrate);
   waiting.answer.effective = kPercent * pace.running.value_or(feedrate);
-  waiting.answer.from_point = is_same ? -1 : pace.next_point;
-  if (pace.running && *pace.running != feedrate) {
+  waiting.answer.from_point = waiting.restarts ? pace.active_point : is_same ? -1 : pace.next_point;
+  if (waiting.restarts) {
+    waiting.answer.message =
+        "the path is stopped, and goes on from where the robot stands when it is planned";
+  } else if (pace.running && *pace.running != feedrate) {
     waiting.answer.message =
         fmt::format("what the controller has goes on at {:.6g} %", waiting.answer.effective);
   }
@@ -96,6 +107,15 @@ void FeedrateDesk::letGo(const blocks::PathPace& pace, double feedrate, Waiting 
   } else {
     send(Hold::Resuming, std::move(waiting), now);
   }
+}
+
+/// In front of a Resume(): what was taken back does not go on.
+void FeedrateDesk::restart(const blocks::PathPace& pace, double feedrate, Waiting waiting, Instant now) {
+  core_.turn.restart();
+  core_.forecast.forgetPath();
+  core_.window.cancel("its feedrate is another one", now);
+  waiting.restarts = true;
+  letGo(pace, feedrate, std::move(waiting), now);
 }
 
 void FeedrateDesk::send(Hold hold, Waiting waiting, Instant now) {

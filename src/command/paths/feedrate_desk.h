@@ -20,8 +20,9 @@ class FeedrateDesk {
   /// What it uses of the core; all have to live longer.
   struct Core {
     PathDesk& desk;
-    const PathTurn& turn;
+    PathTurn& turn;
     CommandWindow& window;
+    Forecast& forecast;
     robot::RobotWatch& robot;
     std::vector<Action>& actions;
     /// Why nothing can be sent to the controller.
@@ -47,10 +48,12 @@ class FeedrateDesk {
     blocks::CommandKey key = 0;
     FeedrateReply reply;
     FeedrateAnswer answer;  ///< when the controller takes it
+    bool restarts = false;
   };
 
   void stop(const blocks::PathPace& pace, Waiting waiting, Instant now);
   void letGo(const blocks::PathPace& pace, double feedrate, Waiting waiting, Instant now);
+  void restart(const blocks::PathPace& pace, double feedrate, Waiting waiting, Instant now);
   /// Pausing or Resuming from now on.
   void send(Hold hold, Waiting waiting, Instant now);
   void changeTo(Hold hold);

@@ -18,6 +18,10 @@ class PathTurn {
 
   /// To be called behind every event, with whose turn it is.
   void serve(blocks::Run& run, Instant now);
+  /// See PathControlled.
+  void restart() {
+    if (paths_ != nullptr) paths_->restart();
+  }
   /// It is over.
   void leave();
   /// Of the run; what is with none, when it loads no paths.

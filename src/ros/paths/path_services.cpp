@@ -69,7 +69,7 @@ command::FeedrateAnswer PathServices::asked(const command::FeedrateRequest& requ
 
 bool PathServices::setFeedrate(cobot_command::SetFeedrate::Request& request,
                                cobot_command::SetFeedrate::Response& response) {
-  const command::FeedrateAnswer answer = asked({request.percent});
+  const command::FeedrateAnswer answer = asked({request.percent, request.restart != 0});
   response.success = static_cast<std::uint8_t>(answer.success);
   response.error_id = answer.error_id;
   response.message = answer.message;

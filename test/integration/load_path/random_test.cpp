@@ -101,7 +101,8 @@ class Walk {
   }
   void askForAFeedrate() {
     constexpr double kPercents[] = {0, 10, 33.3, 50, 100, 125};
-    cell_.setFeedrate(pick(3) == 0 ? std::nullopt : std::optional(kPercents[pick(std::size(kPercents))]));
+    cell_.setFeedrate(pick(3) == 0 ? std::nullopt : std::optional(kPercents[pick(std::size(kPercents))]),
+                      pick(2) == 0);
     feedrates_.push_back(cell_.feedratePromise());
   }
   void misfortune() {

@@ -271,6 +271,27 @@ Scenarios wireScenarios() {
          rig.stream(StatusFrames());
          return endOf(rig, id);
        }},
+      {row(own_error::kRestNotPlanned),
+       [] {
+         Ready rig;
+         const GoalId id = rig.submit(with<LoadPathGoal>([](auto& g) {
+           g.execution = static_cast<int>(Execution::Script);
+           for (PathPoint& point : g.path) {
+             point.speed = 36;
+             point.acceleration = point.deceleration = 180;
+           }
+         }));
+         rig.reply(rig.takeScript().id);
+         rig.reply(rig.takeScript().id);
+         rig.reply(rig.takeScript().id);
+         rig.stream(StatusFrames().at({1, 0, 90, 0, 90, 0}).moving());
+         rig.core.setFeedrate(
+             {51, true}, [](const FeedrateAnswer&) {}, rig.now);
+         rig.pass(0ms);
+         rig.reply(rig.takeScript().id);
+         rig.stream(StatusFrames().at({1, 0, 90, 0, 90, 0}));
+         return endOf(rig, id);
+       }},
       {row(own_error::kPathDeviates),
        [] {
          Ready rig;

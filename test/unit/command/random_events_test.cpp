@@ -53,8 +53,8 @@ class Chaos {
         &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::enterNode,
         &Chaos::complain,      &Chaos::noise,         &Chaos::statusFrame,   &Chaos::statusFrame,
         &Chaos::statusFrame,   &Chaos::shortTime,     &Chaos::shortTime,     &Chaos::longTime,
-        &Chaos::reportEarly,   &Chaos::submitPath,    &Chaos::submitPath,    &Chaos::submitPath,
-        &Chaos::setFeedrate,   &Chaos::track,         &Chaos::finishAny};
+        &Chaos::reportEarly,   &Chaos::reportEarly,   &Chaos::submitPath,    &Chaos::submitPath,
+        &Chaos::submitPath,    &Chaos::setFeedrate,   &Chaos::track,         &Chaos::finishAny};
     (this->*kEvents[pick(kEvents.size())])();
     answerPlans(pick(3));
     collect();
@@ -185,11 +185,11 @@ class Chaos {
     const auto percent = pick(3) == 0 ? std::nullopt : std::optional(kPercents[pick(std::size(kPercents))]);
     const auto replies = feedrates_.emplace_back(std::make_shared<int>(0));
     rig_.core.setFeedrate(
-        {percent}, [replies](const FeedrateAnswer&) { ++*replies; }, rig_.now);
+        {percent, pick(2) == 0}, [replies](const FeedrateAnswer&) { ++*replies; }, rig_.now);
     rig_.pass(0ms);
   }
   void track() {
-    const TrackingSwitch request{static_cast<int>(pick(3)), pick(2) == 0, pick(2) == 0};
+    const TrackingSwitch request{static_cast<int>(pick(3)), pick(6) == 0, pick(2) == 0};
     EXPECT_EQ(rig_.core.switchTracking(request, rig_.now).has_value(), request.object == 2);
     rig_.pass(0ms);
   }
@@ -355,8 +355,8 @@ class Chaos {
 /// The ends of all motions, by error id or minus the ending.
 std::map<int, int> walk(Planning planning) {
   const unsigned seed = fromEnvironment("COBOT_TEST_SEED", 20240611);
-  const unsigned events = fromEnvironment("COBOT_TEST_EVENTS", 100000);
-  constexpr unsigned kRounds = 20;
+  const unsigned events = fromEnvironment("COBOT_TEST_EVENTS", 250000);
+  constexpr unsigned kRounds = 50;
   std::map<int, int> endings;
   for (unsigned round = 0; round < kRounds; ++round) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));

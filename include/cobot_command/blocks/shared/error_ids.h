@@ -137,6 +137,7 @@ inline constexpr int kPvtUnavailable = 0x272;
 inline constexpr int kFeedrateRange = 0x273;  ///< of the service, no goal has it
 inline constexpr int kPathDeviates = 0x274;
 inline constexpr int kExecutionUnknown = 0x275;
+inline constexpr int kRestNotPlanned = 0x276;
 inline constexpr int kPvtTooLong = 0x277;
 inline constexpr int kDeviationRange = 0x278;
 inline constexpr int kPathUnreadable = 0x279;

@@ -16,9 +16,11 @@ namespace cobot_command::blocks {
 struct PathPace {
   /// Of what the controller has first; nothing: it has nothing of them.
   std::optional<double> running;
-  int next_point = -1;  ///< the first one that is not sent, in the array of its goal; -1: all are
+  int next_point = -1;    ///< the first one that is not sent, in the array of its goal; -1: all are
+  int active_point = -1;  ///< that moves the robot, or would next
   /// With which all that is not sent keeps the rated speeds of the joints.
   double highest = std::numeric_limits<double>::infinity();
+  double highest_of_all = std::numeric_limits<double>::infinity();  ///< with what is sent
 };
 
 /// Work that needs nothing of its run, for any thread; what it finds.
@@ -32,6 +34,9 @@ class PathControlled {
   /// nothing: they stay as they are.
   [[nodiscard]] virtual std::optional<path::TrackingFlags> wantedTracking() const = 0;
   [[nodiscard]] virtual PathPace pace() const = 0;
+  /// What the controller has of it is being stopped, and has to be planned anew, with the rest, from where
+  /// the robot comes to stand.
+  virtual void restart() = 0;
   /// What has to be planned anew, as the feedrate is another one; asked for once. Until its answer nothing
   /// more is sent.
   [[nodiscard]] virtual std::optional<PathWork> takeReplan() = 0;

@@ -1,8 +1,10 @@
-#include "paths/path_replan.h"
+#include "chain/path_replan.h"
 
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -24,13 +26,15 @@ void PathReplan::ask(double feedrate) {
 
 /// Nobody is driven faster than was asked for: what cannot be slower waits.
 bool PathReplan::isServed() const {
+  if (chain_.isRewound()) return false;
   const auto planned = chain_.feedrates();
   if (!planned || (planned->lowest == feedrate_ && planned->highest == feedrate_)) return true;
   return !refusal_.empty() && planned->highest <= feedrate_;
 }
 
 std::optional<PathWork> PathReplan::take() {
-  if (!refusal_.empty() || isServed() || under_way_ == wanted()) return std::nullopt;
+  const bool is_refused = !refusal_.empty() && !chain_.isRewound();
+  if (is_refused || isServed() || under_way_ == wanted()) return std::nullopt;
   under_way_ = wanted();
   return [rest = *chain_.rest(), wanted = wanted()]() {
     const auto [key, feedrate] = wanted;
@@ -54,6 +58,10 @@ std::optional<std::string> PathReplan::answered(const Detail& found) {
   refusal_ = fmt::format(
       "at a feedrate of {:.6g} % {}", 100 * feedrate_,
       reloaded.refusal.empty() ? "it could not be planned in the time there was" : reloaded.refusal);
+  if (chain_.isRewound()) {
+    failure_ = Failure{own_error::kRestNotPlanned, refusal_, ""};
+    return std::nullopt;
+  }
   return refusal_ + (isServed() ? "; the path keeps its feedrate" : "; the path waits for another one");
 }
 

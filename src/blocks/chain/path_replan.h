@@ -5,8 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "paths/path_chain.h"
+#include "chain/path_chain.h"
 
+#include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/blocks/shared/path_controlled.h"
 
 namespace cobot_command::blocks {
@@ -24,8 +25,9 @@ class PathReplan {
   [[nodiscard]] bool isServed() const;
   /// Nothing: all that is not sent has it, cannot have it, or is being planned.
   [[nodiscard]] std::optional<PathWork> take();
-  /// See PathControlled.
+  /// See PathControlled. What was rewound has to be planned: else that is a failure of its goals.
   [[nodiscard]] std::optional<std::string> answered(const Detail& found);
+  [[nodiscard]] std::optional<Failure> takeFailure() { return std::exchange(failure_, std::nullopt); }
   /// Why it waits, when it is not served.
   [[nodiscard]] std::string text() const;
 
@@ -37,6 +39,7 @@ class PathReplan {
   PathChain& chain_;
   double feedrate_ = 1.0;
   std::optional<Wanted> under_way_;
+  std::optional<Failure> failure_;
   std::string refusal_;  ///< of the feedrate, by the goals that there are; empty: none
 };
 

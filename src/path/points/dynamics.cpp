@@ -1,4 +1,4 @@
-#include "dynamics.h"
+#include "points/dynamics.h"
 
 #include <cmath>
 

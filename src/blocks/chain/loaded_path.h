@@ -87,8 +87,9 @@ struct PathRest {
     LoadedPathPtr loaded;
     std::vector<path::PlannedPoint> points;
   };
-  arm::JointVector start;   ///< where the arm rests in front of it
-  std::vector<Part> parts;  ///< one at least
+  arm::JointVector start;  ///< where the arm rests in front of it
+  bool is_begun = false;  ///< the first part is: nobody knows here what its points in front of these have set
+  std::vector<Part> parts;  ///< one at least; each with its points
 };
 
 /// The same way at another feedrate: of each part what takes the place of `loaded`, with pieces of its rest

@@ -1,36 +1,21 @@
-#include "paths/path_chain.h"
+#include "chain/path_chain.h"
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <limits>
-#include <tuple>
 #include <utility>
+
+#include "cobot_command/path/path_rest.h"
 
 namespace cobot_command::blocks {
 namespace {
 
-/// How far it is on its way is told so often, as long as nothing else changes.
-constexpr Duration kTellEvery = std::chrono::milliseconds(100);
-
-auto asTuple(const PathPlace& p) {
-  return std::tie(p.waits_for_tracking, p.loaded, p.active, p.active_path_point, p.pending_path_points,
-                  p.queued_path_points, p.done_path_points);
+std::size_t bufferOf(const PathMember& member) {
+  return static_cast<std::size_t>(member.loaded->settings.buffer);
 }
 
 }  // namespace
-
-void PathChain::Member::pointDone(std::size_t point, Instant now) {
-  if (began) report.points[point - first].done = now - *began;
-}
-
-bool PathChain::Member::isNews(const PathPlace& place, Instant now) {
-  const bool is_other = !told_at || asTuple(place) != asTuple(told);
-  const bool is_due = place.active && told_at && now - *told_at >= kTellEvery;
-  if (!is_other && !is_due) return false;
-  told = place;
-  told_at = now;
-  return true;
-}
 
 void PathChain::add(GoalId goal, const PathReport& planned) {
   assert(members_.empty() || planned.loaded->behind == end());
@@ -52,11 +37,8 @@ void PathChain::add(GoalId goal, const PathReport& planned) {
 
 ChainEnd PathChain::end() const {
   const LoadedPath& last = *members_.back().loaded;
-  return isOpenEndSent() ? last.closed_end : last.end;
-}
-
-bool PathChain::isOpenEndSent() const {
-  return open_end_sent_ && cursor_.member + 1 == members_.size();
+  const bool is_open_end_sent = open_end_sent_ && cursor_.member + 1 == members_.size();
+  return is_open_end_sent ? last.closed_end : last.end;
 }
 
 std::optional<std::size_t> PathChain::memberOf(GoalId goal) const {
@@ -70,10 +52,6 @@ std::size_t PathChain::memberAt(std::size_t point) const {
   const auto found =
       std::find_if(members_.begin(), members_.end(), [point](const Member& m) { return point < m.behind(); });
   return static_cast<std::size_t>(std::min(found, members_.end() - 1) - members_.begin());
-}
-
-std::size_t PathChain::bufferOf(const Member& member) {
-  return static_cast<std::size_t>(member.loaded->settings.buffer);
 }
 
 /// What blends with the one in front goes along with that. Of one that is in front of its turn nobody knows
@@ -109,8 +87,10 @@ bool PathChain::isUntouched(std::size_t member) const {
 
 void PathChain::dropFrom(std::size_t member) {
   assert(member > 0 && isUntouched(member));
+  if (rewound_) rewound_->parts.resize(member - memberAt(sent_points_));
   members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(member), members_.end());
   ++next_key_;
+  if (rewound_) return;
   if (cursor_.member < member) return;
   cursor_ = {member - 1, members_.back().loaded->pieces.size()};
   open_end_sent_ = sent_points_ >= members_.back().behind();
@@ -143,13 +123,14 @@ const LoadedPath* PathChain::nextOf() const {
 
 Order PathChain::restoring() const {
   for (const Member& member : members_) {
-    const bool is_begun = member.first < sent_points_;
+    const bool is_begun = member.first < most_sent_;
     if (is_begun && !member.loaded->restoring.lines.empty()) return member.loaded->restoring;
   }
   return {};
 }
 
 LoadedPiecePtr PathChain::next() const {
+  if (rewound_) return nullptr;
   const LoadedPath& loaded = *members_[cursor_.member].loaded;
   if (cursor_.piece < loaded.pieces.size()) return loaded.pieces[cursor_.piece];
   return open_end_sent_ ? nullptr : loaded.open_end;
@@ -158,15 +139,17 @@ LoadedPiecePtr PathChain::next() const {
 bool PathChain::isNextOpen() const {
   const LoadedPath& loaded = *members_[cursor_.member].loaded;
   const bool is_last = cursor_.member + 1 == members_.size();
-  return is_last && !open_end_due_ && cursor_.piece == loaded.pieces.size() && loaded.open_end &&
+  return is_last && !rewound_ && !open_end_due_ && cursor_.piece == loaded.pieces.size() && loaded.open_end &&
          !open_end_sent_;
 }
 
 void PathChain::sendNext() {
   const bool is_open = cursor_.piece == members_[cursor_.member].loaded->pieces.size();
-  sent_.push_back({next_key_++, next(), sent_points_});
-  tellLostBlends(sent_.back());
-  sent_points_ = sent_.back().behind();
+  const Sent sent{next_key_++, next(), sent_points_};
+  sent_.add(sent);
+  tellLostBlends(sent);
+  sent_points_ = sent.behind();
+  most_sent_ = std::max(most_sent_, sent_points_);
   open_end_due_ = false;
   if (is_open) {
     open_end_sent_ = true;
@@ -176,23 +159,12 @@ void PathChain::sendNext() {
   advance();
 }
 
-bool PathChain::isSent(CommandKey key) const {
-  return std::any_of(sent_.begin(), sent_.end(), [key](const Sent& sent) { return sent.key == key; });
-}
-
-PathChain::Sent PathChain::take(CommandKey key) {
-  const auto found =
-      std::find_if(sent_.begin(), sent_.end(), [key](const Sent& sent) { return sent.key == key; });
-  Sent taken = *found;
-  sent_.erase(found);
-  return taken;
-}
-
 void PathChain::tellLostBlends(const Sent& sent) {
   const auto& points = sent.piece->plan.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].losesBlend()) continue;
-    members_[memberAt(sent.first + i)].report.blends_lost.push_back(points[i].index);
+    auto& told = members_[memberAt(sent.first + i)].report.blends_lost;
+    const bool is_told = std::find(told.begin(), told.end(), points[i].index) != told.end();
+    if (points[i].losesBlend() && !is_told) told.push_back(points[i].index);
   }
 }
 
@@ -219,22 +191,50 @@ std::optional<PathChain::Feedrates> PathChain::feedrates() const {
   return Feedrates{lowest->loaded->feedrate, highest->loaded->feedrate};
 }
 
-std::optional<PathRest> PathChain::rest() const {
-  const auto pieces = unsent();
-  if (pieces.empty()) return std::nullopt;
+PathRest PathChain::restFrom(std::size_t point, const std::vector<LoadedPiecePtr>& pieces,
+                             std::size_t first) const {
   PathRest rest;
-  rest.start = pieces.front()->plan.at(Duration::zero()).position;
-  for (std::size_t i = memberAt(sent_points_); i < members_.size(); ++i) {
-    rest.parts.push_back({members_[i].loaded, {}});
-  }
+  std::transform(members_.begin() + static_cast<std::ptrdiff_t>(memberAt(point)), members_.end(),
+                 std::back_inserter(rest.parts), [](const Member& member) {
+                   return PathRest::Part{member.loaded, {}};
+                 });
   auto part = rest.parts.begin();
   for (const LoadedPiecePtr& piece : pieces) {
-    for (const path::PlannedPoint& point : piece->plan.points()) {
-      while (part->loaded->method_id != point.goal) ++part;
-      part->points.push_back(point);
+    for (const path::PlannedPoint& planned : piece->plan.points()) {
+      if (first++ < point) continue;
+      while (part->loaded->method_id != planned.goal) ++part;
+      part->points.push_back(planned);
     }
   }
   return rest;
+}
+
+std::optional<PathRest> PathChain::rest() const {
+  if (rewound_) return rewound_;
+  const auto pieces = unsent();
+  if (pieces.empty()) return std::nullopt;
+  PathRest rest = restFrom(sent_points_, pieces, sent_points_);
+  rest.start = pieces.front()->plan.at(Duration::zero()).position;
+  rest.is_begun = rest.parts.front().points.size() < rest.parts.front().loaded->move_ids.size();
+  return rest;
+}
+
+void PathChain::rewind(const Stand& stand) {
+  assert(sent_.empty());
+  const std::vector<Sent> taken_back = sent_.forgetTakenBack();
+  const std::size_t first = taken_back.empty() ? sent_points_ : taken_back.front().first;
+  std::vector<LoadedPiecePtr> pieces;
+  for (const Sent& sent : taken_back) pieces.push_back(sent.piece);
+  const auto behind = unsent();
+  pieces.insert(pieces.end(), behind.begin(), behind.end());
+  PathRest rest = restFrom(stand.point, pieces, first);
+  rest.start = stand.joints;
+  rest.is_begun = true;
+  path::PlannedPoint& active = rest.parts.front().points.front();
+  active = path::restOf(active, stand.time, rest.parts.front().loaded->end->scene().arm);
+  rewound_ = std::move(rest);
+  sent_points_ = stand.point;
+  ++next_key_;
 }
 
 void PathChain::reload(const std::vector<LoadedPathPtr>& loaded) {
@@ -255,13 +255,18 @@ void PathChain::reload(const std::vector<LoadedPathPtr>& loaded) {
   }
   cursor_ = {first, 0};
   open_end_sent_ = false;
+  rewound_.reset();
   ++next_key_;
   advance();
 }
 
-double PathChain::highestFeedrate() const {
+double PathChain::highestFeedrate(bool with_sent) const {
   double highest = std::numeric_limits<double>::infinity();
-  for (const LoadedPiecePtr& piece : unsent()) {
+  std::vector<LoadedPiecePtr> pieces = unsent();
+  if (with_sent) {
+    for (const Sent& sent : sent_.all()) pieces.push_back(sent.piece);
+  }
+  for (const LoadedPiecePtr& piece : pieces) {
     if (piece->fastest <= 0) continue;
     highest = std::min(highest, piece->plan.points().front().feedrate / piece->fastest);
   }

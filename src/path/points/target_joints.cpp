@@ -1,4 +1,4 @@
-#include "target_joints.h"
+#include "points/target_joints.h"
 
 #include <optional>
 #include <string>

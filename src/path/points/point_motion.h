@@ -1,8 +1,8 @@
 // From a target to the motion that leads there, with the refusals in the manual's numbers.
 #pragma once
 
-#include "dynamics.h"
-#include "target.h"
+#include "points/dynamics.h"
+#include "points/target.h"
 
 #include "cobot_command/common/result.h"
 #include "cobot_command/motion/command.h"

@@ -1,6 +1,6 @@
-#include "target.h"
+#include "points/target.h"
 
-#include "point_checks.h"
+#include "points/point_checks.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"

@@ -2,7 +2,7 @@
 // point.
 #pragma once
 
-#include "target.h"
+#include "points/target.h"
 
 namespace cobot_command::path {
 

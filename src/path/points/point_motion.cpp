@@ -1,11 +1,11 @@
-#include "point_motion.h"
+#include "points/point_motion.h"
 
 #include <type_traits>
 #include <utility>
 #include <variant>
 
 #include "motion_refusal.h"
-#include "target_joints.h"
+#include "points/target_joints.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"

@@ -1,4 +1,4 @@
-#include "paths/loaded_path.h"
+#include "chain/loaded_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -255,9 +255,8 @@ Result<std::vector<LoadedPathPtr>, PathRefusal> loadAgain(const PathRest& rest, 
     loaded->open_end = nullptr;
     loaded->approximations.clear();
     retime(*loaded);
-    // Of one that is on its way nobody knows here what its points in front of these have set.
-    const bool is_whole = part.points.size() == loaded->move_ids.size();
-    const auto active = is_whole ? loaded->frames : path::ScriptFrames();
+    const bool is_begun = made.empty() && rest.is_begun;
+    const auto active = is_begun ? path::ScriptFrames() : loaded->frames;
     refusal = loadPieces(planner, active, *loaded);
     if (refusal) return refuse(*std::move(refusal));
     planner = *loaded->end;

@@ -1,10 +1,10 @@
-#include "point_checks.h"
+#include "points/point_checks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "target.h"
+#include "points/target.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"

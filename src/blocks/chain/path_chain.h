@@ -9,7 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "paths/loaded_path.h"
+#include "chain/loaded_path.h"
+#include "chain/path_member.h"
 
 #include "cobot_command/blocks/shared/command.h"
 #include "cobot_command/blocks/shared/goal_values.h"
@@ -19,32 +20,18 @@ namespace cobot_command::blocks {
 
 class PathChain {
  public:
-  struct Member {
-    GoalId goal = 0;
-    std::shared_ptr<const LoadedPath> loaded;
-    std::size_t first = 0;         ///< of its points
-    bool passed_gate = false;      ///< its points may be loaded, whatever the tracking objects do
-    PathReport report;             ///< as planned, and as it went until now
-    std::optional<Instant> began;  ///< its first point
-    PathPlace told;                ///< last
-    std::optional<Instant> told_at;
-
-    [[nodiscard]] std::size_t count() const { return loaded->move_ids.size(); }
-    [[nodiscard]] std::size_t behind() const { return first + count(); }
-    void pointDone(std::size_t point, Instant now);
-    /// It is to be told: it is another one, or was told a while ago. Then it counts as told.
-    [[nodiscard]] bool isNews(const PathPlace& place, Instant now);
-  };
-  struct Sent {
-    CommandKey key = 0;
-    LoadedPiecePtr piece;
-    std::size_t first = 0;  ///< of its points
-    [[nodiscard]] std::size_t behind() const { return first + piece->plan.points().size(); }
-  };
+  using Member = PathMember;
+  using Sent = SentPiece;
   /// That it was planned with.
   struct Feedrates {
     double lowest = 1.0;
     double highest = 1.0;
+  };
+  /// Where the arm has come to stand.
+  struct Stand {
+    std::size_t point = 0;  ///< that moved it
+    Duration time{};        ///< of the motion of that point, by its plan
+    arm::JointVector joints = arm::JointVector::Zero();
   };
   /// Points in front of `done` are done; those from there to `behind_active` move the robot.
   struct Place {
@@ -95,11 +82,17 @@ class PathChain {
   void letOpenEndGo() { open_end_due_ = true; }
   void sendNext();
   /// That are at the controller, in their order.
-  [[nodiscard]] const std::deque<Sent>& sent() const { return sent_; }
-  [[nodiscard]] bool isFirst(CommandKey key) const { return !sent_.empty() && sent_.front().key == key; }
-  [[nodiscard]] bool isSent(CommandKey key) const;
-  /// That one has ended, however. Precondition: it is at the controller.
-  Sent take(CommandKey key);
+  [[nodiscard]] const SentPieces& sent() const { return sent_; }
+  [[nodiscard]] SentPieces& sent() { return sent_; }
+
+  /// Nothing of it was ever sent.
+  [[nodiscard]] bool isUnbegun() const { return most_sent_ == 0; }
+
+  // --- What is to be sent once more, as the robot was stopped on its way.
+  /// What is left begins there: it has no pieces until it is planned. Precondition: nothing is sent, and
+  /// goals whose points are all in front of that one are dropped.
+  void rewind(const Stand& stand);
+  [[nodiscard]] bool isRewound() const { return rewound_.has_value(); }
 
   // --- What is not sent, at another feedrate.
   /// Nothing: all is sent.
@@ -108,8 +101,8 @@ class PathChain {
   [[nodiscard]] std::optional<PathRest> rest() const;
   /// Takes the place of what rest() told. Precondition: that has not changed since.
   void reload(const std::vector<LoadedPathPtr>& loaded);
-  /// See PathPace.
-  [[nodiscard]] double highestFeedrate() const;
+  /// See PathPace. `with_sent`: what the controller has, too.
+  [[nodiscard]] double highestFeedrate(bool with_sent) const;
 
   // --- Counts, in the words of the instruction.
   /// Of one goal: what the buffer holds beside the active point, and what waits in front of it.
@@ -123,19 +116,22 @@ class PathChain {
   };
   /// In their order; of members that begin with those of the one in front, as they are sent.
   [[nodiscard]] std::vector<LoadedPiecePtr> unsent() const;
-  [[nodiscard]] bool isOpenEndSent() const;
+  /// Points of these pieces from that one on; `first`: of the first piece.
+  [[nodiscard]] PathRest restFrom(std::size_t point, const std::vector<LoadedPiecePtr>& pieces,
+                                  std::size_t first) const;
   [[nodiscard]] bool isOpenEndOwed() const;
   void advance();
-  [[nodiscard]] static std::size_t bufferOf(const Member& member);
   void tellLostBlends(const Sent& sent);
 
   std::deque<Member> members_;
-  std::deque<Sent> sent_;
+  SentPieces sent_;
   Cursor cursor_;
   CommandKey next_key_ = 1;
   bool open_end_due_ = false;
   bool open_end_sent_ = false;  ///< of the member that the cursor is at
   std::size_t sent_points_ = 0;
+  std::size_t most_sent_ = 0;  ///< also of what was taken back since
+  std::optional<PathRest> rewound_;
 };
 
 }  // namespace cobot_command::blocks
