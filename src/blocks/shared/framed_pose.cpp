@@ -14,10 +14,8 @@
 namespace cobot_command::blocks {
 namespace {
 
-constexpr double kUnitLengthTolerance = 1e-3;
-
 template <std::size_t N>
-bool isFinite(const std::array<double, N>& values) {
+bool areFinite(const std::array<double, N>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
@@ -27,6 +25,27 @@ Eigen::Quaterniond quaternionOf(const FramedPose& pose) {
 }
 
 }  // namespace
+
+bool hasKnownFrame(const FramedPose& pose) {
+  return pose.frame_in_robot_base && pose.frame_in_robot_base->matrix().allFinite();
+}
+
+std::string frameInWords(const FramedPose& pose) {
+  return fmt::format("in \"{}\"{}{}", printableFrame(pose), pose.fault.empty() ? "" : ": ",
+                     foreignText(pose.fault));
+}
+
+bool isFinite(const FramedPose& pose) {
+  return areFinite(pose.position) && areFinite(pose.quaternion);
+}
+
+double lengthOfQuaternion(const FramedPose& pose) {
+  return quaternionOf(pose).norm();
+}
+
+bool isOfUnitLength(const FramedPose& pose) {
+  return std::abs(lengthOfQuaternion(pose) - 1) <= kUnitLengthTolerance;
+}
 
 std::string printableFrame(const FramedPose& pose) {
   return foreignText(pose.frame, kQuoteLimit);
@@ -41,17 +60,15 @@ arm::Pose inRobotBase(const FramedPose& pose) {
 }
 
 void checkPose(ParameterChecks& checks, const char* field, const FramedPose& pose) {
-  const bool frame_known = pose.frame_in_robot_base && pose.frame_in_robot_base->matrix().allFinite();
-  checks.require(frame_known, own_error::kFrameUnknown,
-                 fmt::format("{} is in \"{}\"{}{}", field, printableFrame(pose),
-                             pose.fault.empty() ? "" : ": ", foreignText(pose.fault)));
-  if (!isFinite(pose.position) || !isFinite(pose.quaternion)) {
+  const bool frame_known = hasKnownFrame(pose);
+  checks.require(frame_known, own_error::kFrameUnknown, fmt::format("{} is {}", field, frameInWords(pose)));
+  if (!isFinite(pose)) {
     checks.require(false, own_error::kNotFinite, fmt::format("a number of {} is not finite", field));
     return;
   }
-  const double length = quaternionOf(pose).norm();
-  const bool unit = std::abs(length - 1) <= kUnitLengthTolerance;
-  checks.require(unit, own_error::kQuaternion, fmt::format("that of {} has length {}", field, length));
+  const bool unit = isOfUnitLength(pose);
+  checks.require(unit, own_error::kQuaternion,
+                 fmt::format("that of {} has length {}", field, lengthOfQuaternion(pose)));
   if (!frame_known || !unit) return;
   const double furthest = mToMm(inRobotBase(pose).translation().cwiseAbs().maxCoeff());
   checks.require(isWithin(furthest, 0, arm::kMaxCoordinate), own_error::kCoordinateRange,
