@@ -87,6 +87,14 @@ std::optional<Failure> checkTracking(const LoadPathGoal& goal) {
   return std::nullopt;
 }
 
+/// Without a template there are no points. A pose that is wrong comes behind what points say by themselves,
+/// as other targets do.
+std::optional<PathRefusal> checkPoints(const LoadPathGoal& goal) {
+  if (goal.poses_fault && goal.poses_fault->index < 0) return goal.poses_fault;
+  auto refusal = path::checkSection(sectionOf(goal));
+  return refusal ? std::move(refusal) : goal.poses_fault;
+}
+
 /// Without a model, or a place to start from, nothing is planned.
 std::optional<PathRefusal> checkWithoutTransform(const LoadPathGoal& goal) {
   bool had_pose = false;
@@ -197,7 +205,7 @@ std::vector<Failure> check(const LoadPathGoal& goal) {
   if (auto tracking = checkTracking(goal)) failures.push_back(std::move(*tracking));
   if (!goal.path_fault.empty()) {
     failures.push_back({own_error::kPathUnreadable, goal.path_fault, ""});
-  } else if (const auto refusal = path::checkSection(sectionOf(goal))) {
+  } else if (const auto refusal = checkPoints(goal)) {
     failures.push_back(toFailure(goal, *refusal));
   }
   sortByTable(kBlock<LoadPathGoal>, failures);

@@ -56,8 +56,8 @@ void addPoints(ErrorTable& table) {
   table
       .row(
           kMovesExceedArray, "Number of moves exceeds the array", kSetInRange,
-          "number_of_moves is below 1, or there are not as many points from start_index on, or path has more "
-          "than 1000")
+          "number_of_moves is below 1, or there are not as many points from start_index on, or path or poses "
+          "has more than 1000")
       .row(kStartIndex, "Start index out of bounds", kSetInRange,
            "start_index is negative, or there is no such point")
       .row(kDynamics, "Speed, acceleration and deceleration must be above 0", kCorrectThePoint,
@@ -110,12 +110,16 @@ void addPlanning(ErrorTable& table) {
            "INCREMENTAL, Cartesian or hybrid, with TOOL or USER")
       .row(1036, "Transform of the start failed", kReport, kNeverFails)
       .row(kTargetPose, "Target pose not valid", kCorrectThePoint,
-           "a number of a target is not finite or beyond +-100000; or via_pose makes no circle")
+           "a number of a target is not finite or beyond +-100000; or via_pose makes no circle; or a pose of "
+           "poses has a number that is not finite, a quaternion whose length differs from 1 by more "
+           "than 0.001, or a coordinate of more than 100 m in the robot base")
       .row(kManyReferences, "More than 3 target references", "Divide the points among several goals",
            "the Cartesian and hybrid points of the goal refer to more than three frames")
       .row(1039, "Transform of the target failed", kReport, kNeverFails)
-      .row(kWorldUnknown, "Target to robot frame", "Give the target in ROBOT or USER",
-           "WORLD, and it is not known where the robot stands in it")
+      .row(kWorldUnknown, "Target to robot frame",
+           "Publish the frame to tf, or give the target in the robot base or USER",
+           "WORLD, and it is not known where the robot stands in it; or tf does not connect the frame of a "
+           "pose of poses with the robot base")
       .row(kToolUnknown, "Target tool invalid", "Give the tool by value, or tick it in the Ethernet Slave",
            "the entry of the table of tools is a name of the project's whose value is not known")
       .row(kFrameUnknown, "Target frame invalid", "Give the frame by value, or tick it in the Ethernet Slave",
@@ -194,7 +198,13 @@ void addOwn(ErrorTable& table) {
            "max_deviation is negative, above 100000, or not a number; 0 means none")
       .row(own_error::kPathUnreadable, "Path cannot be read",
            "Check the path of the file, and its form against config/path.yaml",
-           "path_file is not there, is no YAML, or has other fields than a point; or path is given, too");
+           "path_file is not there, is no YAML, or has other fields than a point; or path or poses is given, "
+           "too")
+      .row(
+          own_error::kPoseTemplate, "Template of the poses unsuitable",
+          "Give one point in path that says all but where: see poses in doc/path.md",
+          "poses, and path does not hold exactly one point; or that has a target of its own, is INCREMENTAL, "
+          "HYBRID, CP_CIRCULAR or in USER, or has no room for its move_id plus the index of a pose");
 }
 
 }  // namespace

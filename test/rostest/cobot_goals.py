@@ -103,6 +103,13 @@ def path_line(*pose, **changes):
         changes)
 
 
+def path_of_poses(*poses, **changes):
+    """All poses, each reached straight; `changes`: of their template."""
+    template = PathPoint(interpolation_type=PathPoint.CP_LINEAR, pose_type=PathPoint.FLANGE, speed=200, acceleration=1000, deceleration=1000,
+                         orientation_speed=90, orientation_acceleration=400, orientation_deceleration=400)
+    return LoadPathGoal(path=[with_changes(template, changes)], poses=list(poses), number_of_moves=len(poses))
+
+
 def output(number=0, value=1, **changes):
     return with_changes(SetOutputGoal(module="EndModule", output=number, value=value), changes)
 

@@ -10,9 +10,10 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from cobot_command.msg import CommandStatus, FrameData, LoadPathGoal, PathPoint, PathStatus, RobotStatus, StopGoal, ToolData
 from cobot_command.srv import WriteFrame, WriteTool
-from cobot_goals import ABORTING, HOME, path, path_line, path_to_joints, script, six, to_joints, with_changes
+from cobot_goals import ABORTING, HOME, path, path_line, path_of_poses, path_to_joints, script, six, to_joints, with_changes
 from cobot_test import DEADLINE, Latest, Robot
 from motion_checks import MotionTestCase
+from tf_frames import pose_in
 
 FILE = "package://cobot_command/config/path.yaml"
 START = (417.5, -122.3, 461.05, 180, 0, 90)  # of the flange at HOME
@@ -27,6 +28,11 @@ def from_file(**changes):
 
 def above(z, **changes):
     return path_line(*START[:2], START[2] + z, *START[3:], **changes)
+
+
+def over_the_bench(z, frame="bench", quaternion=(1, 0, 0, 0)):
+    """As above(), in the frame of the launch file [m]."""
+    return pose_in(frame, (START[1] / 1000 + 0.1, 0.4 - START[0] / 1000, (START[2] + z) / 1000 - 0.3), quaternion)
 
 
 def slow_path(count=3, **changes):
@@ -209,6 +215,14 @@ class LoadPath(MotionTestCase):
         connect.cancel()
         self.assert_done(connect.finish())
 
+    def test_takes_its_targets_from_poses_of_tf(self):
+        checked = self.assert_done(self.robot.run(path(above(30), above(50), check_only=True)))
+        sent = self.robot.send(path_of_poses(over_the_bench(30), over_the_bench(50), move_id=7))
+        self.assert_done(sent.finish())
+        self.assert_stands_at([math.degrees(p) for p in checked.joint_path.points[-1].positions])
+        told = {(f.active_path_point, f.active_move_id) for f in sent.feedback if f.active}
+        self.assertTrue(told and told <= {(0, 7), (1, 8)}, told)
+
     def test_is_given_up_when_its_plan_takes_too_long(self):
         points = [above(10 * (i % 2), **BLEND) for i in range(1000)]
         connect = self.robot.send(self.robot.connect_goal(), "hurried/")
@@ -302,6 +316,19 @@ class LoadPath(MotionTestCase):
         self.assert_blames(path(above(10, ref_frame_type=PathPoint.USER, ref_frame_id=2)), 1042, 0)
         references = ((PathPoint.ROBOT, 0), (PathPoint.USER, 0), (PathPoint.USER, 1), (PathPoint.WORLD, 0))
         self.assert_blames(path(*(above(10, ref_frame_type=kind, ref_frame_id=i) for kind, i in references)), 1038, 3)
+
+    def test_refuses_poses_that_lead_nowhere(self):
+        good = over_the_bench(30)
+        self.assert_blames(path_of_poses(good, over_the_bench(40, "tabel"), good), 1040, 1, words='point 1: its pose is in "tabel"')
+        for quaternion in ((0, 0, 0, 0), (0, 0, 0, 1.01), (0, NAN, 0, 1)):
+            self.assert_blames(path_of_poses(good, good, over_the_bench(30, quaternion=quaternion)), 1037, 2, words="its pose")
+        self.assert_blames(path_of_poses(*[good] * 1001), 1010, words="poses has 1001")
+        self.assert_blames(path_of_poses(good, over_the_bench(2000)), 1046, 1)
+        for goal, words in ((path(poses=[good], number_of_moves=1), "path 0 points"),
+                            (path_of_poses(good, joints=HOME + (0,) * 3), "target of its own"),
+                            (path_of_poses(good, move_type=PathPoint.INCREMENTAL), "INCREMENTAL")):
+            self.assert_blames(goal, 0x27A, words=words)
+        self.assert_blames(from_file(poses=[good]), 0x279, words="template of the poses in path")
 
     def test_refuses_what_a_script_would_say_otherwise(self):
         goal = path(path_to_joints(20, 0, 90, 0, 90, 0, profile_type=PathPoint.MOD_SINE, acceleration_jerk=100),

@@ -4,7 +4,7 @@ import math
 
 from cobot_command.msg import (ConnectGoal, MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, OutputAction,
                                LoadPathGoal, PathPoint, PickAndPlaceGoal, RobotPose)
-from cobot_goals import (HOME, POSE, base, circle, cycle, line_to, path, path_line, path_to_joints, ptp_to, script, sequence, step,
+from cobot_goals import (HOME, POSE, base, circle, cycle, line_to, path, path_line, path_of_poses, path_to_joints, ptp_to, script, sequence, step,
                          tcp, to_joints, turn)
 from tf_frames import pose_in
 
@@ -178,7 +178,12 @@ _ROWS = {
         _of(1015, lambda r: path(path_line(*POSE, orientation_speed=0))),
         _of((1033, 1037), lambda r: path(path_to_joints(*HOME), path_to_joints(r.choice((300, *NOT_FINITE, *TOO_FAR)), 0, 90, 0, 90, 0))),
         _field(0x275, "execution", 3, 255), _field(0x278, "max_deviation", -0.1, 1e308, *NOT_FINITE),
-        _of(0x279, lambda r: LoadPathGoal(path_file=r.choice(_NO_FILES), number_of_moves=1))),
+        _of(0x279, lambda r: LoadPathGoal(path_file=r.choice(_NO_FILES), number_of_moves=1)),
+        _of(0x27A, lambda r: path(*[PathPoint()] * r.choice((0, 2)), poses=[pose_in("", (0.4, 0, 0.4), (1, 0, 0, 0))]),
+            lambda r: path_of_poses(pose_in("", (0.4, 0, 0.4), (1, 0, 0, 0)), move_type=PathPoint.INCREMENTAL)),
+        _of(1037, lambda r: path_of_poses(pose_in("", (0.4, 0, 0.4), r.choice(UNREAL_TURNS))),
+            lambda r: path_of_poses(pose_in("", (r.choice(NOT_FINITE), 0, 0.4), (1, 0, 0, 0)))),
+        _of(1040, lambda r: path_of_poses(pose_in(r.choice(_NO_FRAMES), (0.4, 0, 0.4), (1, 0, 0, 0))))),
     "check_sequence": (
         _of(0x208, lambda r: sequence(to_joints(*HOME), start_joints=r.choice(([0, 0, 90], [0] * 7, [math.nan] * 6)))),
         _of(0x250, lambda r: sequence(), lambda r: sequence(*[to_joints(*HOME)] * 201)),

@@ -2,17 +2,21 @@
 // buffer to the robot, several goals one behind the other as if they were one. doc/path.md.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cobot_command/blocks/shared/block_parts.h"
+#include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/blocks/shared/run.h"
 #include "cobot_command/blocks/shared/sequence_report.h"
 #include "cobot_command/path/path_controls.h"
 #include "cobot_command/path/path_point.h"
 #include "cobot_command/path/path_preview.h"
+#include "cobot_command/path/path_refusal.h"
 #include "cobot_command/tables/table_store.h"
 
 namespace cobot_command::blocks {
@@ -25,11 +29,12 @@ struct LoadPathGoal {
   static constexpr const char* kName = "load_path";
   [[nodiscard]] static ErrorTable errors();
 
-  std::vector<path::PathPoint> path;      ///< 1..1000; only those that are loaded are looked at
-  std::string path_fault;                 ///< why the points could not be read; empty: they could
-  int start_index = 0;                    ///< the first one to load
-  int number_of_moves = 0;                ///< how many
-  path::TrackingFlags enable_tracking{};  ///< it waits until the tracking objects are so
+  std::vector<path::PathPoint> path;             ///< 1..1000; only those that are loaded are looked at
+  std::string path_fault;                        ///< why the points could not be read; empty: they could
+  std::optional<path::PathRefusal> poses_fault;  ///< why placeAtPoses() could not make them
+  int start_index = 0;                           ///< the first one to load
+  int number_of_moves = 0;                       ///< how many
+  path::TrackingFlags enable_tracking{};         ///< it waits until the tracking objects are so
   int execution = static_cast<int>(Execution::Auto);
   bool allow_approximation = false;  ///< SCRIPT may round what a script cannot say
   int buffer_mode = 0;               ///< against other blocks; behind another load_path it joins its chain
@@ -38,6 +43,14 @@ struct LoadPathGoal {
   std::string world_fault;           ///< why it is not
   bool check_only = false;
 };
+
+/// Makes the points of poses: `goal.path` holds a template, which says all but where, and becomes one point
+/// for each of `count` poses: absolute, Cartesian, in the robot base. With a template move_id that is not 0
+/// each has that plus its index, so that those who are told only the move_id (PathStatus) can tell them
+/// apart. `poseAt` is asked for the poses that start_index and number_of_moves load, in their order, up to
+/// the first one that is wrong. What is wrong is left in `goal.poses_fault`, for check().
+void placeAtPoses(LoadPathGoal& goal, std::size_t count,
+                  const std::function<FramedPose(std::size_t index)>& poseAt);
 
 struct LoadedPath;
 

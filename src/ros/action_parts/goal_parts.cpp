@@ -4,12 +4,9 @@
 
 namespace cobot_command::ros_adapter {
 
-std::optional<blocks::FramedPose> toFramedPose(const geometry_msgs::PoseStamped& message,
-                                               const FrameLookup& frames) {
-  if (message.header.frame_id.empty()) return std::nullopt;
+blocks::FramedPose toFramedPose(const geometry_msgs::PoseStamped& message, FramePlace place) {
   const auto& position = message.pose.position;
   const auto& quaternion = message.pose.orientation;
-  FramePlace place = frames(message.header);
   blocks::FramedPose pose;
   pose.frame = message.header.frame_id;
   pose.position = {position.x, position.y, position.z};
@@ -18,6 +15,12 @@ std::optional<blocks::FramedPose> toFramedPose(const geometry_msgs::PoseStamped&
   pose.fault = std::move(place.fault);
   pose.latest = message.header.stamp.isZero();
   return pose;
+}
+
+std::optional<blocks::FramedPose> toFramedPose(const geometry_msgs::PoseStamped& message,
+                                               const FrameLookup& frames) {
+  if (message.header.frame_id.empty()) return std::nullopt;
+  return toFramedPose(message, frames(message.header));
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -13,6 +13,8 @@
 
 namespace cobot_command::ros_adapter {
 
+/// `place`: where its frame is.
+[[nodiscard]] blocks::FramedPose toFramedPose(const geometry_msgs::PoseStamped& message, FramePlace place);
 /// Absent when the message leaves its frame empty.
 [[nodiscard]] std::optional<blocks::FramedPose> toFramedPose(const geometry_msgs::PoseStamped& message,
                                                              const FrameLookup& frames);

@@ -1,6 +1,8 @@
 #include "cobot_command/blocks/load_path.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +70,31 @@ void readFile(blocks::LoadPathGoal& goal, const std::string& file, const Lookups
   }
 }
 
+/// Those of a goal are mostly in one frame, and are to be where it was at one moment: each frame and stamp is
+/// looked up once. In the robot base without a name.
+class PosesOf {
+ public:
+  PosesOf(const std::vector<geometry_msgs::PoseStamped>& poses, const FrameLookup& frames)
+      : poses_(poses), frames_(frames) {}
+
+  blocks::FramedPose operator()(std::size_t index) {
+    const geometry_msgs::PoseStamped& pose = poses_[index];
+    return toFramedPose(pose, placeOf(pose.header));
+  }
+
+ private:
+  FramePlace placeOf(const std_msgs::Header& header) {
+    if (header.frame_id.empty()) return {arm::Pose(arm::Pose::Identity()), ""};
+    const auto [known, is_new] = places_.try_emplace({header.frame_id, header.stamp});
+    if (is_new) known->second = frames_(header);
+    return known->second;
+  }
+
+  const std::vector<geometry_msgs::PoseStamped>& poses_;
+  const FrameLookup& frames_;
+  std::map<std::pair<std::string, ros::Time>, FramePlace> places_;
+};
+
 bool isInWorld(const path::PathPoint& point) {
   return path::is(point.ref_frame_type, path::Reference::World) &&
          !path::is(point.target_type, path::TargetType::Joint);
@@ -97,6 +124,11 @@ blocks::LoadPathGoal toGoal(const cobot_command::LoadPathGoal& message, const Lo
   goal.check_only = message.check_only != 0;
   if (message.path_file.empty()) {
     goal.path = toPoints(message.path);
+    if (!message.poses.empty()) {
+      blocks::placeAtPoses(goal, message.poses.size(), PosesOf(message.poses, lookups.frames));
+    }
+  } else if (!message.poses.empty()) {
+    goal.path_fault = "both path_file and poses are given; give the template of the poses in path";
   } else if (!message.path.empty()) {
     goal.path_fault = "both path_file and path are given; give one of them";
   } else {

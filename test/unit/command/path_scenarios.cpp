@@ -1,5 +1,6 @@
 // How paths fail: by their points and plans, because of the robot, and on the wire.
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -200,6 +201,9 @@ Scenarios ownScenarios() {
       {row(own_error::kExecutionUnknown), withGoal([](auto& g) { g.execution = 3; })},
       {row(own_error::kDeviationRange), withGoal([](auto& g) { g.max_deviation = -1; })},
       {row(own_error::kPathUnreadable), withGoal([](auto& g) { g.path_fault = "no such file"; })},
+      {row(own_error::kPoseTemplate), withGoal([](auto& g) {
+         placeAtPoses(g, 3, [](std::size_t) { return FramedPose(); });  // with three points as well
+       })},
       {row(own_error::kTrackingOffset), withGoal([](auto& g) {
          g.enable_tracking[0] = true;
          g.path[1].tracking_axis_position = 3;

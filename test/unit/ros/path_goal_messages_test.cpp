@@ -1,4 +1,7 @@
 // What of a goal of load_path arrives in the core.
+#include <string>
+#include <vector>
+
 #include "block_messages.h"
 #include "files/path_file.h"
 #include "no_lookups.h"
@@ -135,6 +138,75 @@ TEST(PathGoalMessages, thePointsOfAPathMayStandInAFile) {
   message.path.clear();
   message.path_file = "/no/such/file.yaml";
   EXPECT_THAT(toGoal(message, onlyPaths).path_fault, HasSubstr("/no/such/file.yaml"));
+}
+
+geometry_msgs::PoseStamped poseIn(const std::string& frame) {
+  geometry_msgs::PoseStamped pose;
+  pose.header.frame_id = frame;
+  pose.pose.position.x = 0.25;
+  pose.pose.orientation.x = 1;
+  return pose;
+}
+
+cobot_command::LoadPathGoal pathOfPoses(const std::vector<geometry_msgs::PoseStamped>& poses) {
+  cobot_command::LoadPathGoal message;
+  message.path.resize(1);
+  message.path[0].interpolation_type = cobot_command::PathPoint::CP_LINEAR;
+  message.path[0].move_id = 10;
+  message.poses = poses;
+  message.number_of_moves = static_cast<int>(poses.size());
+  return message;
+}
+
+TEST(PathGoalMessages, posesBecomePointsOfTheirTemplate) {
+  auto message = pathOfPoses({poseIn("table"), poseIn(""), poseIn("table"), poseIn("table")});
+  message.poses[3].header.stamp = ros::Time(7);
+  std::vector<std_msgs::Header> asked;
+  arm::Pose place = arm::Pose::Identity();
+  place.translation().z() = 0.5;
+  Lookups lookups = onlyPaths;
+  lookups.frames = [&](const std_msgs::Header& header) {
+    asked.push_back(header);
+    return FramePlace{place, ""};
+  };
+  const auto goal = toGoal(message, lookups);
+  ASSERT_FALSE(goal.poses_fault) << goal.poses_fault->found;
+  ASSERT_EQ(goal.path.size(), 4U);
+  EXPECT_THAT(goal.path[0].pose, ElementsAre(250, 0, 500, 180, 0, 0));
+  EXPECT_THAT(goal.path[1].pose, ElementsAre(250, 0, 0, 180, 0, 0)) << "in the robot base";
+  EXPECT_EQ(goal.path[2].interpolation, cobot_command::PathPoint::CP_LINEAR);
+  EXPECT_EQ(goal.path[2].move_id, 12);
+  ASSERT_EQ(asked.size(), 2U) << "each frame once at each stamp: it may be moving";
+  EXPECT_EQ(asked[0].frame_id, "table");
+  EXPECT_TRUE(asked[0].stamp.isZero());
+  EXPECT_EQ(asked[1].stamp, ros::Time(7));
+}
+
+TEST(PathGoalMessages, posesAreLookedUpUntilTheFirstUnknownFrame) {
+  std::vector<std::string> asked;
+  Lookups lookups = onlyPaths;
+  lookups.frames = [&](const std_msgs::Header& header) {
+    asked.push_back(header.frame_id);
+    return header.frame_id == "table" ? FramePlace{arm::Pose(arm::Pose::Identity()), ""}
+                                      : FramePlace{std::nullopt, "nobody publishes it"};
+  };
+  const auto goal = toGoal(pathOfPoses({poseIn("table"), poseIn("tabel"), poseIn("shelf")}), lookups);
+  ASSERT_TRUE(goal.poses_fault);
+  EXPECT_EQ(goal.poses_fault->error_id, 1040);
+  EXPECT_EQ(goal.poses_fault->index, 1);
+  EXPECT_THAT(goal.poses_fault->found, HasSubstr("\"tabel\": nobody publishes it"));
+  EXPECT_THAT(asked, ElementsAre("table", "tabel"));
+}
+
+TEST(PathGoalMessages, posesAreNotLookedUpForATemplateThatIsNone) {
+  auto message = pathOfPoses({poseIn("table")});
+  message.path.resize(2);
+  EXPECT_EQ(toGoal(message, onlyPaths).poses_fault->error_id, 0x27A);
+  message = pathOfPoses(std::vector<geometry_msgs::PoseStamped>(1001, poseIn("table")));
+  EXPECT_EQ(toGoal(message, onlyPaths).poses_fault->error_id, 1010);
+  message = pathOfPoses({poseIn("table")});
+  message.path_file = "/no/such/file.yaml";
+  EXPECT_THAT(toGoal(message, onlyPaths).path_fault, HasSubstr("give the template of the poses in path"));
 }
 
 TEST(PathGoalMessages, tooManyPointsAreOnlyCounted) {

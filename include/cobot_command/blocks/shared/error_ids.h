@@ -141,6 +141,7 @@ inline constexpr int kRestNotPlanned = 0x276;
 inline constexpr int kPvtTooLong = 0x277;
 inline constexpr int kDeviationRange = 0x278;
 inline constexpr int kPathUnreadable = 0x279;
+inline constexpr int kPoseTemplate = 0x27A;
 // Trajectories.
 inline constexpr int kTrajectoryInvalid = 0x2A0;
 inline constexpr int kJointNames = 0x2A1;
