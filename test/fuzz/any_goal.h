@@ -162,6 +162,7 @@ class AnyGoal {
     varyFault(goal.path_fault);
     vary(goal.start_index, goal.number_of_moves, goal.enable_tracking[0], goal.enable_tracking[1],
          goal.execution, goal.allow_approximation, goal.buffer_mode, goal.max_deviation, goal.check_only);
+    varyPoses(goal);
     return goal;
   }
 
@@ -231,6 +232,17 @@ class AnyGoal {
     ((varied() ? any(fields) : void()), ...);
   }
 
+  /// In place of its points, with the first one as their template.
+  void varyPoses(blocks::LoadPathGoal& goal) {
+    if (!varied() || goal.path.empty()) return;
+    goal.path.resize(1);
+    goal.path.front().joints = {};
+    goal.path.front().pose = {};
+    std::vector<blocks::FramedPose> poses(input_.choice(kMostSteps + 1));
+    for (blocks::FramedPose& pose : poses) any(pose);
+    goal.number_of_moves = static_cast<int>(poses.size());
+    blocks::placeAtPoses(goal, poses.size(), [&](std::size_t index) { return poses[index]; });
+  }
   /// The layer's own words, from above the core.
   void varyFault(std::string& field) {
     if (varied()) {
