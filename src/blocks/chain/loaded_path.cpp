@@ -150,11 +150,13 @@ Order restoring(const path::ScriptFrames& frames) {
   return settingOrder(std::move(commands));
 }
 
-LoadedPiecePtr toLoaded(const PathPlan& point, const path::PointScript& script, const arm::ArmModel& arm) {
+LoadedPiecePtr toLoaded(const PathPlan& point, const path::PointScript& script, const arm::ArmModel& arm,
+                        bool loses_blend) {
   LoadedPiece piece{point, motionOrder(script.lines)};
   piece.order.is_previewed = true;
   piece.fastest = fastestOf(point, arm);
   piece.is_exact = false;
+  piece.loses_blend = loses_blend;
   return std::make_shared<const LoadedPiece>(std::move(piece));
 }
 
@@ -183,7 +185,10 @@ std::optional<PathRefusal> loadScript(path::PathPlanner planner, const path::Scr
   }
   for (std::size_t i = 0; i < script->size(); ++i) {
     const std::size_t point = loaded.first + i;
-    loaded.pieces.push_back(toLoaded(loaded.plan.part(point, point + 1), (*script)[i], planner.scene().arm));
+    // The last one may blend with what comes in time: that the controller decides.
+    const bool loses_blend = i + 1 < script->size() && loaded.plan.points()[point].losesBlend();
+    loaded.pieces.push_back(
+        toLoaded(loaded.plan.part(point, point + 1), (*script)[i], planner.scene().arm, loses_blend));
   }
   static_cast<void>(planner.takeRested());
   loaded.end = std::make_shared<const path::PathPlanner>(planner);

@@ -29,7 +29,8 @@ struct LoadedPiece {
   std::vector<std::size_t> marked = {};  ///< the point of the plan that each mark of the order is behind
   /// The controller makes what is planned; else it has ramps and corners of its own.
   bool is_exact = true;
-  double fastest = 0;  ///< of any joint, of its rated speed, by the plan
+  bool loses_blend = false;  ///< of one that is not exact: its point is planned to rest, whatever it says
+  double fastest = 0;        ///< of any joint, of its rated speed, by the plan
 };
 using LoadedPiecePtr = std::shared_ptr<const LoadedPiece>;
 

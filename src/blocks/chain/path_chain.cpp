@@ -15,6 +15,16 @@ std::size_t bufferOf(const PathMember& member) {
   return static_cast<std::size_t>(member.loaded->settings.buffer);
 }
 
+/// The feedrate with which these pieces keep the rated speeds of the joints.
+double highestOf(const std::vector<LoadedPiecePtr>& pieces) {
+  double highest = std::numeric_limits<double>::infinity();
+  for (const LoadedPiecePtr& piece : pieces) {
+    if (piece->fastest <= 0) continue;
+    highest = std::min(highest, piece->plan.points().front().feedrate / piece->fastest);
+  }
+  return highest;
+}
+
 }  // namespace
 
 void PathChain::add(GoalId goal, const PathReport& planned) {
@@ -76,9 +86,7 @@ const PathChain::Member* PathChain::firstAtGate() const {
 }
 
 void PathChain::tellAnew() {
-  for (Member& member : members_) {
-    if (member.first < sent_points_) member.told_at.reset();
-  }
+  for (Member& member : members_) member.told_at.reset();
 }
 
 bool PathChain::isUntouched(std::size_t member) const {
@@ -87,7 +95,7 @@ bool PathChain::isUntouched(std::size_t member) const {
 
 void PathChain::dropFrom(std::size_t member) {
   assert(member > 0 && isUntouched(member));
-  if (rewound_) rewound_->parts.resize(member - memberAt(sent_points_));
+  if (rewound_) rewound_->rest.parts.resize(member - memberAt(sent_points_));
   members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(member), members_.end());
   ++next_key_;
   if (rewound_) return;
@@ -137,9 +145,10 @@ LoadedPiecePtr PathChain::next() const {
 }
 
 bool PathChain::isNextOpen() const {
+  if (rewound_) return false;
   const LoadedPath& loaded = *members_[cursor_.member].loaded;
   const bool is_last = cursor_.member + 1 == members_.size();
-  return is_last && !rewound_ && !open_end_due_ && cursor_.piece == loaded.pieces.size() && loaded.open_end &&
+  return is_last && !open_end_due_ && cursor_.piece == loaded.pieces.size() && loaded.open_end &&
          !open_end_sent_;
 }
 
@@ -164,7 +173,8 @@ void PathChain::tellLostBlends(const Sent& sent) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto& told = members_[memberAt(sent.first + i)].report.blends_lost;
     const bool is_told = std::find(told.begin(), told.end(), points[i].index) != told.end();
-    if (points[i].losesBlend() && !is_told) told.push_back(points[i].index);
+    const bool is_lost = sent.piece->is_exact ? points[i].losesBlend() : sent.piece->loses_blend;
+    if (is_lost && !is_told) told.push_back(points[i].index);
   }
 }
 
@@ -210,7 +220,7 @@ PathRest PathChain::restFrom(std::size_t point, const std::vector<LoadedPiecePtr
 }
 
 std::optional<PathRest> PathChain::rest() const {
-  if (rewound_) return rewound_;
+  if (rewound_) return rewound_->rest;
   const auto pieces = unsent();
   if (pieces.empty()) return std::nullopt;
   PathRest rest = restFrom(sent_points_, pieces, sent_points_);
@@ -219,7 +229,7 @@ std::optional<PathRest> PathChain::rest() const {
   return rest;
 }
 
-void PathChain::rewind(const Stand& stand) {
+void PathChain::rewind(std::size_t point, Duration time, const arm::JointVector& joints) {
   assert(sent_.empty());
   const std::vector<Sent> taken_back = sent_.forgetTakenBack();
   const std::size_t first = taken_back.empty() ? sent_points_ : taken_back.front().first;
@@ -227,13 +237,16 @@ void PathChain::rewind(const Stand& stand) {
   for (const Sent& sent : taken_back) pieces.push_back(sent.piece);
   const auto behind = unsent();
   pieces.insert(pieces.end(), behind.begin(), behind.end());
-  PathRest rest = restFrom(stand.point, pieces, first);
-  rest.start = stand.joints;
+  PathRest rest = restFrom(point, pieces, first);
+  rest.start = joints;
   rest.is_begun = true;
   path::PlannedPoint& active = rest.parts.front().points.front();
-  active = path::restOf(active, stand.time, rest.parts.front().loaded->end->scene().arm);
-  rewound_ = std::move(rest);
-  sent_points_ = stand.point;
+  active = path::restOf(active, time, rest.parts.front().loaded->end->scene().arm);
+  for (Member& member : members_) member.forgetLostBlends(point);
+  rewound_ = Rewound{std::move(rest), highestOf(pieces)};
+  cursor_ = {memberAt(point), 0};
+  open_end_sent_ = false;
+  sent_points_ = point;
   ++next_key_;
 }
 
@@ -261,16 +274,13 @@ void PathChain::reload(const std::vector<LoadedPathPtr>& loaded) {
 }
 
 double PathChain::highestFeedrate(bool with_sent) const {
-  double highest = std::numeric_limits<double>::infinity();
+  if (rewound_) return rewound_->highest;
   std::vector<LoadedPiecePtr> pieces = unsent();
   if (with_sent) {
-    for (const Sent& sent : sent_.all()) pieces.push_back(sent.piece);
+    for (const SentPiece& sent : sent_.all()) pieces.push_back(sent.piece);
+    for (const SentPiece& sent : sent_.takenBack()) pieces.push_back(sent.piece);
   }
-  for (const LoadedPiecePtr& piece : pieces) {
-    if (piece->fastest <= 0) continue;
-    highest = std::min(highest, piece->plan.points().front().feedrate / piece->fastest);
-  }
-  return highest;
+  return highestOf(pieces);
 }
 
 PathPlace PathChain::placeOf(const Member& member, const Place& place) const {

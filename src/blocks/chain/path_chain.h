@@ -27,12 +27,6 @@ class PathChain {
     double lowest = 1.0;
     double highest = 1.0;
   };
-  /// Where the arm has come to stand.
-  struct Stand {
-    std::size_t point = 0;  ///< that moved it
-    Duration time{};        ///< of the motion of that point, by its plan
-    arm::JointVector joints = arm::JointVector::Zero();
-  };
   /// Points in front of `done` are done; those from there to `behind_active` move the robot.
   struct Place {
     std::size_t done = 0;
@@ -56,7 +50,7 @@ class PathChain {
   void passGates(const Place& place, const path::TrackingObjects& objects);
   /// That waits at its gate, or will; nullptr: none does.
   [[nodiscard]] const Member* firstAtGate() const;
-  /// What is under way is in another phase: its goals are to be told, wherever their points are.
+  /// All goals are to be told, wherever their points are.
   void tellAnew();
   /// Nothing of it is in a piece that was sent.
   [[nodiscard]] bool isUntouched(std::size_t member) const;
@@ -89,9 +83,10 @@ class PathChain {
   [[nodiscard]] bool isUnbegun() const { return most_sent_ == 0; }
 
   // --- What is to be sent once more, as the robot was stopped on its way.
-  /// What is left begins there: it has no pieces until it is planned. Precondition: nothing is sent, and
-  /// goals whose points are all in front of that one are dropped.
-  void rewind(const Stand& stand);
+  /// What is left begins in the motion of that point, at that time of its plan, where the arm rests: it has
+  /// no pieces until it is planned. Precondition: nothing is sent, and goals whose points are all in front of
+  /// that one are dropped.
+  void rewind(std::size_t point, Duration time, const arm::JointVector& joints);
   [[nodiscard]] bool isRewound() const { return rewound_.has_value(); }
 
   // --- What is not sent, at another feedrate.
@@ -131,7 +126,11 @@ class PathChain {
   bool open_end_sent_ = false;  ///< of the member that the cursor is at
   std::size_t sent_points_ = 0;
   std::size_t most_sent_ = 0;  ///< also of what was taken back since
-  std::optional<PathRest> rewound_;
+  struct Rewound {
+    PathRest rest;
+    double highest = 0;  ///< feedrate
+  };
+  std::optional<Rewound> rewound_;
 };
 
 }  // namespace cobot_command::blocks

@@ -20,6 +20,13 @@ void PathMember::pointDone(std::size_t point, Instant now) {
   if (began) report.points[point - first].done = now - *began;
 }
 
+void PathMember::forgetLostBlends(std::size_t point) {
+  const int left = loaded->start_index + static_cast<int>(std::clamp(point, first, behind()) - first);
+  auto& lost = report.blends_lost;
+  lost.erase(std::remove_if(lost.begin(), lost.end(), [left](int index) { return index >= left; }),
+             lost.end());
+}
+
 bool PathMember::isNews(const PathPlace& place, Instant now) {
   const bool is_other = !told_at || asTuple(place) != asTuple(told);
   const bool is_due = place.active && told_at && now - *told_at >= kTellEvery;
@@ -42,11 +49,15 @@ SentPiece SentPieces::take(CommandKey key) {
   return taken;
 }
 
-std::vector<SentPiece> SentPieces::forgetTakenBack() {
-  std::vector<SentPiece> taken = std::exchange(taken_back_, {});
-  std::sort(taken.begin(), taken.end(),
+/// They may come in any order.
+void SentPieces::takeBack(CommandKey key) {
+  taken_back_.push_back(take(key));
+  std::sort(taken_back_.begin(), taken_back_.end(),
             [](const SentPiece& a, const SentPiece& b) { return a.first < b.first; });
-  return taken;
+}
+
+std::vector<SentPiece> SentPieces::forgetTakenBack() {
+  return std::exchange(taken_back_, {});
 }
 
 }  // namespace cobot_command::blocks

@@ -30,6 +30,8 @@ struct PathMember {
   [[nodiscard]] std::size_t count() const { return loaded->move_ids.size(); }
   [[nodiscard]] std::size_t behind() const { return first + count(); }
   void pointDone(std::size_t point, Instant now);
+  /// Of its points from that one on: they are planned anew.
+  void forgetLostBlends(std::size_t point);
   /// It is to be told: it is another one, or was told a while ago. Then it counts as told.
   [[nodiscard]] bool isNews(const PathPlace& place, Instant now);
 };
@@ -55,7 +57,8 @@ class SentPieces {
   /// That one has ended, however. Precondition: it is there.
   SentPiece take(CommandKey key);
   /// It was stopped, and is to be planned anew. Precondition: it is there.
-  void takeBack(CommandKey key) { taken_back_.push_back(take(key)); }
+  void takeBack(CommandKey key);
+  [[nodiscard]] const std::vector<SentPiece>& takenBack() const { return taken_back_; }
   /// In the order of their points.
   [[nodiscard]] std::vector<SentPiece> forgetTakenBack();
 

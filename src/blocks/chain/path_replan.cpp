@@ -47,10 +47,11 @@ std::optional<PathWork> PathReplan::take() {
 
 std::optional<std::string> PathReplan::answered(const Detail& found) {
   const Reloaded& reloaded = found.as<Reloaded>();
-  const bool is_of_now =
-      under_way_ == wanted() && (found.isNone() || Wanted(reloaded.key, reloaded.feedrate) == wanted());
-  if (!is_of_now) return std::nullopt;  // it is asked for once more, if it is not yet
+  const bool is_it = found.isNone() || under_way_ == Wanted(reloaded.key, reloaded.feedrate);
+  if (!under_way_ || !is_it) return std::nullopt;
+  const bool is_of_now = under_way_ == wanted();
   under_way_.reset();
+  if (!is_of_now) return std::nullopt;  // it is asked for once more, if it is not yet
   if (!reloaded.loaded.empty()) {
     chain_.reload(reloaded.loaded);
     return std::nullopt;

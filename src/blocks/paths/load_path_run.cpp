@@ -114,7 +114,9 @@ void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant n
 
 void LoadPathRun::endEarly(const Outcome& outcome, Instant now) {
   if (outcome.ending == Ending::CommandAborted) {
-    if (!outcome.error_description.empty()) stopped_why_ = outcome.error_description;
+    const bool is_told =
+        restarting_ && state_ == State::Stopping;  // what it was stopped for is another thing
+    if (!outcome.error_description.empty() && !is_told) stopped_why_ = outcome.error_description;
     fire(Event::Cancel, now);
   } else {
     fail(failureOf(block(), outcome), now);
@@ -192,7 +194,9 @@ void LoadPathRun::goOnFrom(const robot::RobotWatch& robot, Instant now) {
 // --- Ends that are asked for.
 
 void LoadPathRun::cancel(const std::string& why, Instant now) {
-  if (state_ == State::Following) stopped_why_ = why + "; no motion was under way";
+  if (state_ == State::Following) {
+    stopped_why_ = why + (restarting_ ? "; the robot was stopped" : "; no motion was under way");
+  }
   fire(Event::Cancel, now);
   endWhenNothingIsLeft(now);
 }
@@ -225,6 +229,19 @@ void LoadPathRun::use(const path::PathControls& controls, Instant now) {
     fail(*std::move(failure), now);
     endWhenNothingIsLeft(now);
   }
+}
+
+/// What is taken back gets the next feedrate, as what was not sent does.
+PathPace LoadPathRun::pace() const {
+  PathPace pace = goals_.pace();
+  pace.can_restart = state_ == State::Following && !restarting_ && pace.running;
+  const bool is_taken_back = restarting_ || goals_.pieces().isRewound();
+  if (state_ == State::Following && is_taken_back) {
+    pace.running.reset();
+    pace.next_point = pace.active_point;
+    pace.highest = pace.highest_of_all;
+  }
+  return pace;
 }
 
 void LoadPathRun::restart() {

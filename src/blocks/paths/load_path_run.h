@@ -44,7 +44,7 @@ class LoadPathRun final : public Run, public PathControlled {
   void use(const path::PathControls& controls, Instant now) override;
   [[nodiscard]] std::optional<path::TrackingFlags> wantedTracking() const override;
 
-  [[nodiscard]] PathPace pace() const override { return goals_.pace(); }
+  [[nodiscard]] PathPace pace() const override;
   void restart() override;
   [[nodiscard]] std::optional<PathWork> takeReplan() override;
   [[nodiscard]] std::optional<std::string> replanned(const Detail& found) override;

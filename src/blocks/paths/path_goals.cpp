@@ -1,6 +1,7 @@
 #include "paths/path_goals.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "paths/path_outcomes.h"
@@ -121,11 +122,16 @@ void PathGoals::takeBack(CommandKey key, Instant now) {
 }
 
 void PathGoals::rewind(const arm::JointVector& joints, Instant now) {
-  PathChain::Stand stand = std::exchange(stand_, std::nullopt).value_or(PathChain::Stand{place_.done, {}});
-  stand.joints = joints;
+  const PathStand seen = std::exchange(stand_, std::nullopt).value_or(PathStand{place_.done, {}});
+  const PathStand stand = standOn(chain_.sent().takenBack(), seen, joints);
   phase_ = Phase::Queued;
   text_.clear();
-  if (!done(stand.point, now)) chain_.rewind(stand);
+  const bool is_over = done(stand.point, now);
+  assert(!is_over);
+  static_cast<void>(is_over);
+  chain_.rewind(stand.point, stand.time, joints);
+  chain_.tellAnew();
+  tell(now);
 }
 
 void PathGoals::robotChanged(const robot::RobotWatch& robot, Instant now) {
@@ -145,7 +151,7 @@ void PathGoals::use(const path::PathControls& controls, Instant now) {
   controls_ = controls;
   replan_.ask(controls.feedrate);
   holdProgress(now);
-  for (Member& member : chain_.members()) member.told_at.reset();
+  chain_.tellAnew();
   tell(now);
 }
 

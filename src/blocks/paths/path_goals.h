@@ -99,10 +99,10 @@ class PathGoals final : public GoalChain {
   Phase phase_ = Phase::Sent;
   std::string text_;
   double rate_ = 1.0;
-  std::optional<Instant> piece_end_;       ///< by the clock
-  std::optional<PathChain::Stand> stand_;  ///< where what was taken back has left the robot
-  std::optional<double> speed_;            ///< of the project, as streamed last
-  std::optional<SixValues> joints_;        ///< that were streamed last [deg]
+  std::optional<Instant> piece_end_;  ///< by the clock
+  std::optional<PathStand> stand_;    ///< where the robot was seen on what was taken back
+  std::optional<double> speed_;       ///< of the project, as streamed last
+  std::optional<SixValues> joints_;   ///< that were streamed last [deg]
   std::optional<SixValues> pose_;
   bool stays_ = false;
   bool is_held_ = false;  ///< the robot is

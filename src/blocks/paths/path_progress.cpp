@@ -65,13 +65,10 @@ std::optional<PathProgress::Motion> PathProgress::motion(Instant now) const {
   return Motion{piece_, first_, follower_->time(now), is_held_ ? 0.0 : rate_};
 }
 
-std::optional<PathChain::Stand> PathProgress::standAt(Instant now) const {
+std::optional<PathStand> PathProgress::standAt(Instant now) const {
   if (!follower_) return std::nullopt;
-  const Duration time = follower_->time(now);
-  const auto place = follower_->placeAt(time);
-  const std::size_t point = place.point + (place.blends ? 1 : 0);
-  if (first_ + point < done_) return PathChain::Stand{done_, {}};
-  return PathChain::Stand{first_ + point, time - piece_->plan.points()[point].start};
+  const PathStand seen = blocks::standAt(*piece_, first_, follower_->time(now));
+  return seen.point < done_ ? PathStand{done_, {}} : seen;
 }
 
 ProgressSource PathProgress::source() const {

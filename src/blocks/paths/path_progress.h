@@ -6,6 +6,7 @@
 
 #include "chain/path_chain.h"
 #include "paths/path_follower.h"
+#include "paths/path_stand.h"
 
 namespace cobot_command::blocks {
 
@@ -40,9 +41,8 @@ class PathProgress {
   [[nodiscard]] double share() const { return share_; }
   /// Nothing: none is under way.
   [[nodiscard]] std::optional<Motion> motion(Instant now) const;
-  /// Where its arm stands, but for the joints; while two points blend, on the way of the second one.
-  /// Nothing: none is under way.
-  [[nodiscard]] std::optional<PathChain::Stand> standAt(Instant now) const;
+  /// Where its arm was seen last. Nothing: none is under way.
+  [[nodiscard]] std::optional<PathStand> standAt(Instant now) const;
   [[nodiscard]] ProgressSource source() const;
   [[nodiscard]] Duration remaining(Instant now) const;
   /// Of all pieces until now.

@@ -42,7 +42,7 @@ std::optional<FeedrateAnswer> objectionTo(double percent, bool restarts, const b
 void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& reply, Instant now) {
   const blocks::PathPace pace = core_.turn.pace();
   const double percent = request.percent.value_or(kPercent * core_.desk.controls().feedrate);
-  const bool restarts = request.restart && pace.running && percent != 0;
+  const bool restarts = request.restart && pace.can_restart && percent != 0;
   auto refused = objectionTo(percent, restarts, pace);
   if (!refused && restarts && !core_.robot.joints()) {
     refused = refusal(blocks::own_error::kStartUnknown,

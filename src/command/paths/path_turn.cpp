@@ -14,7 +14,10 @@ void PathTurn::serve(blocks::Run& run, Instant now) {
   paths_ = run.paths();
   if (paths_ == nullptr) return;
   desk_.serve(*paths_, now);
-  if (auto work = paths_->takeReplan()) planAnew(run.block(), *std::move(work), now);
+  if (auto work = paths_->takeReplan()) {
+    planAnew(run.block(), *std::move(work), now);
+    desk_.serve(*paths_, now);  // its answer may be there
+  }
 }
 
 void PathTurn::leave() {

@@ -205,6 +205,84 @@ TEST_F(LoadPathRestart, letsTheGoalBeCancelled) {
   }
 }
 
+TEST_F(LoadPathRestart, isRefusedLikewiseWhileItIsBeingStopped) {
+  LoadPathGoal goal = quarterTurn();
+  goal.path[0].speed = 170;
+  goal.path[0].acceleration = goal.path[0].deceleration = 1000;
+  const GoalId id = cell.submit(goal);
+  ASSERT_TRUE(stopsAt(30));
+  EXPECT_TRUE(cell.setFeedrate(50, true)->success);
+  const auto answer = cell.setFeedrate(110);
+  EXPECT_EQ(answer->error_id, own_error::kJointSpeed);
+  EXPECT_EQ(cell.setFeedrate(80)->from_point, 0);
+  expectDone(id);
+}
+
+TEST_F(LoadPathRestart, tellsWhomeverStopsItMeanwhile) {
+  const GoalId id = cell.submit(quarterTurn());
+  ASSERT_TRUE(stopsAt(30));
+  cell.setFeedrate(50, true);
+  cell.cancel(id);
+  EXPECT_THAT(cell.endOf(id).error_description, HasSubstr("cancelled; the robot was stopped"));
+}
+
+TEST_F(LoadPathRestart, doesNotCountABlendAsLostThatTakesPlaceBehindIt) {
+  LoadPathGoal first = turns(3, true);
+  const GoalId id = cell.submit(first);
+  passUntilActive(id, 1);  // its open end is sent
+  const GoalId behind = cell.submit(turns(3, false, 3));
+  cell.pass(100ms);
+  EXPECT_TRUE(cell.setFeedrate(50, true)->success);
+  expectDone(id);
+  expectDone(behind);
+  EXPECT_TRUE(reportOf(id).blends_lost.empty());
+}
+
+/// With plans that are made beside the core.
+class LoadPathPlannedBeside : public ::testing::Test {
+ protected:
+  LoadPathPlannedBeside() : cell("tm5-900", {}, {}, 250ms) { cell.connect(); }
+  [[nodiscard]] double joint1() { return radToDeg(cell.robot().joints[0]); }
+  CoreAndRobot cell;
+};
+
+TEST_F(LoadPathPlannedBeside, goesOnBehindARateThatIsAskedForAgain) {
+  const GoalId id = cell.submit(turns(8, false));
+  ASSERT_TRUE(cell.passUntil([&] { return joint1() > 4; }));
+  cell.setFeedrate(50);
+  cell.setFeedrate(100);
+  cell.pass(300ms);
+  cell.setFeedrate(50);
+  EXPECT_TRUE(cell.passUntil([&] { return cell.outcome(id) != nullptr; }, 1min));
+}
+
+TEST_F(LoadPathPlannedBeside, letsAGoalBeTakenOutWhileTheRestIsPlanned) {
+  const GoalId id = cell.submit(turns(2, true));
+  const GoalId behind = cell.submit(turns(2, false, 2));
+  ASSERT_TRUE(cell.passUntil([&] { return joint1() > 1; }));
+  cell.setFeedrate(50, true);
+  ASSERT_TRUE(
+      cell.passUntil([&] { return cell.progress(id).back().text == "is planned at another feedrate"; }));
+  cell.cancel(behind);
+  cell.pass(1ms);
+  EXPECT_EQ(cell.endOf(behind).ending, Ending::CommandAborted);
+  EXPECT_EQ(cell.endOf(id).ending, Ending::Done);
+  EXPECT_NEAR(joint1(), 6, 0.01);
+}
+
+TEST_F(LoadPathPlannedBeside, refusesWhatIsTooFastWhileTheRestIsPlanned) {
+  LoadPathGoal goal = turns(1, false, 29);
+  goal.path[0].speed = 170;
+  goal.path[0].acceleration = goal.path[0].deceleration = 1000;
+  const GoalId id = cell.submit(goal);
+  ASSERT_TRUE(cell.passUntil([&] { return joint1() > 30; }));
+  cell.setFeedrate(50, true);
+  ASSERT_TRUE(
+      cell.passUntil([&] { return cell.progress(id).back().text == "is planned at another feedrate"; }));
+  EXPECT_EQ(cell.setFeedrate(110)->error_id, own_error::kJointSpeed);
+  EXPECT_EQ(cell.endOf(id).ending, Ending::Done);
+}
+
 TEST_F(LoadPathRestart, withNothingUnderWayIsAnOtherFeedrate) {
   EXPECT_TRUE(cell.setFeedrate(50, true)->success);
   const GoalId id = cell.submit(quarterTurn());

@@ -77,6 +77,7 @@ TEST_F(LoadPathScript, hasFivePointsAtTheControllerBesideTheActiveOne) {
 TEST_F(LoadPathScript, blendsFromPointToPoint) {
   const GoalId blended = cell.submit(asScript(turns(10, true)));
   expectDone(blended);
+  EXPECT_TRUE(reportOf(blended).blends_lost.empty());
   const Duration with_blends = *cell.outcome(blended)->actual;
   expectDone(cell.submit(asScript(turns(1, false, -1))));
   const GoalId stopped = cell.submit(asScript(turns(10, false)));

@@ -355,8 +355,8 @@ class Chaos {
 /// The ends of all motions, by error id or minus the ending.
 std::map<int, int> walk(Planning planning) {
   const unsigned seed = fromEnvironment("COBOT_TEST_SEED", 20240611);
-  const unsigned events = fromEnvironment("COBOT_TEST_EVENTS", 250000);
-  constexpr unsigned kRounds = 50;
+  const unsigned events = fromEnvironment("COBOT_TEST_EVENTS", 150000);
+  constexpr unsigned kRounds = 30;
   std::map<int, int> endings;
   for (unsigned round = 0; round < kRounds; ++round) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));

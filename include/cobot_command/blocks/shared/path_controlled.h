@@ -21,6 +21,7 @@ struct PathPace {
   /// With which all that is not sent keeps the rated speeds of the joints.
   double highest = std::numeric_limits<double>::infinity();
   double highest_of_all = std::numeric_limits<double>::infinity();  ///< with what is sent
+  bool can_restart = false;  ///< what the controller has can be taken back
 };
 
 /// Work that needs nothing of its run, for any thread; what it finds.
