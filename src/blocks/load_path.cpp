@@ -154,10 +154,10 @@ Failure refused(const LoadPathGoal& goal, PathRefusal refusal, const PlanningSce
   return toFailure(refusal, std::move(points), std::make_shared<const path::PathPreview>(std::move(preview)));
 }
 
-const char* reasonOf(const LoadPathGoal& goal) {
-  return is(goal.execution, Execution::Auto)
-             ? "model and place of the arm are known, and a PVT says all of a path"
-             : "it was asked for";
+const char* reasonOf(const LoadPathGoal& goal, Execution chosen) {
+  if (!is(goal.execution, Execution::Auto)) return "it was asked for";
+  return chosen == Execution::Pvt ? "model and place of the arm are known, and a PVT says all of a path"
+                                  : "the controller has refused to enter a PVT";
 }
 
 std::vector<int> lostBlends(const LoadedPath& loaded) {
@@ -234,7 +234,7 @@ Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
   report.points = (*loaded)->report;
   report.blends_lost = lostBlends(**loaded);
   report.execution = (*loaded)->execution;
-  report.execution_reason = reasonOf(goal);
+  report.execution_reason = reasonOf(goal, (*loaded)->execution);
   report.approximations = (*loaded)->approximations;
   if (goal.check_only) report.joint_path = wholeJointPath((*loaded)->plan);
   report.preview = std::make_shared<const path::PathPreview>(previewOf(**loaded));

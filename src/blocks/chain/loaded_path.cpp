@@ -208,7 +208,9 @@ std::optional<PathRefusal> loadPieces(path::PathPlanner planner, const path::Scr
 
 Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   const auto& chain = scene.chain.as<ChainToJoin>();
-  const auto execution = path::is(goal.execution, Execution::Script) ? Execution::Script : Execution::Pvt;
+  const bool is_fallback = path::is(goal.execution, Execution::Auto) && scene.is_pvt_refused;
+  const bool is_script = is_fallback || path::is(goal.execution, Execution::Script);
+  const auto execution = is_script ? Execution::Script : Execution::Pvt;
   const bool is_otherwise = chain.execution != execution || chain.tracking != goal.enable_tracking;
   const bool from_rest = chain.end && is_otherwise;
   path::PathPlanner planner = plannerFor(goal, scene);

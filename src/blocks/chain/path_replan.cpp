@@ -41,7 +41,8 @@ std::optional<PathWork> PathReplan::take() {
     auto loaded = loadAgain(rest, feedrate);
     if (loaded) return Detail(Reloaded{key, feedrate, *std::move(loaded), ""});
     const path::PathRefusal& why = loaded.error();
-    return Detail(Reloaded{key, feedrate, {}, fmt::format("point {}: {}", why.index, why.found)});
+    const std::string point = why.index < 0 ? "" : fmt::format("point {}: ", why.index);
+    return Detail(Reloaded{key, feedrate, {}, point + why.found});
   };
 }
 

@@ -1,5 +1,6 @@
 #include "paths/load_path_run.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "paths/path_outcomes.h"
@@ -9,6 +10,15 @@
 #include "cobot_command/common/deadline.h"
 
 namespace cobot_command::blocks {
+namespace {
+
+bool refusesToEnterAPvt(const Outcome& outcome) {
+  const auto& lines = outcome.detail.as<RefusedLines>().lines;
+  return std::any_of(lines.begin(), lines.end(),
+                     [](const std::string& line) { return line.rfind("PVTEnter", 0) == 0; });
+}
+
+}  // namespace
 
 LoadPathRun::LoadPathRun(GoalId id, const PathReport& planned, Instant now)
     : Run(kBlock<LoadPathGoal>, id), goals_(reports(), id, planned), waits_from_(now) {}
@@ -119,6 +129,7 @@ void LoadPathRun::endEarly(const Outcome& outcome, Instant now) {
     if (!outcome.error_description.empty() && !is_told) stopped_why_ = outcome.error_description;
     fire(Event::Cancel, now);
   } else {
+    pvt_refused_ = pvt_refused_ || refusesToEnterAPvt(outcome);
     fail(failureOf(block(), outcome), now);
   }
   endWhenNothingIsLeft(now);

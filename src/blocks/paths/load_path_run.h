@@ -46,6 +46,7 @@ class LoadPathRun final : public Run, public PathControlled {
 
   [[nodiscard]] PathPace pace() const override;
   void restart() override;
+  [[nodiscard]] bool isPvtRefused() const override { return pvt_refused_; }
   [[nodiscard]] std::optional<PathWork> takeReplan() override;
   [[nodiscard]] std::optional<std::string> replanned(const Detail& found) override;
 
@@ -75,6 +76,7 @@ class LoadPathRun final : public Run, public PathControlled {
   Instant waits_from_;   ///< for a goal that joins, with nothing at the controller
   PathRestore restore_;  ///< goes out behind a stop
   bool restarting_ = false;
+  bool pvt_refused_ = false;
   bool interrupted_ = false;
   std::string stopped_why_;  ///< and what became of the robot
   std::optional<Failure> failure_;

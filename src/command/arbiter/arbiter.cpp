@@ -108,6 +108,7 @@ void Arbiter::linkLost(const std::string& reason, Instant now) {
   turns_.linkLost(reason, now);
   stop_.linkLost(reason);
   feedrate_.linkLost();
+  parts_.paths.linkLost();
 }
 
 void Arbiter::disconnected(const std::string& reason, Instant now) {

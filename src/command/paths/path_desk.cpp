@@ -35,6 +35,7 @@ void PathDesk::hold(bool held) {
 
 void PathDesk::serve(blocks::PathControlled& run, Instant now) {
   run.use(controls_, now);
+  pvt_refused_ = pvt_refused_ || run.isPvtRefused();
   if (const auto wanted = run.wantedTracking()) {
     switchAutomatic(*wanted);
     run.use(controls_, now);

@@ -23,6 +23,9 @@ class PathDesk {
   void setFeedrate(double feedrate);
   void stop(bool stopped);
   void hold(bool held);
+  /// The controller makes no PVT, by what it has said since the link was made.
+  [[nodiscard]] bool isPvtRefused() const { return pvt_refused_; }
+  void linkLost() { pvt_refused_ = false; }
   /// Tells a run how it is controlled now, behind every event; what it wants of automatic objects, it gets.
   void serve(blocks::PathControlled& run, Instant now);
 
@@ -32,6 +35,7 @@ class PathDesk {
 
   std::vector<Action>& actions_;
   path::PathControls controls_;
+  bool pvt_refused_ = false;
 };
 
 }  // namespace cobot_command::command

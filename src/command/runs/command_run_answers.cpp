@@ -37,6 +37,16 @@ std::string faultyLines(const std::vector<std::string>& script, std::vector<int>
                      script.size(), *ours);
 }
 
+blocks::Failure rejectedBy(const protocol::ScriptReply& reply, const std::vector<std::string>& script) {
+  blocks::RefusedLines refused;
+  for (const int line : reply.lines) {
+    const bool is_known = line >= 1 && line <= static_cast<int>(script.size());
+    if (is_known) refused.lines.push_back(script[static_cast<std::size_t>(line) - 1]);
+  }
+  return {blocks::motion_error::kRejected, faultyLines(script, reply.lines), "",
+          blocks::Detail(std::move(refused))};
+}
+
 /// The controller takes no script at all.
 bool saysNotListening(const protocol::CommunicationError& error) {
   return error.code == protocol::CommunicationErrorCode::NotListening;
@@ -72,7 +82,7 @@ void CommandRun::answered(const link::ScriptAnswered& answer, Instant now) {
     if (order_.exits_node || order_.has_exit) context_.link.exitAccepted(now);
     fire(!order_.tag ? Event::AcceptedLast : tag_seen_at_ ? Event::AcceptedBehindTag : Event::Accepted, now);
   } else if (state_ == State::Sent) {
-    fail({blocks::motion_error::kRejected, faultyLines(order_.lines, reply.lines), ""}, Robot::LeaveIt, now);
+    fail(rejectedBy(reply, order_.lines), Robot::LeaveIt, now);
   }
 }
 

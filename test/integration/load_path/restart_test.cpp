@@ -135,6 +135,8 @@ TEST_F(LoadPathRestart, canBeStoppedOnItsWay) {
   cell.setFeedrate(0);
   cell.pass(1min);
   EXPECT_EQ(cell.outcome(id), nullptr);
+  EXPECT_EQ(cell.progress(id).back().phase, Phase::Held);
+  EXPECT_THAT(cell.progress(id).back().text, HasSubstr("resume_path"));
   cell.setFeedrate(std::nullopt);
   expectDone(id);
 }

@@ -85,6 +85,24 @@ TEST_F(LoadPathScript, blendsFromPointToPoint) {
   EXPECT_LT(toSeconds(with_blends), 0.8 * toSeconds(*cell.outcome(stopped)->actual));
 }
 
+TEST_F(LoadPathScript, isWhatAutoChoosesOnceTheControllerHasRefusedToEnterAPvt) {
+  LoadPathGoal goal = asScript(turns(3, false));
+  goal.execution = static_cast<int>(Execution::Auto);
+  cell.operate(simulator::SetFault{"refuse_script", true, 1, 0, "1"});
+  const GoalId refused = cell.submit(goal);
+  EXPECT_EQ(cell.endOf(refused).error_id, motion_error::kRejected);
+  EXPECT_EQ(reportOf(refused).execution, Execution::Pvt);
+  const GoalId other = cell.submit(goal);
+  expectDone(other);
+  EXPECT_EQ(reportOf(other).execution, Execution::Script);
+  EXPECT_EQ(reportOf(other).execution_reason, "the controller has refused to enter a PVT");
+  cell.dropConnections();
+  cell.connect();
+  const GoalId last = cell.submit(goal);
+  expectDone(last);
+  EXPECT_EQ(reportOf(last).execution, Execution::Pvt) << "another controller may be there";
+}
+
 TEST_F(LoadPathScript, isJoinedByOtherGoals) {
   const GoalId first = cell.submit(asScript(turns(4, true)));
   const GoalId second = cell.submit(asScript(turns(4, true, 4)));

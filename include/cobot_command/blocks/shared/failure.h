@@ -19,6 +19,11 @@ struct Failure {
   Detail detail{};  ///< becomes that of the Outcome
 };
 
+/// Detail of a command that the controller has refused: the lines of it that it has named.
+struct RefusedLines {
+  std::vector<std::string> lines;
+};
+
 /// So many wait that one more is refused (16#216).
 [[nodiscard]] Failure tooManyWait(std::size_t waiting);
 

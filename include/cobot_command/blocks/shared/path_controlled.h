@@ -38,6 +38,8 @@ class PathControlled {
   /// What the controller has of it is being stopped, and has to be planned anew, with the rest, from where
   /// the robot comes to stand.
   virtual void restart() = 0;
+  /// The controller has refused to enter a PVT: it makes none.
+  [[nodiscard]] virtual bool isPvtRefused() const = 0;
   /// What has to be planned anew, as the feedrate is another one; asked for once. Until its answer nothing
   /// more is sent.
   [[nodiscard]] virtual std::optional<PathWork> takeReplan() = 0;

@@ -24,6 +24,7 @@ struct PlanningScene {
   Detail chain = {};       ///< of the run that the goal is to join (GoalChain::end); none: it is the first
   PathSettings path = {};  ///< how paths are loaded
   double feedrate = 1.0;   ///< of paths
+  bool is_pvt_refused = false;         ///< the controller has refused to enter one
   double angle_tolerance = 0.0017453;  ///< within this of a target a joint is there [rad]
   int number = 1;                      ///< the goal would be so many-th of its block that is accepted
 };
