@@ -47,10 +47,10 @@ struct LoadPathGoal {
 /// Makes the points of poses: `goal.path` holds a template, which says all but where, and becomes one point
 /// for each of `count` poses: absolute, Cartesian, in the robot base. With a template move_id that is not 0
 /// each has that plus its index, so that those who are told only the move_id (PathStatus) can tell them
-/// apart. `poseAt` is asked for the poses that start_index and number_of_moves load, in their order, up to
+/// apart. `pose_at` is asked for the poses that start_index and number_of_moves load, in their order, up to
 /// the first one that is wrong. What is wrong is left in `goal.poses_fault`, for check().
 void placeAtPoses(LoadPathGoal& goal, std::size_t count,
-                  const std::function<FramedPose(std::size_t index)>& poseAt);
+                  const std::function<FramedPose(std::size_t index)>& pose_at);
 
 struct LoadedPath;
 

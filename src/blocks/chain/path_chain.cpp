@@ -234,6 +234,7 @@ void PathChain::rewind(std::size_t point, Duration time, const arm::JointVector&
   const std::vector<Sent> taken_back = sent_.forgetTakenBack();
   const std::size_t first = taken_back.empty() ? sent_points_ : taken_back.front().first;
   std::vector<LoadedPiecePtr> pieces;
+  pieces.reserve(taken_back.size());
   for (const Sent& sent : taken_back) pieces.push_back(sent.piece);
   const auto behind = unsent();
   pieces.insert(pieces.end(), behind.begin(), behind.end());

@@ -138,7 +138,7 @@ std::optional<PathRefusal> place(PathPoint& point, std::size_t index, const Fram
 }  // namespace
 
 void placeAtPoses(LoadPathGoal& goal, std::size_t count,
-                  const std::function<FramedPose(std::size_t index)>& poseAt) {
+                  const std::function<FramedPose(std::size_t index)>& pose_at) {
   goal.poses_fault = faultOfAll(goal.path, count);
   if (goal.poses_fault) {
     goal.path.clear();
@@ -153,7 +153,7 @@ void placeAtPoses(LoadPathGoal& goal, std::size_t count,
   for (int i = goal.start_index; i < goal.start_index + goal.number_of_moves && !goal.poses_fault; ++i) {
     const auto index = static_cast<std::size_t>(i);
     if (model.move_id != 0) goal.path[index].move_id = model.move_id + i;
-    goal.poses_fault = place(goal.path[index], index, poseAt(index));
+    goal.poses_fault = place(goal.path[index], index, pose_at(index));
   }
 }
 
