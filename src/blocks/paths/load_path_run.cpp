@@ -13,7 +13,7 @@ namespace cobot_command::blocks {
 namespace {
 
 bool refusesToEnterAPvt(const Outcome& outcome) {
-  const auto& lines = outcome.detail.as<RefusedLines>().lines;
+  const auto& lines = outcome.refused_lines;
   return std::any_of(lines.begin(), lines.end(),
                      [](const std::string& line) { return line.rfind("PVTEnter", 0) == 0; });
 }

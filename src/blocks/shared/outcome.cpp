@@ -67,6 +67,7 @@ Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
   outcome.error_description = describe(entry, failure.found);
   outcome.remedy = failure.remedy.empty() ? entry.remedy : failure.remedy;
   outcome.detail = failure.detail;
+  outcome.refused_lines = failure.refused_lines;
   return outcome;
 }
 

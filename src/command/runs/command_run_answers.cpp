@@ -14,6 +14,10 @@ namespace {
 using Event = CommandRunEvent;
 using State = CommandRunState;
 
+bool hasLine(const std::vector<std::string>& script, int line) {
+  return line >= 1 && line <= static_cast<int>(script.size());
+}
+
 /// "line 1: PTP(...); line 3: QueueTag(...)" for the lines that the controller named; of a long list the
 /// first ones. What it names beside the script is its own fault, and told as that.
 std::string faultyLines(const std::vector<std::string>& script, std::vector<int> lines) {
@@ -21,8 +25,8 @@ std::string faultyLines(const std::vector<std::string>& script, std::vector<int>
   if (lines.empty()) return "no line was named";
   std::sort(lines.begin(), lines.end());
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-  const auto known = [&](int line) { return line >= 1 && line <= static_cast<int>(script.size()); };
-  const auto ours = std::stable_partition(lines.begin(), lines.end(), known);
+  const auto ours =
+      std::stable_partition(lines.begin(), lines.end(), [&](int line) { return hasLine(script, line); });
   const auto named = static_cast<std::size_t>(ours - lines.begin());
   std::string text;
   for (std::size_t i = 0; i < std::min(named, kMaxNamed); ++i) {
@@ -38,13 +42,11 @@ std::string faultyLines(const std::vector<std::string>& script, std::vector<int>
 }
 
 blocks::Failure rejectedBy(const protocol::ScriptReply& reply, const std::vector<std::string>& script) {
-  blocks::RefusedLines refused;
+  blocks::Failure failure{blocks::motion_error::kRejected, faultyLines(script, reply.lines), ""};
   for (const int line : reply.lines) {
-    const bool is_known = line >= 1 && line <= static_cast<int>(script.size());
-    if (is_known) refused.lines.push_back(script[static_cast<std::size_t>(line) - 1]);
+    if (hasLine(script, line)) failure.refused_lines.push_back(script[static_cast<std::size_t>(line) - 1]);
   }
-  return {blocks::motion_error::kRejected, faultyLines(script, reply.lines), "",
-          blocks::Detail(std::move(refused))};
+  return failure;
 }
 
 /// The controller takes no script at all.

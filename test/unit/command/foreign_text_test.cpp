@@ -17,8 +17,10 @@ namespace {
 using namespace blocks;
 using namespace command;
 using namespace robot;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 /// Room for the words around a text, and for more than one of them.
 constexpr std::size_t kLongest = 4096;
@@ -163,6 +165,15 @@ TEST(RefusedLines, areToldOnceEachAndOnlyThoseThatThereAre) {
   rig.reply(rig.takeScript().id, false, {1});
   expectOutcomeFits(rig, other);
   EXPECT_THAT(rig.outcome(other)->error_description, Not(HasSubstr("has not")));
+}
+
+TEST(RefusedLines, areNoDetailOfTheBlock) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId id = rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id, false, {2, 9, 1});
+  EXPECT_THAT(rig.outcome(id)->refused_lines, ElementsAre(StartsWith("QueueTag("), StartsWith("PTP(")));
+  EXPECT_TRUE(rig.outcome(id)->detail.isNone());
 }
 
 TEST(RefusedLines, ofALongScriptAreCut) {

@@ -16,12 +16,8 @@ struct Failure {
   int error_id = 0;
   std::string found;
   std::string remedy;
-  Detail detail{};  ///< becomes that of the Outcome
-};
-
-/// Detail of a command that the controller has refused: the lines of it that it has named.
-struct RefusedLines {
-  std::vector<std::string> lines;
+  Detail detail{};                           ///< becomes that of the Outcome
+  std::vector<std::string> refused_lines{};  ///< become those of the Outcome
 };
 
 /// So many wait that one more is refused (16#216).

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cobot_command/blocks/shared/detail.h"
 #include "cobot_command/common/time.h"
@@ -32,7 +33,9 @@ struct Outcome {
   /// end.
   std::optional<std::array<double, 6>> final_joints_deg;
   std::optional<std::array<double, 6>> final_pose_mm_deg;  ///< active TCP in the active base
-  Detail detail;                                           ///< of the block; none where it has none to tell
+  /// Of its script, as the controller has named them; none unless it refused the script.
+  std::vector<std::string> refused_lines;
+  Detail detail;  ///< of the block; none where it has none to tell
 };
 
 /// Where a goal stands, while it is Busy.
