@@ -98,7 +98,6 @@ void PathChain::dropFrom(std::size_t member) {
   if (rewound_) rewound_->rest.parts.resize(member - memberAt(sent_points_));
   members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(member), members_.end());
   ++next_key_;
-  if (rewound_) return;
   if (cursor_.member < member) return;
   cursor_ = {member - 1, members_.back().loaded->pieces.size()};
   open_end_sent_ = sent_points_ >= members_.back().behind();

@@ -12,6 +12,13 @@ namespace {
 using namespace blocks;
 using ::testing::HasSubstr;
 
+/// At 100 %: a tenth more is too much for joint 1.
+LoadPathGoal nearlyTooFast(LoadPathGoal goal) {
+  goal.path[0].speed = 170;
+  goal.path[0].acceleration = goal.path[0].deceleration = 1000;
+  return goal;
+}
+
 class LoadPathRestart : public LoadPathCell {
  protected:
   [[nodiscard]] static LoadPathGoal quarterTurn() {
@@ -185,10 +192,7 @@ TEST_F(LoadPathRestart, thatCannotBePlannedEndsTheGoalWhereTheRobotStands) {
 }
 
 TEST_F(LoadPathRestart, isRefusedWhereAJointWouldBeTooFastAlsoOfWhatIsSent) {
-  LoadPathGoal goal = quarterTurn();
-  goal.path[0].speed = 170;
-  goal.path[0].acceleration = goal.path[0].deceleration = 1000;
-  const GoalId id = cell.submit(goal);
+  const GoalId id = cell.submit(nearlyTooFast(quarterTurn()));
   ASSERT_TRUE(stopsAt(30));
   EXPECT_TRUE(cell.setFeedrate(110)->success) << "of what comes";
   EXPECT_EQ(cell.setFeedrate(110, true)->error_id, own_error::kJointSpeed);
@@ -208,10 +212,7 @@ TEST_F(LoadPathRestart, letsTheGoalBeCancelled) {
 }
 
 TEST_F(LoadPathRestart, isRefusedLikewiseWhileItIsBeingStopped) {
-  LoadPathGoal goal = quarterTurn();
-  goal.path[0].speed = 170;
-  goal.path[0].acceleration = goal.path[0].deceleration = 1000;
-  const GoalId id = cell.submit(goal);
+  const GoalId id = cell.submit(nearlyTooFast(quarterTurn()));
   ASSERT_TRUE(stopsAt(30));
   EXPECT_TRUE(cell.setFeedrate(50, true)->success);
   const auto answer = cell.setFeedrate(110);
@@ -273,10 +274,7 @@ TEST_F(LoadPathPlannedBeside, letsAGoalBeTakenOutWhileTheRestIsPlanned) {
 }
 
 TEST_F(LoadPathPlannedBeside, refusesWhatIsTooFastWhileTheRestIsPlanned) {
-  LoadPathGoal goal = turns(1, false, 29);
-  goal.path[0].speed = 170;
-  goal.path[0].acceleration = goal.path[0].deceleration = 1000;
-  const GoalId id = cell.submit(goal);
+  const GoalId id = cell.submit(nearlyTooFast(turns(1, false, 29)));
   ASSERT_TRUE(cell.passUntil([&] { return joint1() > 30; }));
   cell.setFeedrate(50, true);
   ASSERT_TRUE(
