@@ -1,5 +1,6 @@
 """Nodes, and a master, that a test starts, ends and kills by itself."""
 import os
+import random
 import signal
 import socket
 import subprocess
@@ -72,9 +73,14 @@ def node(kind, name, master=None, process=Process, **parameters):
 
 
 def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """Below those that the system gives out: nobody else gets it before the program it is for has begun to listen."""
+    with open("/proc/sys/net/ipv4/ip_local_port_range", encoding="utf-8") as given_out:
+        above = int(given_out.read().split()[0])
+    while True:
+        port = random.randrange(above // 2, above)
+        with socket.socket() as probe:
+            if probe.connect_ex(("127.0.0.1", port)) != 0:
+                return port
 
 
 class Master(Process):
@@ -84,7 +90,11 @@ class Master(Process):
         self.port = port or free_port()
         self.uri = f"http://localhost:{self.port}/"
         super().__init__("rosmaster", "--core", "-p", str(self.port))
-        wait_until(self._answers, "the answer of the master")
+        try:
+            wait_until(self._answers, "the answer of the master")
+        except AssertionError:
+            self.clear_away()
+            raise
 
     def _answers(self):
         try:
