@@ -67,6 +67,27 @@ void CommandCore::setFeedrate(const FeedrateRequest& request, const FeedrateRepl
   impl_->advance(now);
 }
 
+ExchangeAnswer CommandCore::updateExchange(const blocks::ExchangeSettings& settings, Instant now) {
+  ExchangeAnswer answer = impl_->exchange().update(settings, now);
+  impl_->advance(now);
+  return answer;
+}
+
+ResetAnswer CommandCore::reset(Instant now) {
+  ResetAnswer answer = impl_->messages().reset();
+  impl_->advance(now);
+  return answer;
+}
+
+void CommandCore::tellEnd(blocks::Block block, const blocks::Outcome& outcome, Instant now) {
+  impl_->messages().tellEnd(block, outcome, now);
+  impl_->advance(now);
+}
+
+std::vector<Message> CommandCore::messages(Severity least, std::uint32_t after_id) const {
+  return impl_->messages().read(least, after_id);
+}
+
 void CommandCore::opened(link::ConnectionId id, Instant now) {
   impl_->opened(id, now);
 }

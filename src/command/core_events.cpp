@@ -8,9 +8,13 @@
 #include "cobot_command/blocks/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/deadline.h"
+#include "cobot_command/common/overloaded.h"
 
 namespace cobot_command::command {
 namespace {
+
+/// SRCI's number.
+constexpr int kConnectionLost = 0x8AAD;
 
 constexpr const char* kShuttingDown = "the command layer is shutting down";
 
@@ -21,15 +25,19 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
     : settings_(settings),
       links_(settings_, actions_, std::move(ports.traced)),
       tags_(settings_.first_tag),
+      messages_(robot_, actions_),
       tables_(arm ? tables::payloadOf(*arm) : tables::Payload(), actions_),
       paths_(actions_),
       board_(actions_),
       keeper_(settings_, links_, robot_, board_),
+      exchange_({settings_, links_, robot_, keeper_, board_, messages_, hold_}),
       forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_,
                 tables_.store(), actions_),
-      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), paths_, keeper_, forecast_,
-                board_, actions_},
-               std::move(ports), planning) {}
+      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), paths_, keeper_, exchange_, hold_,
+                forecast_, board_, actions_},
+               std::move(ports), planning),
+      status_({links_, tags_, robot_, strangers_, board_, keeper_, forecast_, arbiter_}, actions_),
+      group_({robot_, keeper_, exchange_, arbiter_, messages_}, actions_) {}
 
 // --- Goals.
 
@@ -83,6 +91,7 @@ void CommandCore::Impl::shutDown(Instant now) {
   life_ = Life::Over;
   keeper_.keepNoMore();
   arbiter_.shutDown(why, now);
+  exchange_.shutDown(why, now);
   keeper_.run().abandon(why, now);
   settle(now);
 }
@@ -95,8 +104,7 @@ void CommandCore::Impl::planned(PlanJobId id, PlanAnswer answer, Instant now) {
 // --- Connections and time.
 
 void CommandCore::Impl::useSettings(const link::LinkSettings& settings, Instant now) {
-  settings_ = settings;
-  links_.script().settingsChanged(now);
+  exchange_.useSettings(settings, now);
   settle(now);
 }
 
@@ -124,15 +132,18 @@ void CommandCore::Impl::advance(Instant now) {
   links_.advance(now);
   settle(now);
   arbiter_.advance(now);
+  exchange_.advance(now);
   keeper_.run().advance(now);
   settle(now);
 }
 
 std::optional<Instant> CommandCore::Impl::nextDeadline() const {
-  return earlier(links_.nextDeadline(), earlier(keeper_.run().nextDeadline(), arbiter_.nextDeadline()));
+  const auto of_goals = earlier(exchange_.nextDeadline(), arbiter_.nextDeadline());
+  return earlier(links_.nextDeadline(), earlier(keeper_.run().nextDeadline(), of_goals));
 }
 
 std::vector<Action> CommandCore::Impl::takeActions() {
+  messages_.actionsTaken();
   return std::exchange(actions_, {});
 }
 
@@ -145,17 +156,21 @@ void CommandCore::Impl::settle(Instant now) {
     keeper_.lookForTheRobotLeft();
     arbiter_.watchOrphan(now);
     watchStrangers(now);
+    exchange_.look(now);
     arbiter_.settle(now);
     if (life_ == Life::Working) arbiter_.dispatch(now);
   } while (changeConnection(now));
   arbiter_.proceed(now);
-  publishFrames();
-  publishStatus();
+  status_.tell();
+  messages_.look(now);
+  group_.tell();
 }
 
 void CommandCore::Impl::takeEvents(Instant now) {
   while (const auto output = links_.script().next(now)) {
-    std::visit([&](const auto& event) { handle(event, now); }, *output);
+    std::visit(Overloaded{[](const protocol::ListenData&) {},  // no block asks for it
+                          [&](const auto& event) { handle(event, now); }},
+               *output);
     arbiter_.settle(now);
   }
   while (const auto status = links_.status().next(now)) handle(*status, now);
@@ -190,9 +205,12 @@ void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) 
 }
 
 void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
-  warn("link lost: " + event.reason);
+  actions_.emplace_back(
+      LogMessage{Severity::Error, "link lost: " + event.reason, kConnectionLost,
+                 "see command_status; where the robot still moves, stop it, then connect again"});
   const bool moved = arbiter_.mayMove();
   if (moved) keeper_.leftMoving();
+  exchange_.linkLost(event.reason, now);
   arbiter_.linkLost(event.reason, now);
   tags_.renewEpoch();
   arbiter_.settle(now);
@@ -227,6 +245,10 @@ void CommandCore::Impl::robotChanged(Instant now) {
   arbiter_.robotChanged(now);
   arbiter_.settle(now);  // a lost link ends its motion first
   keeper_.run().statusChanged(now);
+}
+
+void CommandCore::Impl::warn(std::string text) {
+  actions_.emplace_back(LogMessage{Severity::Warning, std::move(text)});
 }
 
 }  // namespace cobot_command::command

@@ -1,5 +1,4 @@
-// The inside of CommandCore: hands events to links and arbiter, until nothing more follows from them, and
-// tells everyone what is.
+// The inside of CommandCore: hands events to links and arbiter, until nothing more follows from them.
 #pragma once
 
 #include <optional>
@@ -9,9 +8,14 @@
 #include "arbiter/arbiter.h"
 #include "board/output_board.h"
 #include "connecting/link_keeper.h"
+#include "exchange/exchange_desk.h"
+#include "exchange/motion_hold.h"
 #include "forecast/forecast.h"
+#include "group_desk.h"
 #include "links/links.h"
+#include "messages/message_desk.h"
 #include "paths/path_desk.h"
+#include "status_desk.h"
 #include "table_desk.h"
 
 #include "cobot_command/command/command_core.h"
@@ -37,6 +41,8 @@ class CommandCore::Impl {
   [[nodiscard]] TableDesk& tables() { return tables_; }
   /// What is asked of it so takes effect with the next event.
   [[nodiscard]] Arbiter& arbiter() { return arbiter_; }
+  [[nodiscard]] MessageDesk& messages() { return messages_; }
+  [[nodiscard]] ExchangeDesk& exchange() { return exchange_; }
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);
@@ -64,29 +70,26 @@ class CommandCore::Impl {
   void handle(const link::RobotStatus& status, Instant now);
   void robotChanged(Instant now);
 
-  // --- What everyone may know (core_status.cpp).
-  [[nodiscard]] std::string diagnosis() const;
-  void describe(CommandStatus& status) const;
-  void publishStatus();
-  void publishFrames();
   void warn(std::string text);
 
-  link::LinkSettings settings_;
+  link::LinkSettings settings_;  ///< that rule: those of the node, and what is wanted otherwise for now
   std::vector<Action> actions_;
   Links links_;
   link::TagLedger tags_;
   robot::RobotWatch robot_;
   robot::StrangerWatch strangers_;
+  MessageDesk messages_;
   TableDesk tables_;
   PathDesk paths_;
   OutputBoard board_;
   LinkKeeper keeper_;
+  MotionHold hold_;
+  ExchangeDesk exchange_;
   Forecast forecast_;
   Arbiter arbiter_;
+  StatusDesk status_;
+  GroupDesk group_;
   Life life_ = Life::Working;
-  CommandStatus status_;     ///< of now
-  CommandStatus published_;  ///< that was told last
-  robot::ActiveFrames published_frames_;
 };
 
 }  // namespace cobot_command::command

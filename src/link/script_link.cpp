@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "script_outputs.h"
 #include <fmt/format.h>
 
 #include "cobot_command/common/deadline.h"
@@ -43,6 +44,12 @@ void ScriptLink::stop(Instant now) {
   outputs_.clear();
   fire(Event::Stop, now);
   diagnose(Trouble::None, "not connected");
+}
+
+void ScriptLink::giveUp(std::string reason, Instant now) {
+  if (!established()) return;
+  diagnose(Trouble::Silent, std::move(reason));
+  fire(Event::NoAnswer, now);
 }
 
 void ScriptLink::opened(Instant now) {
@@ -88,7 +95,7 @@ void ScriptLink::closed(const std::string& reason, Instant now) {
 }
 
 void ScriptLink::advance(Instant now) {
-  while (auto answer = requests_.takeExpired(now)) tell(std::move(answer));
+  while (auto answer = requests_.takeExpired(now)) tell(std::move(answer), outputs_);
   if (retry_at_ && now >= *retry_at_) fire(Event::RetryDue, now);
   if (lifesign_at_ && now >= *lifesign_at_) lifesignDue(now);
 }
@@ -239,6 +246,7 @@ void ScriptLink::drop() {
   unanswered_lifesigns_ = 0;
   foreign_bytes_ = false;
   heard_.clear();
+  heard_at_.reset();
   decoder_.reset();
   requests_.clear();
 }

@@ -1,5 +1,6 @@
 // What the controller says on the script port, and what it means for the link.
 
+#include "script_outputs.h"
 #include <fmt/format.h>
 
 #include "cobot_command/common/foreign_text.h"
@@ -52,6 +53,7 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
     return;
   }
   foreign_bytes_ = false;
+  heard_at_ = now;
   if (state_ == State::Probing) {
     heard_ = fmt::format("{} ({})", frame.header, protocol::describe(*message));
   }
@@ -75,22 +77,15 @@ void ScriptLink::take(const protocol::ControllerMessage& message, Instant now) {
                           fire(Event::NodeEntered, now);
                         },
                         [&](const protocol::ListenNodeState& state) { take(state, now); },
-                        [&](const protocol::ListenData&) {
-                          // What the project sends with ListenSend() is recorded; no block asks for it.
-                        },
+                        [&](const protocol::ListenData& data) { outputs_.emplace_back(data); },
                         [&](const protocol::CommunicationError& error) {
                           auto answer = requests_.take(error);
                           const bool left = error.code == protocol::CommunicationErrorCode::NotListening;
                           if (left) fire(Event::NodeLeft, now);
-                          tell(std::move(answer));
+                          tell(std::move(answer), outputs_);
                         },
-                        [&](const auto& answer) { tell(requests_.take(answer)); }},
+                        [&](const auto& answer) { tell(requests_.take(answer), outputs_); }},
              message);
-}
-
-void ScriptLink::tell(std::optional<ScriptAnswer> answer) {
-  if (!answer) return;
-  std::visit([&](auto& what) { outputs_.push_back(std::move(what)); }, *answer);
 }
 
 void ScriptLink::take(const protocol::ListenNodeState& message, Instant now) {
@@ -98,13 +93,12 @@ void ScriptLink::take(const protocol::ListenNodeState& message, Instant now) {
   unanswered_lifesigns_ = 0;
   lifesign_at_ = now + settings_.supervision_period;
   if (message.listening) listen_node_ = foreignText(message.message);
-  fire(eventOf(message), now);
-}
-
-ScriptLinkEvent ScriptLink::eventOf(const protocol::ListenNodeState& message) {
-  if (!message.listening) return Event::AnsweredFalse;
-  if (state_ != State::Leaving) return Event::AnsweredTrue;
-  return ++listening_since_exit_ < kStillListening ? Event::AnsweredTrue : Event::StillListening;
+  if (!message.listening) {
+    fire(Event::AnsweredFalse, now);
+  } else {
+    const bool is_back = state_ == State::Leaving && ++listening_since_exit_ >= kStillListening;
+    fire(is_back ? Event::StillListening : Event::AnsweredTrue, now);
+  }
 }
 
 }  // namespace cobot_command::link

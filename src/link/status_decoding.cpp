@@ -7,6 +7,7 @@
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/units.h"
 #include "cobot_command/protocol/controller_error.h"
 
 namespace cobot_command::link {
@@ -54,6 +55,12 @@ bool readMass(const StatusItem& item, std::optional<double>& target) {
 
 bool readBool(const StatusItem& item, std::optional<bool>& target) {
   if (const auto value = protocol::item::asBool(item)) target = value;
+  return target.has_value();
+}
+
+bool readSpeed(const StatusItem& item, std::optional<double>& target) {
+  const auto value = protocol::item::asFloat(item);
+  if (value && std::isfinite(*value)) target = mmToM(*value);
   return target.has_value();
 }
 
@@ -108,6 +115,7 @@ constexpr ItemRow kItems[] = {
     {"Base_Value", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.base); }},
     {"TCP_Value", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.tcp); }},
     {"TCP_Mass", [](const StatusItem& i, RobotStatus& s) { return readMass(i, s.tcp_mass); }},
+    {"TCP_Speed3D", [](const StatusItem& i, RobotStatus& s) { return readSpeed(i, s.tool_speed); }},
     {"Base_Name", [](const StatusItem& i, RobotStatus& s) { return readString(i, s.base_name); }},
     {"TCP_Name", [](const StatusItem& i, RobotStatus& s) { return readString(i, s.tcp_name); }},
     {"Robot_Error", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.error); }},

@@ -11,11 +11,13 @@ void RobotWatch::update(const link::RobotStatus& status) {
   error_acknowledged_ = error_acknowledged_ && same;
   status_ = status;
   standstill_.see(status);
+  trend_.see(status);
 }
 
 void RobotWatch::forget() {
   status_.reset();
   standstill_.forget();
+  trend_.forget();
 }
 
 bool RobotWatch::held() const {
@@ -24,10 +26,15 @@ bool RobotWatch::held() const {
   return seen || (paused_by_us_ && !tellsPause());
 }
 
+std::string errorText(const link::RobotStatus& status) {
+  std::string text = fmt::format("error 0x{:X}", static_cast<unsigned>(status.error_code.value_or(0)));
+  if (status.error_text && !status.error_text->empty()) text += ": " + *status.error_text;
+  return text;
+}
+
 std::string RobotWatch::errorText() const {
   if (!status_) return "";
-  std::string text = fmt::format("error 0x{:X}", static_cast<unsigned>(status_->error_code.value_or(0)));
-  if (status_->error_text && !status_->error_text->empty()) text += ": " + *status_->error_text;
+  std::string text = robot::errorText(*status_);
   if (too_much_) text += "; " + too_much_->text;
   return text;
 }

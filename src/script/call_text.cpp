@@ -29,6 +29,17 @@ void appendNumber(std::string& text, double value) {
   text.erase(text.find_last_not_of('0') + 1);
 }
 
+void appendQuoted(std::string& text, std::string_view name) {
+  assert(isName(name));
+  text += '"';
+  for (const char c : name) {
+    if (isControl(c)) continue;  // a line end in a name must never begin another command
+    if (c == '"') text += '"';
+    text += c;
+  }
+  text += '"';
+}
+
 CallText::CallText(std::string_view function) {
   text_.reserve(128);
   text_.append(function) += '(';
@@ -44,15 +55,7 @@ CallText& CallText::operator<<(const DataFormat& format) {
 }
 
 CallText& CallText::operator<<(const std::string& name) {
-  assert(isName(name));
-  std::string& text = next();
-  text += '"';
-  for (const char c : name) {
-    if (isControl(c)) continue;  // a line end in a name must never begin another command
-    if (c == '"') text += '"';
-    text += c;
-  }
-  text += '"';
+  appendQuoted(next(), name);
   return *this;
 }
 

@@ -16,6 +16,9 @@ namespace cobot_command::script {
 /// To the nearest millionth. Precondition: finite.
 void appendNumber(std::string& text, double value);
 
+/// In quotes, those within doubled. Precondition: isName().
+void appendQuoted(std::string& text, std::string_view name);
+
 class CallText {
  public:
   explicit CallText(std::string_view function);

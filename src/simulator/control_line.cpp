@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "settings_text.h"
 #include <fmt/format.h>
 
 namespace cobot_command::simulator {
@@ -101,6 +102,37 @@ Read readInput(Words& words) {
   return SetInput{*module, *index, *value == 1};
 }
 
+/// SetTcp, SetBase.
+template <class Action>
+Read readFrame(Words& words) {
+  const std::string text = words.rest();
+  auto named = parseNamedList(text);
+  Action action;
+  if (!named || named->second.size() != action.value.size()) {
+    return refuse(fmt::format("\"{}\": give NAME=x,y,z,rx,ry,rz [mm, deg]", text));
+  }
+  action.name = std::move(named->first);
+  std::copy(named->second.begin(), named->second.end(), action.value.begin());
+  return action;
+}
+
+Read readLoad(Words& words) {
+  const std::string text = words.rest();
+  auto named = parseNamedList(text);
+  const std::size_t count = named ? named->second.size() : 0;
+  if (count != 1 && count != 4 && count != 10) {
+    return refuse(
+        fmt::format("\"{}\": give NAME=kg, or NAME=kg,ixx,iyy,izz [kg mm^2], or these and "
+                    "x,y,z,rx,ry,rz [mm, deg] of the mass centre in the TCP",
+                    text));
+  }
+  const auto& numbers = named->second;
+  SetLoad load{std::move(named->first), numbers[0], {}, {}};
+  if (count > 1) std::copy_n(numbers.begin() + 1, 3, load.moment.emplace().begin());
+  if (count > 4) std::copy_n(numbers.begin() + 4, 6, load.mass_center.emplace().begin());
+  return load;
+}
+
 bool isDelay(const std::string& fault) {
   return fault.compare(0, 6, "delay_") == 0;
 }
@@ -160,6 +192,9 @@ constexpr Command kCommands[] = {
     {"error", "CODE [TEXT]", "let the robot fail", readError},
     {"clear", "", "clear the robot error", plain<ClearError>},
     {"input", "MODULE N 0|1", "set an input of ControlBox or EndModule", readInput},
+    {"set_tcp", "NAME=x,y,z,rx,ry,rz", "change a TCP of the project, as the pendant does", readFrame<SetTcp>},
+    {"set_base", "NAME=x,y,z,rx,ry,rz", "change a base of it", readFrame<SetBase>},
+    {"set_load", "NAME=kg[,ixx,iyy,izz[,x,y,z,rx,ry,rz]]", "change what a TCP weighs", readLoad},
     {"drop_connections", "", "drop all clients", plain<DropConnections>},
     {"fault", "NAME [COUNT [VALUE]]", "turn a fault on: until it is turned off, or COUNT times", readFault},
     {"fault", "NAME off", "turn it off", readFault},

@@ -89,6 +89,8 @@ constexpr Row kRows[] = {
     {"refuse_stop", &FaultSwitches::refuse_stop, nothing, "",
      "a script with StopAndClearBuffer gets ERROR with that line and is not executed"},
     {"ignore_stop", &FaultSwitches::ignore_stop, nothing, "", "StopAndClearBuffer gets OK and stops nothing"},
+    {"refuse_listen_send", &FaultSwitches::refuse_listen_send, nothing, "",
+     "a script with ListenSend gets ERROR with those lines and is not executed"},
     {"false_tag", &FaultSwitches::false_tag, nothing, "",
      "a tag is reported, and answered, false though its motions were made"},
     {"early_tag", &FaultSwitches::early_tag, nothing, "",

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "pendant.h"
 #include "queue/motion_queue.h"
 #include "robot/io_board.h"
 #include "robot/project_data.h"
@@ -62,6 +63,9 @@ class OperatorDesk {
   OperatorReply act(const RaiseError& action);
   OperatorReply act(const ClearError& action);
   OperatorReply act(const SetInput& action);
+  OperatorReply act(const SetTcp& action) { return teach(parts_.project, action); }
+  OperatorReply act(const SetBase& action) { return teach(parts_.project, action); }
+  OperatorReply act(const SetLoad& action) { return teach(parts_.project, action); }
   OperatorReply act(const SetFault& order);
   OperatorReply act(const ClearFaults& action);
   OperatorReply act(const DropConnections& action);

@@ -51,6 +51,15 @@ std::vector<std::string> parseNames(std::string_view text) {
   return names;
 }
 
+std::optional<NamedList> parseNamedList(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos) return std::nullopt;
+  const auto value = protocol::parseValue(protocol::ItemFormat::String, '{' + text.substr(sign + 1) + '}',
+                                          std::vector<double>());
+  if (!value) return std::nullopt;
+  return NamedList(text.substr(0, sign), std::get<std::vector<double>>(*value));
+}
+
 Result<NamedNumbers, std::string> parseNamedNumbers(const std::string& text) {
   const auto refused = [&](const std::string& reason) {
     return refuse(fmt::format("holds {}: {}", quoted(text), reason));

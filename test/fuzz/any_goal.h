@@ -47,6 +47,15 @@ class AnyGoal {
     return goal;
   }
 
+  blocks::ExchangeConfigurationGoal any(const blocks::ExchangeConfigurationGoal* /*kind*/) {
+    auto goal = testing::good<blocks::ExchangeConfigurationGoal>();
+    begin();
+    vary(goal.name, goal.exec_mode, goal.priority, goal.settings.log_level, goal.settings.delay_time,
+         goal.settings.wait_for_nr_of_cmd, goal.settings.life_sign_time_out, goal.settings.sync_delay,
+         goal.settings.sync_reaction);
+    return goal;
+  }
+
   blocks::MoveAbsoluteGoal any(const blocks::MoveAbsoluteGoal* /*kind*/) {
     auto goal = testing::good<blocks::MoveAbsoluteGoal>();
     begin();

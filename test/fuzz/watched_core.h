@@ -127,6 +127,10 @@ class WatchedCore {
     }
   }
   void take(const command::LogMessage& message) { requireText(message.text); }
+  void take(const command::MessageRaised& raised) {
+    requireText(raised.message.text);
+    requireText(raised.message.remedy);
+  }
   template <class Told>
   void take(const Told& /*told*/) {}
 

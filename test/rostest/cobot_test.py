@@ -20,15 +20,15 @@ from std_srvs.srv import SetBool, Trigger
 
 import cobot_command.msg
 from cobot_command.msg import ActiveFrames, CommandStatus, ConnectGoal, RobotStatus
-from cobot_command.srv import Finish, RaiseError, SetFault, SetInput, SetProjectSpeed
+from cobot_command.srv import Finish, RaiseError, SetBase, SetFault, SetInput, SetLoad, SetProjectSpeed, SetTcp
 import provoked_errors
 from cobot_goals import HOME, SLOWLY, to_joints, turn, with_changes
 from waiting import DEADLINE, wait_until
 
 CONTROLLER = "simulated_controller"
 OPERATOR_SERVICES = {  # all others are Triggers
-    "raise_error": RaiseError, "set_emergency_stop": SetBool, "set_fault": SetFault, "set_input": SetInput,
-    "set_manual_mode": SetBool, "set_project_speed": SetProjectSpeed, "set_safeguard": SetBool}
+    "raise_error": RaiseError, "set_base": SetBase, "set_emergency_stop": SetBool, "set_fault": SetFault, "set_input": SetInput,
+    "set_load": SetLoad, "set_manual_mode": SetBool, "set_project_speed": SetProjectSpeed, "set_safeguard": SetBool, "set_tcp": SetTcp}
 
 
 class Latest:

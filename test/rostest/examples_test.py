@@ -61,6 +61,16 @@ class Examples(MotionTestCase):
             self.assertEqual(len(re.findall(rf"^ +[12] +\d  {name}  .*  Done$", output, re.M)), 2, output)
         self.assertIn("2 cycle(s), all steps Done", output)
 
+    def test_exchange_configuration_goes_through_the_steps_of_its_page(self):
+        output = self.run_client("exchange_configuration.py", "--seconds", "0.5")
+        self.assertIn("Enabled: 65 commands can be held; tools up to 15, frames up to 15, loads up to 15", output)
+        self.assertIn("Disabled", output)
+        self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.DISCONNECTED, "the closed link")
+
+    def test_exchange_configuration_tells_why_it_is_not_enabled(self):
+        output = self.run_client("exchange_configuration.py", "--life-sign-time-out", "9", exit_status=1)
+        self.assertRegex(output, "error 36116: life_sign_time_out is 9 ms")
+
     def test_load_path_shows_every_point(self):
         output = self.run_client("load_path.py", *ANY_TIME)
         for index, way in enumerate(("PTP", "CP_LINEAR", "CP_LINEAR", "CP_WRIST", "CP_WRIST", "CP_LINEAR", "PTP")):

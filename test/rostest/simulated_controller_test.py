@@ -5,7 +5,7 @@ import socket
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import CommandStatus, RobotStatus
+from cobot_command.msg import CommandStatus, MomentOfInertia, RobotStatus, Transformation
 from cobot_goals import BUFFERED, ELSEWHERE, HOME, SLOWLY, to_joints
 from cobot_test import CobotTestCase
 
@@ -80,6 +80,15 @@ class Operator(CobotTestCase):
         self.assertIn("off", self.robot.operate("set_input", "ControlBox", 15, False))
         self.assertIn("0 to 3", self.robot.try_to("set_input", "EndModule", 4, True).message)
         self.assertIn("ControlBox and EndModule", self.robot.try_to("set_input", "Elsewhere", 0, True).message)
+
+    def test_changes_tools_and_bases_as_the_pendant_does(self):
+        self.assertIn("at 0, 0, 160, 0, 0, 0", self.robot.operate("set_tcp", "gripper", Transformation(z=160)))
+        self.assertIn("at 0, 0, 0, 0, 0, 90", self.robot.operate("set_base", "table", Transformation(rz=90)))
+        load = self.robot.operate("set_load", "gripper", 2.5, MomentOfInertia(1, 2, 3), Transformation(z=-80))
+        self.assertIn("2.5 kg, inertia 1, 2, 3 kg mm^2, centre at 0, 0, -80, 0, 0, 0", load)
+        self.assertIn("it has", self.robot.try_to("set_tcp", "nothing", Transformation()).message)
+        self.assertIn("is fixed", self.robot.try_to("set_base", "RobotBase", Transformation()).message)
+        self.assertIn("0 to 1000", self.robot.try_to("set_load", "gripper", -1, MomentOfInertia(), Transformation()).message)
 
     # --- Errors and faults.
     def test_lets_the_robot_fail_and_recover(self):

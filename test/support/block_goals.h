@@ -28,6 +28,13 @@ inline blocks::MoveAbsoluteGoal good() {
   return goal;
 }
 template <>
+inline blocks::ExchangeConfigurationGoal good() {
+  blocks::ExchangeConfigurationGoal goal;
+  goal.settings.log_level = 5;
+  goal.settings.life_sign_time_out = 300;
+  return goal;
+}
+template <>
 inline blocks::MoveRelativeGoal good() {
   blocks::MoveRelativeGoal goal;
   goal.target = {0, 0, 10, 45, 0, 0};

@@ -102,6 +102,9 @@ class CoreRig {
   std::vector<link::RobotStatus> robot_statuses;
   std::vector<robot::ActiveFrames> active_frames;  ///< every change
   std::vector<std::string> warnings;               ///< of the log
+  std::vector<command::Message> messages;          ///< all that were raised
+  command::GroupState group_state;                 ///< as told last
+  std::vector<command::Message> pending_messages;  ///< as told last
   std::map<std::string, arm::Pose> frames;         ///< where tf would say that they are now
   std::vector<command::CommandsFell> fell;
   std::vector<tables::DataTables> told_tables;  ///< every change
@@ -133,6 +136,9 @@ class CoreRig {
   void take(const command::RunTold& /*action*/) {}
   void take(const command::FrameTraced& action);
   void take(const command::LogMessage& action);
+  void take(const command::MessageRaised& action) { messages.push_back(action.message); }
+  void take(const command::PendingChanged& action) { pending_messages = action.pending; }
+  void take(const command::GroupStateChanged& action) { group_state = action.state; }
   void answerLifesigns();
 
   blocks::GoalId last_goal_ = 0;

@@ -12,6 +12,7 @@
 #include "cobot_command/blocks/change_tcp.h"
 #include "cobot_command/blocks/check_sequence.h"
 #include "cobot_command/blocks/connect.h"
+#include "cobot_command/blocks/exchange_configuration.h"
 #include "cobot_command/blocks/exit_listen_node.h"
 #include "cobot_command/blocks/follow_joint_trajectory.h"
 #include "cobot_command/blocks/load_path.h"
@@ -46,7 +47,8 @@ using Goal = std::variant<
     SetOutputGoal,
     WaitForInputGoal,
     LoadPathGoal,
-    FollowJointTrajectoryGoal
+    FollowJointTrajectoryGoal,
+    ExchangeConfigurationGoal
     >;
 // clang-format on
 

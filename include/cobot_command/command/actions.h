@@ -10,6 +10,8 @@
 #include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/command/command_status.h"
+#include "cobot_command/command/group_state.h"
+#include "cobot_command/command/message.h"
 #include "cobot_command/command/planning_job.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
@@ -70,6 +72,9 @@ struct PlanAsked {
 struct StatusChanged {
   CommandStatus status;
 };
+struct GroupStateChanged {
+  GroupState state;
+};
 struct RobotStatusReceived {
   link::RobotStatus status;
 };
@@ -110,15 +115,25 @@ struct FrameTraced {
   std::string bytes;
   std::string meaning;
 };
-enum class Severity { Info, Warning, Error };
+/// For the log; it is a message, too.
 struct LogMessage {
-  Severity severity;
+  Severity severity;  ///< Off: not wanted in the log
   std::string text;
+  int code = 0;  ///< see Message
+  std::string remedy = {};
+};
+struct MessageRaised {
+  Message message;
+};
+/// Other messages are pending than before.
+struct PendingChanged {
+  std::vector<Message> pending;
 };
 
-using Action = std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed,
-                            GoalEnded, CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived,
-                            ActiveFramesChanged, TablesChanged, PathControlsChanged, PathPlanned,
-                            GoalPreviewed, RunTold, FrameTraced, LogMessage>;
+using Action =
+    std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed, GoalEnded,
+                 CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived, ActiveFramesChanged,
+                 TablesChanged, PathControlsChanged, PathPlanned, GoalPreviewed, RunTold, FrameTraced,
+                 LogMessage, MessageRaised, PendingChanged, GroupStateChanged>;
 
 }  // namespace cobot_command::command

@@ -17,6 +17,7 @@
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/core_ports.h"
+#include "cobot_command/command/exchange_answer.h"
 #include "cobot_command/command/finish.h"
 #include "cobot_command/command/path_requests.h"
 #include "cobot_command/command/planning_job.h"
@@ -80,6 +81,18 @@ class CommandCore {
   /// How fast the time of paths runs, or whether they stand. It outlives goals. What is not sent goes at the
   /// new one, what is at the controller keeps its own. `reply`: called once, at once or later.
   void setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now);
+
+  /// Other settings for the exchange_configuration goal that is enabled, as the goal itself cannot change.
+  [[nodiscard]] ExchangeAnswer updateExchange(const blocks::ExchangeSettings& settings, Instant now);
+
+  // --- Messages.
+  /// Acknowledges all errors and warnings that are pending. Not those of the controller as long as it shows
+  /// an error: that cannot be cleared from here.
+  ResetAnswer reset(Instant now);
+  /// A goal ended that never came to the core.
+  void tellEnd(blocks::Block block, const blocks::Outcome& outcome, Instant now);
+  /// Of the last hundred, those of that severity and above behind that id, in their order.
+  [[nodiscard]] std::vector<Message> messages(Severity least, std::uint32_t after_id) const;
 
   // --- Connections.
   void opened(link::ConnectionId id, Instant now);

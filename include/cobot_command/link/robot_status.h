@@ -22,6 +22,7 @@ struct RobotStatus {
   std::optional<arm::Pose> base;                     ///< the active base in the robot base [m]
   std::optional<arm::Pose> tcp;                      ///< the active TCP in the flange [m]
   std::optional<double> tcp_mass;                    ///< of the tool [kg]
+  std::optional<double> tool_speed;                  ///< of the active TCP [m/s]
   std::optional<std::string> base_name;
   std::optional<std::string> tcp_name;
   std::optional<bool> linked;  ///< the stream's server reaches the controller

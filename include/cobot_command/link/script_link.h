@@ -47,8 +47,10 @@ struct LinkChanged {};
 struct LinkLost {
   std::string reason;
 };
-/// What answers tell: script_requests.h.
-using ScriptLinkOutput = std::variant<LinkChanged, LinkLost, ScriptAnswered, TagReported, TagQueryFailed>;
+/// What answers tell: script_requests.h. ListenData: what a script sent with ListenSend(), whoever's it was;
+/// it comes behind the answers to all scripts that the controller ran before, and in front of its own.
+using ScriptLinkOutput =
+    std::variant<LinkChanged, LinkLost, ScriptAnswered, TagReported, TagQueryFailed, protocol::ListenData>;
 
 class ScriptLink {
  public:
@@ -58,6 +60,8 @@ class ScriptLink {
   /// The settings that it refers to are others: the next lifesign comes as the new period says.
   void settingsChanged(Instant now);
   void stop(Instant now);
+  /// An established link is lost, as somebody else has found; it is tried again.
+  void giveUp(std::string reason, Instant now);
 
   // --- Events of the connection for which owns() is true.
   [[nodiscard]] bool owns(ConnectionId id) const { return connection_ == id; }
@@ -88,6 +92,8 @@ class ScriptLink {
   [[nodiscard]] Trouble trouble() const { return trouble_; }
   [[nodiscard]] const std::string& diagnosis() const { return diagnosis_; }
   [[nodiscard]] const std::string& listenNode() const { return listen_node_; }
+  /// When the last frame of the controller came on this connection; nothing: none has.
+  [[nodiscard]] std::optional<Instant> heardAt() const { return heard_at_; }
   [[nodiscard]] std::uint64_t lateReplies() const { return requests_.late(); }
   [[nodiscard]] std::uint64_t decodeFaults() const { return decode_faults_; }
 
@@ -103,8 +109,6 @@ class ScriptLink {
   void read(const protocol::DecodeEvent& event, Instant now);
   void take(const protocol::ControllerMessage& message, Instant now);
   void take(const protocol::ListenNodeState& message, Instant now);
-  [[nodiscard]] ScriptLinkEvent eventOf(const protocol::ListenNodeState& message);
-  void tell(std::optional<ScriptAnswer> answer);
   void fault(std::string_view bytes, const std::string& meaning, Instant now);
 
   const LinkSettings& settings_;
@@ -118,7 +122,8 @@ class ScriptLink {
   int unanswered_lifesigns_ = 0;
   int listening_since_exit_ = 0;  ///< answers "in the Listen node", one after the other
   std::string heard_;             ///< what was understood last, in place of the answer that makes it Ready
-  bool foreign_bytes_ = false;    ///< what arrived last on this connection was not understood
+  std::optional<Instant> heard_at_;
+  bool foreign_bytes_ = false;  ///< what arrived last on this connection was not understood
   BackOff back_off_;
   protocol::FrameDecoder decoder_;
   ScriptRequests requests_;

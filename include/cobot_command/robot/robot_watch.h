@@ -8,9 +8,13 @@
 
 #include "cobot_command/link/robot_status.h"
 #include "cobot_command/robot/burden.h"
+#include "cobot_command/robot/speed_trend.h"
 #include "cobot_command/robot/standstill.h"
 
 namespace cobot_command::robot {
+
+/// "error 0x14058: ..." as far as it is known.
+[[nodiscard]] std::string errorText(const link::RobotStatus& status);
 
 class RobotWatch {
  public:
@@ -22,6 +26,8 @@ class RobotWatch {
 
   /// Nothing when it cannot be told, or not yet.
   [[nodiscard]] std::optional<bool> moving() const { return standstill_.moving(); }
+  /// Nothing when it is not streamed, or not yet.
+  [[nodiscard]] std::optional<Trend> trend() const { return trend_.trend(); }
   /// There is a stream of which it can be told, if need be after some frames.
   [[nodiscard]] bool tellsMotion() const { return status_ && (status_->joint_velocities || status_->joints); }
   /// Or not any more: it is held, though a stream without that says nothing of it.
@@ -41,7 +47,7 @@ class RobotWatch {
   /// Somebody answers for the error that is shown: it counts no more, until it is gone or is another one.
   void acknowledgeError() { error_acknowledged_ = showsError(); }
   void takeBackAcknowledgement() { error_acknowledged_ = false; }
-  /// "error 0x14058: ..." as far as it is known, and what it carries if that is too much.
+  /// The same, and what it carries if that is too much.
   [[nodiscard]] std::string errorText() const;
   /// Nothing: what the arm carries is not too much for it, as far as is known.
   void carries(std::optional<TooMuch> too_much) { too_much_ = std::move(too_much); }
@@ -60,6 +66,7 @@ class RobotWatch {
 
   std::optional<link::RobotStatus> status_;
   Standstill standstill_;
+  SpeedTrend trend_;
   bool error_acknowledged_ = false;
   bool paused_by_us_ = false;
   std::optional<TooMuch> too_much_;

@@ -40,6 +40,7 @@ struct MessageFaults {
 struct FaultSwitches {
   FaultSwitch refuse_script, ignore_script, cperr_script, wrong_id;
   FaultSwitch refuse_stop, ignore_stop;
+  FaultSwitch refuse_listen_send;
   FaultSwitch false_tag, early_tag, stale_tag, query_none, query_false;
   FaultSwitch silence, close_on_connect, refuse_connections, impostor;
   FaultSwitch hide_items;

@@ -2,9 +2,12 @@
 // wires of the control box; and the faults of the world, which no operator has at hand.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <variant>
 
+#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/script/script_command.h"
 #include "cobot_command/simulator/fault_switches.h"
 #include "cobot_command/simulator/robot_state.h"
@@ -53,6 +56,28 @@ struct SetInput {
   bool on = true;
 };
 
+/// What the pendant changes in the project. It outlives the run of the project, unlike what a script assigns,
+/// and counts from the next ChangeTCP() or ChangeBase(). Numbers as the pendant has them; the controller
+/// keeps them as 32-bit floats. Refused: a name that the project does not have, or whose values are fixed
+/// (NOTOOL, HandCamera, RobotBase); coordinates beyond arm::kMaxCoordinate.
+struct SetTcp {
+  std::string name;
+  arm::ControllerPose value{};  ///< in the flange
+};
+struct SetBase {
+  std::string name;
+  arm::ControllerPose value{};  ///< in the robot base
+};
+/// What a TCP weighs.
+struct SetLoad {
+  std::string name;                                ///< of the TCP
+  double mass = 0;                                 ///< [kg], 0 to kMostMass
+  std::optional<std::array<double, 3>> moment;     ///< [kg mm^2], 0 to kMostMoment; nothing: as it was
+  std::optional<arm::ControllerPose> mass_center;  ///< its frame in that of the TCP; nothing: as it was
+};
+inline constexpr double kMostMass = 1000;
+inline constexpr double kMostMoment = 1e9;
+
 /// SetFault: see fault_switches.h.
 struct ClearFaults {};
 /// Drops every client; the ports stay as they are.
@@ -61,6 +86,6 @@ struct DropConnections {};
 using OperatorAction =
     std::variant<RunProject, StopProject, PauseProject, ResumeProject, LeaveListenNode, EnterListenNode,
                  SetEmergencyStop, SetSafeguard, SetOperatingMode, SetProjectSpeed, RaiseError, ClearError,
-                 SetInput, SetFault, ClearFaults, DropConnections>;
+                 SetInput, SetTcp, SetBase, SetLoad, SetFault, ClearFaults, DropConnections>;
 
 }  // namespace cobot_command::simulator

@@ -31,7 +31,7 @@ std::optional<Outcome> planOf(const Kind& goal, const PlanningScene& scene) {
 template <class... Kinds>
 constexpr bool allCanBeCarriedOut(const std::variant<Kinds...>* /*list*/) {
   return ((kIsCommand<Kinds> || kHasRun<Kinds> || kIsPlanned<Kinds> || std::is_same_v<Kinds, ConnectGoal> ||
-           std::is_same_v<Kinds, StopGoal>)&&...);
+           std::is_same_v<Kinds, StopGoal> || std::is_same_v<Kinds, ExchangeConfigurationGoal>)&&...);
 }
 static_assert(allCanBeCarriedOut(static_cast<const Goal*>(nullptr)),
               "each block has one of orderOf(), runOf() and plan(), in these very forms");

@@ -36,6 +36,10 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
 // --- Ends that are asked for.
 
 void Arbiter::cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest) {
+  if (parts_.exchange.serves(id)) {
+    parts_.exchange.cancel(now);
+    return;
+  }
   const blocks::Run* const run = turns_.run();
   ConnectRun& connect = parts_.keeper.run();
   const bool has_the_turn = run == nullptr && queue_.plansTheNext() && queue_.front().id == id;
@@ -130,13 +134,15 @@ void Arbiter::robotChanged(Instant now) {
 }
 
 void Arbiter::advance(Instant now) {
+  parts_.hold.advance(now);
   turns_.advance(now);
   stop_.advance(now);
   desk_.endOverdue(now);
 }
 
 std::optional<Instant> Arbiter::nextDeadline() const {
-  return earlier(turns_.nextDeadline(), earlier(stop_.nextDeadline(), desk_.nextDeadline()));
+  const auto held = earlier(parts_.hold.nextDeadline(), desk_.nextDeadline());
+  return earlier(turns_.nextDeadline(), earlier(stop_.nextDeadline(), held));
 }
 
 // --- What follows.

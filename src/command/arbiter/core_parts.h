@@ -5,6 +5,8 @@
 
 #include "board/output_board.h"
 #include "connecting/link_keeper.h"
+#include "exchange/exchange_desk.h"
+#include "exchange/motion_hold.h"
 #include "forecast/forecast.h"
 #include "paths/path_desk.h"
 
@@ -25,6 +27,8 @@ struct CoreParts {
   tables::TableStore& tables;
   PathDesk& paths;
   LinkKeeper& keeper;
+  ExchangeDesk& exchange;
+  MotionHold& hold;
   Forecast& forecast;
   OutputBoard& board;
   std::vector<Action>& actions;

@@ -30,6 +30,9 @@ void FrontDesk::take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
     case blocks::Way::Link:
       connect(id, goal, now);
       return;
+    case blocks::Way::Configure:
+      parts_.exchange.execute(id, std::get<blocks::ExchangeConfigurationGoal>(goal), now);
+      return;
     case blocks::Way::Stop:
       stopOnRequest(id, goal, now);
       return;
@@ -115,6 +118,9 @@ void FrontDesk::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::Buf
     if (desks_.stops.mayMoveOtherwise() && !desks_.stops.busy()) desks_.stops.ask(now);
   }
   const bool is_behind_others = turns_.occupancy().busyWith().has_value();
+  const bool begins_a_hold =
+      !is_behind_others && !takes_over && motionsOf(goal) > 0 && turns_.occupancy().robotStands();
+  if (begins_a_hold) parts_.hold.begin(id, now);
   Waiting waiting;
   waiting.id = id;
   waiting.goal = goal;

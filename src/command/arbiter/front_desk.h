@@ -1,5 +1,5 @@
 // What becomes of a goal that comes: checked, then refused or taken, each by the way that its block says. Of
-// the blocks it knows only those that make and end everything else: connect and stop.
+// the blocks it knows only those that make, rule and end everything else.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,10 @@
 #include "arbiter/goal_queue.h"
 
 #include <iterator>
+#include <numeric>
 #include <utility>
 
+#include "exchange/motion_hold.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/goal_rules.h"
@@ -12,6 +14,11 @@ namespace cobot_command::command {
 
 std::deque<Waiting>::iterator GoalQueue::at(blocks::GoalId id) {
   return std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& w) { return w.id == id; });
+}
+
+int GoalQueue::motions() const {
+  return std::accumulate(waiting_.begin(), waiting_.end(), 0,
+                         [](int sum, const Waiting& waiting) { return sum + motionsOf(waiting.goal); });
 }
 
 Waiting* GoalQueue::find(blocks::GoalId id) {

@@ -58,6 +58,8 @@ class GoalQueue {
 
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
   [[nodiscard]] std::size_t size() const { return waiting_.size(); }
+  /// As motionsOf() counts them.
+  [[nodiscard]] int motions() const;
   /// Precondition of all three: not empty.
   [[nodiscard]] Waiting& front() { return waiting_.front(); }
   [[nodiscard]] const Waiting& front() const { return waiting_.front(); }

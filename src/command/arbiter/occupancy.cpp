@@ -98,7 +98,12 @@ std::optional<blocks::Failure> Occupancy::objectionTo(const blocks::Command& com
   return command.find_moved_frame ? command.find_moved_frame(frames_) : std::nullopt;
 }
 
+bool Occupancy::robotStands() const {
+  return !stops_.busy() && !parts_.forecast.loose().mayMove() && parts_.robot.moving() != true;
+}
+
 std::string Occupancy::textOfPlace(int place) const {
+  if (parts_.hold.isHolding()) return "waits for the next motion";
   if (place > 1) return "waits for its turn, others are in front of it";
   if (run_) return "waits for its turn, one is in front of it";
   if (queue_.plansTheNext()) return "is planned as a whole, before its first move";

@@ -46,6 +46,9 @@ class Occupancy {
   /// Of what goes out now, behind what is at the controller.
   [[nodiscard]] Origin originNow(Instant now) const;
 
+  /// As far as that is known: nothing of ours moves it, and nothing else that can be seen.
+  [[nodiscard]] bool robotStands() const;
+
   /// For who waits there.
   [[nodiscard]] std::string textOfPlace(int place) const;
 

@@ -41,7 +41,8 @@ void Turns::dispatch(Instant now) {
 }
 
 bool Turns::beginNext(Instant now) {
-  return desks_.window.empty() && !desks_.queue.empty() && admitNext(now);
+  if (!desks_.window.empty() || desks_.queue.empty()) return false;
+  return !parts_.hold.holdsBack(desks_.queue.front().id, desks_.queue.motions()) && admitNext(now);
 }
 
 bool Turns::joinNext(Instant now) {

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "command/action_servers.h"
+#include "exchange/exchange_services.h"
+#include "messages/message_services.h"
 #include "paths/path_publisher.h"
 #include "paths/path_services.h"
 #include "tables/table_services.h"
@@ -33,6 +35,9 @@ Instant steadyNow() {
 
 void log(const command::LogMessage& message) {
   switch (message.severity) {
+    case command::Severity::Off:
+      break;
+    case command::Severity::Debug:
     case command::Severity::Info:
       ROS_INFO_STREAM_NAMED("link", message.text);
       break;
@@ -40,6 +45,7 @@ void log(const command::LogMessage& message) {
       ROS_WARN_STREAM_NAMED("link", message.text);
       break;
     case command::Severity::Error:
+    case command::Severity::Fatal:
       ROS_ERROR_STREAM_NAMED("link", message.text);
       break;
   }
@@ -82,6 +88,9 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   servers_ = serveActions({node, joint_names, goal_sink});
   tables_ = tableServices(node, parameters.tables);
   path_services_ = pathServices(node);
+  messages_ = messageServices(node);
+  exchange_ = std::make_unique<ExchangeServices>(
+      node, [this](const blocks::ExchangeSettings& settings) { return runtime_->updateExchange(settings); });
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
@@ -107,6 +116,15 @@ std::unique_ptr<PathServices> CommandNode::pathServices(const ros::NodeHandle& n
     return runtime_->switchTracking(request);
   };
   return std::make_unique<PathServices>(node, std::move(core));
+}
+
+std::unique_ptr<MessageServices> CommandNode::messageServices(const ros::NodeHandle& node) {
+  MessageServices::Core core;
+  core.reset = [this] { return runtime_->reset(); };
+  core.read = [this](command::Severity least, std::uint32_t after_id) {
+    return runtime_->messages(least, after_id);
+  };
+  return std::make_unique<MessageServices>(node, std::move(core));
 }
 
 CommandNode::~CommandNode() {
@@ -163,6 +181,7 @@ std::unique_ptr<TableServices> CommandNode::tableServices(const ros::NodeHandle&
 /// It has not come to its block, whose outputs show nothing of it.
 void CommandNode::end(blocks::Block block, blocks::GoalId id, const blocks::Outcome& outcome) {
   of(block).ended(id, outcome, {ros::Time::now(), steadyNow()});
+  runtime_->tellEnd(block, outcome);
 }
 
 void CommandNode::endFallen() {
@@ -250,6 +269,9 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                  [&](const command::RunTold& a) { paths_->take(a); },
                  [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
                  [&](const command::LogMessage& a) { log(a); },
+                 [&](const command::GroupStateChanged& a) { publisher_.publish(a.state); },
+                 [&](const command::MessageRaised& a) { messages_->take(a, clocks); },
+                 [&](const command::PendingChanged& a) { messages_->take(a, clocks); },
                  [](const auto&) {},  // connections and bytes are the runtime's own business
              },
              action);

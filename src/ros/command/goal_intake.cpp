@@ -15,7 +15,8 @@ namespace {
 /// a frame.
 bool neverWaits(const blocks::Goal& goal) {
   const blocks::Way way = blocks::GoalRules(goal).traits().way;
-  return way == blocks::Way::Stop || way == blocks::Way::Beside || way == blocks::Way::Link;
+  return way == blocks::Way::Stop || way == blocks::Way::Beside || way == blocks::Way::Link ||
+         way == blocks::Way::Configure;
 }
 
 }  // namespace

@@ -93,4 +93,21 @@ cobot_command::ActiveFrames toMessage(const robot::ActiveFrames& frames, const s
   return message;
 }
 
+cobot_command::GroupState toMessage(const command::GroupState& state, const ros::Time& stamp) {
+  cobot_command::GroupState message;
+  message.header.stamp = stamp;
+  message.ri_state = static_cast<std::uint8_t>(state.ri_state);
+  message.enabled = state.enabled;
+  message.sequence = static_cast<std::uint8_t>(state.sequence);
+  message.in_primary_position = state.in_primary_position;
+  message.queue_usage = state.queue_usage;
+  message.pending_errors = static_cast<std::uint32_t>(state.pending_errors);
+  message.pending_warnings = static_cast<std::uint32_t>(state.pending_warnings);
+  message.motion_state_known = state.trend.has_value();
+  message.accelerating = state.trend == robot::Trend::Accelerating;
+  message.decelerating = state.trend == robot::Trend::Decelerating;
+  message.constant_velocity = state.trend == robot::Trend::ConstantVelocity;
+  return message;
+}
+
 }  // namespace cobot_command::ros_adapter

@@ -43,7 +43,13 @@ StatusPublisher::StatusPublisher(ros::NodeHandle node, JointNames joint_names, s
   frames_ = HeardTopic::advertise<cobot_command::FrameTrace>(node, "frames", kQueueSize);
   status_frames_ = HeardTopic::advertise<cobot_command::FrameTrace>(node, "status_frames", kQueueSize);
   tf_ = HeardTopic::advertise<tf2_msgs::TFMessage>(node, "/tf", kQueueSize);
+  group_state_ = node.advertise<cobot_command::GroupState>("group_state", kQueueSize, true);
+  publish(command::GroupState());
   publish(active_frames_);  // so that it can be read before anything is known
+}
+
+void StatusPublisher::publish(const command::GroupState& state) {
+  group_state_.publish(toMessage(state, ros::Time::now()));
 }
 
 void StatusPublisher::publish(const link::RobotStatus& status) {

@@ -1,5 +1,6 @@
 #include "cobot_command/ros/simulation/simulated_controller_node.h"
 
+#include <array>
 #include <cstdint>
 #include <future>
 #include <memory>
@@ -14,9 +15,12 @@
 #include <std_srvs/Trigger.h>
 
 #include "cobot_command/RaiseError.h"
+#include "cobot_command/SetBase.h"
 #include "cobot_command/SetFault.h"
 #include "cobot_command/SetInput.h"
+#include "cobot_command/SetLoad.h"
 #include "cobot_command/SetProjectSpeed.h"
+#include "cobot_command/SetTcp.h"
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
@@ -59,6 +63,12 @@ Result<simulator::OperatorAction, std::string> inputOf(const SetInput::Request& 
                   "\": the modules are ControlBox and EndModule");
   }
   return simulator::SetInput{*module, request.input, request.value != 0};
+}
+
+simulator::SetLoad loadOf(const SetLoad::Request& request) {
+  const MomentOfInertia& moment = request.moment_of_inertia;
+  return {request.name, request.mass, std::array<double, 3>{moment.ixx, moment.iyy, moment.izz},
+          toSix(request.mass_center)};
 }
 
 void logTraffic(const simulator::LogLine& line) {
@@ -172,6 +182,13 @@ void SimulatedControllerNode::offerServices() {
     return simulator::RaiseError{request.code, request.text};
   });
   offer<SetInput>("set_input", [](const auto& request) { return inputOf(request); });
+  offer<SetTcp>("set_tcp", [](const auto& request) {
+    return simulator::SetTcp{request.name, toSix(request.value)};
+  });
+  offer<SetBase>("set_base", [](const auto& request) {
+    return simulator::SetBase{request.name, toSix(request.value)};
+  });
+  offer<SetLoad>("set_load", [](const auto& request) { return loadOf(request); });
   offer<SetFault>("set_fault", [](const auto& request) {
     return simulator::SetFault{request.fault, request.active != 0, request.count, request.value,
                                request.text};

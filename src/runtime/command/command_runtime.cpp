@@ -256,6 +256,28 @@ std::optional<std::future<std::optional<std::string>>> CommandRuntime::switchTra
       [request](auto& core, const auto& reply, Instant now) { reply(core.switchTracking(request, now)); });
 }
 
+std::optional<std::future<command::ExchangeAnswer>> CommandRuntime::updateExchange(
+    blocks::ExchangeSettings settings) {
+  return ask<command::ExchangeAnswer>(
+      [settings](auto& core, const auto& reply, Instant now) { reply(core.updateExchange(settings, now)); });
+}
+
+std::optional<std::future<command::ResetAnswer>> CommandRuntime::reset() {
+  return ask<command::ResetAnswer>(
+      [](auto& core, const auto& reply, Instant now) { reply(core.reset(now)); });
+}
+
+std::optional<std::future<std::vector<command::Message>>> CommandRuntime::messages(command::Severity least,
+                                                                                   std::uint32_t after_id) {
+  return ask<std::vector<command::Message>>(
+      [=](auto& core, const auto& reply, Instant /*now*/) { reply(core.messages(least, after_id)); });
+}
+
+void CommandRuntime::tellEnd(blocks::Block block, blocks::Outcome outcome) {
+  impl_->post(
+      [block, outcome = std::move(outcome)](auto& core, Instant now) { core.tellEnd(block, outcome, now); });
+}
+
 void CommandRuntime::keepConnected(blocks::ConnectGoal target) {
   impl_->post([target = std::move(target)](auto& core, Instant now) { core.keepConnected(target, now); });
 }

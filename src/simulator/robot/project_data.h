@@ -66,4 +66,12 @@ struct ProjectData {
   std::map<std::string, tm_script::Value> declared;  ///< what the variables are at the start
 };
 
+/// "a, b", for messages.
+template <class Map>
+[[nodiscard]] std::string namesOf(const Map& map) {
+  std::string names;
+  for (const auto& entry : map) names += (names.empty() ? "" : ", ") + entry.first;
+  return names.empty() ? "none" : names;
+}
+
 }  // namespace cobot_command::simulator

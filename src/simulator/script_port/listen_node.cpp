@@ -19,6 +19,13 @@ const tm_script::Call* callIn(const tm_script::Statement& statement) {
   return expression == nullptr ? nullptr : std::get_if<tm_script::Call>(&expression->node);
 }
 
+/// The call whose result a variable begins with.
+const tm_script::Call* initialCallIn(const tm_script::Statement& statement) {
+  const auto* declaration = std::get_if<tm_script::Declaration>(&statement.content);
+  if (declaration == nullptr || !declaration->initial) return nullptr;
+  return std::get_if<tm_script::Call>(&declaration->initial->node);
+}
+
 /// The argument of the first such call that has a literal one: it does not wait for its turn (TMflow 1.82;
 /// TM 1.4).
 std::optional<int> priorityMode(const tm_script::Script& script, std::string_view function) {
@@ -34,11 +41,13 @@ std::optional<int> priorityMode(const tm_script::Script& script, std::string_vie
 
 constexpr const char* kStop = "StopAndClearBuffer";
 
-std::vector<int> stopsIn(const tm_script::Script& script) {
+/// Those that call it, or begin a variable with what it returns.
+std::vector<int> linesWith(std::string_view function, const tm_script::Script& script) {
   std::vector<int> lines;
   for (const tm_script::Statement& statement : script) {
-    const tm_script::Call* call = callIn(statement);
-    if (call != nullptr && call->function == kStop) lines.push_back(statement.line);
+    for (const tm_script::Call* call : {callIn(statement), initialCallIn(statement)}) {
+      if (call != nullptr && call->function == function) lines.push_back(statement.line);
+    }
   }
   return lines;
 }
@@ -241,8 +250,12 @@ void ListenNode::answer(ClientId client, const protocol::ScriptRequest& request,
 
 /// A fault refuses what is right: the script becomes one with faulty lines.
 void ListenNode::spoil(PendingScript& script) {
-  const std::vector<int> stops = stopsIn(script.script.statements);
-  if (!stops.empty() && faults_.refuse_stop.take()) script.spoiled = stops;
+  const auto refuse = [&](std::string_view function, FaultSwitch& fault) {
+    const std::vector<int> lines = linesWith(function, script.script.statements);
+    if (!lines.empty() && fault.take()) script.spoiled = lines;
+  };
+  refuse(kStop, faults_.refuse_stop);
+  refuse("ListenSend", faults_.refuse_listen_send);
   const std::string chosen = faults_.refuse_script.text;
   if (!faults_.refuse_script.take()) return;
   script.spoiled.clear();

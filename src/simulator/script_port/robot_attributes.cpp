@@ -96,13 +96,6 @@ std::array<T, N> fromArray(const Value& value) {
   return all;
 }
 
-template <class Map>
-std::string namesOf(const Map& map) {
-  std::string names;
-  for (const auto& entry : map) names += (names.empty() ? "" : ", ") + entry.first;
-  return names.empty() ? "none" : names;
-}
-
 /// Is a thing of this name fixed? The error names the things that there are.
 template <class Map>
 Result<bool, std::string> isFixed(const Map& map, const std::string& object, const Scalar& key) {

@@ -16,6 +16,7 @@ using ::testing::HasSubstr;
 /// All of them; where two bring about the same row, the first counts.
 Scenarios allScenarios() {
   Scenarios all = connectScenarios();
+  all.merge(exchangeScenarios());
   all.merge(parameterScenarios());
   all.merge(planningScenarios());
   all.merge(sequenceScenarios());

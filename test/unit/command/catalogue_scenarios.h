@@ -17,6 +17,8 @@ using Scenario = std::function<blocks::Outcome()>;
 using Scenarios = std::map<Row, Scenario>;
 
 [[nodiscard]] Scenarios connectScenarios();
+/// The settings of the interface, and how they cease to rule.
+[[nodiscard]] Scenarios exchangeScenarios();
 /// Goals of all command blocks with one bad parameter.
 [[nodiscard]] Scenarios parameterScenarios();
 /// Moves, and scripts of them, that the arm cannot make, or of which that is not known.

@@ -27,10 +27,10 @@ Row rowOf(const Goal& goal, int general) {
 }
 
 Goal inMode(BufferMode mode, Goal goal) {
-  std::visit(
-      Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {}, [](CheckSequenceGoal&) {},
-                 [mode](auto& command) { command.buffer_mode = static_cast<int>(mode); }},
-      goal);
+  std::visit(Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {},
+                        [](CheckSequenceGoal&) {}, [](ExchangeConfigurationGoal&) {},
+                        [mode](auto& command) { command.buffer_mode = static_cast<int>(mode); }},
+             goal);
   return goal;
 }
 

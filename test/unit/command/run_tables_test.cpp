@@ -1,6 +1,7 @@
 // The tables of the two kinds of goals.
 
 #include "connecting/connect_run_states.h"
+#include "exchange/exchange_states.h"
 #include "paths/load_path_states.h"
 #include "runs/command_run_states.h"
 #include "runs/pick_and_place_states.h"
@@ -23,6 +24,10 @@ using testing::expectSoundTable;
 TEST(CommandRunTable, isSound) {
   expectSoundTable<CommandRunTable>(CommandRunState::Ended, CommandRunEvent::Stopped, CommandRunState::Sent,
                                     {CommandRunState::Ended});
+}
+
+TEST(ExchangeTable, isSound) {
+  expectSoundTable<ExchangeTable>(ExchangeState::Disabling, ExchangeEvent::ShutDown, ExchangeState::Disabled);
 }
 
 TEST(InputWaitTable, isSound) {

@@ -27,10 +27,10 @@ bool halts(const Goal& goal) {
 }
 
 Goal buffered(Goal goal) {
-  std::visit(
-      Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {}, [](CheckSequenceGoal&) {},
-                 [](auto& command) { command.buffer_mode = static_cast<int>(BufferMode::Buffered); }},
-      goal);
+  std::visit(Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {},
+                        [](CheckSequenceGoal&) {}, [](ExchangeConfigurationGoal&) {},
+                        [](auto& command) { command.buffer_mode = static_cast<int>(BufferMode::Buffered); }},
+             goal);
   return goal;
 }
 

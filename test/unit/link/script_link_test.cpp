@@ -371,12 +371,35 @@ TEST_F(ScriptLinkTest, sendsScriptsInEveryStateWithAConnection) {
   }
 }
 
-TEST_F(ScriptLinkTest, recordsWhatAScriptSendsAndChangesNothing) {
+TEST_F(ScriptLinkTest, passesOnWhatAScriptSendsAndChangesNothing) {
   bringTo(State::Ready);
-  say(protocol::ListenData{90, std::string("$,*\r\n\0", 6)});
-  EXPECT_TRUE(outputs.empty());
+  const std::string payload("$,*\r\n\0", 6);
+  say(protocol::ListenData{90, payload});
+  ASSERT_EQ(outputs.size(), 1u);
+  EXPECT_EQ(all<protocol::ListenData>().at(0).channel, 90);
+  EXPECT_EQ(all<protocol::ListenData>().at(0).payload, payload);
+  EXPECT_EQ(link.state(), State::Ready);
   EXPECT_EQ(link.decodeFaults(), 0u);
   EXPECT_THAT(wire.traced.back(), HasSubstr("$TMSTA,"));
+}
+
+// Which script it is of, only the order tells.
+TEST_F(ScriptLinkTest, passesOnWhatScriptsSendInTheOrderOfTheWire) {
+  bringTo(State::Ready);
+  const std::string first = link.sendScript("ListenSend(90,1)", now);
+  const std::string second = link.sendScript("ListenSend(91,2)", now);
+  receive(protocol::encode(protocol::ControllerMessage(protocol::ListenData{90, "1"})) +
+          protocol::encode(protocol::ControllerMessage(protocol::ScriptReply{first, true, {}})) +
+          protocol::encode(protocol::ControllerMessage(protocol::ListenData{91, "2"})) +
+          protocol::encode(protocol::ControllerMessage(protocol::ScriptReply{second, true, {}})));
+  std::string order;
+  for (const auto& output : outputs) {
+    if (const auto* data = std::get_if<protocol::ListenData>(&output)) order += data->payload + ' ';
+    if (const auto* answer = std::get_if<ScriptAnswered>(&output)) {
+      order += (answer->id == first ? "first " : "second ");
+    }
+  }
+  EXPECT_EQ(order, "1 first 2 second ");
 }
 
 }  // namespace

@@ -75,6 +75,7 @@ class PeerStage {
   void take(const command::StatusChanged& changed);
   void take(const command::FrameTraced& traced) { expectBounded(traced.meaning); }
   void take(const command::LogMessage& message) { expectBounded(message.text); }
+  void take(const command::MessageRaised& raised) { expectBounded(raised.message.text); }
   template <class Told>
   void take(const Told& /*told*/) {}
   /// Whatever a peer says, people are told in a line.

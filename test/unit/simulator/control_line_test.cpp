@@ -99,9 +99,10 @@ TEST_F(ControlLineTest, turnsFaultsOnAndOff) {
 
 TEST_F(ControlLineTest, helps) {
   const std::string help = say("help").text;
-  for (const char* command :
-       {"run", "stop", "pause", "resume", "leave", "enter", "estop", "safeguard", "manual", "auto", "speed",
-        "error", "clear", "input", "drop_connections", "fault", "no_faults", "faults"}) {
+  for (const char* command : {"run",   "stop",      "pause",   "resume",   "leave",    "enter",
+                              "estop", "safeguard", "manual",  "auto",     "speed",    "error",
+                              "clear", "input",     "set_tcp", "set_base", "set_load", "drop_connections",
+                              "fault", "no_faults", "faults"}) {
     EXPECT_THAT(help, HasSubstr(command));
   }
   const std::string faults = say("faults").text;

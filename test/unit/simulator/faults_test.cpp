@@ -127,6 +127,23 @@ TEST_F(FaultsTest, refuseToStop) {
   EXPECT_EQ(run("5", "StopAndClearBuffer(1)"), ok("5"));
 }
 
+TEST_F(FaultsTest, refuseToSendWhatScriptsKnow) {
+  fault("refuse_listen_send");
+  EXPECT_EQ(run("1", "Pause()\r\nListenSend(90,1)\r\nint sent = ListenSend(91,TCP[\"NOTOOL\"].Mass)"),
+            error("1", "2;3"));
+  EXPECT_FALSE(robot.state().project_paused) << "nothing of it is executed";
+  EXPECT_EQ(run("2", "Resume()"), ok("2")) << "which sends nothing";
+  off("refuse_listen_send");
+  EXPECT_EQ(run("3", "ListenSend(90,\"x\")"), protocol::encodeFrame("TMSTA", "90,x") + ok("3"));
+}
+
+TEST_F(FaultsTest, countRefusedSendsByScripts) {
+  fault("refuse_listen_send", 1);
+  EXPECT_EQ(run("1", "Pause()"), ok("1"));
+  EXPECT_EQ(run("2", "ListenSend(90,1)"), error("2", "1"));
+  EXPECT_EQ(run("3", "ListenSend(90,\"x\")"), protocol::encodeFrame("TMSTA", "90,x") + ok("3"));
+}
+
 TEST_F(FaultsTest, doNotStopThoughTheySaySo) {
   for (const char* stop : {"StopAndClearBuffer()", "StopAndClearBuffer(2)"}) {
     fault("ignore_stop", 1);

@@ -10,11 +10,12 @@ namespace cobot_command::blocks {
 
 /// How a goal is carried out.
 enum class Way {
-  Link,    ///< makes and keeps the connection
-  Stop,    ///< stops the robot, at once
-  Beside,  ///< goes out beside whatever is under way, whatever state the robot is in
-  Plan,    ///< is answered by planning; nothing is sent
-  Queue    ///< comes when it is its turn
+  Link,       ///< makes and keeps the connection
+  Configure,  ///< rules how the layer behaves, for as long as it lives; nothing is sent for it
+  Stop,       ///< stops the robot, at once
+  Beside,     ///< goes out beside whatever is under way, whatever state the robot is in
+  Plan,       ///< is answered by planning; nothing is sent
+  Queue       ///< comes when it is its turn
 };
 
 struct GoalTraits {

@@ -27,6 +27,8 @@
 
 namespace cobot_command::ros_adapter {
 
+class ExchangeServices;
+class MessageServices;
 class PathPublisher;
 class PathServices;
 class TableServices;
@@ -55,6 +57,7 @@ class CommandNode {
   [[nodiscard]] std::unique_ptr<TableServices> tableServices(const ros::NodeHandle& node,
                                                              const TableParameters& parameters);
   [[nodiscard]] std::unique_ptr<PathServices> pathServices(const ros::NodeHandle& node);
+  [[nodiscard]] std::unique_ptr<MessageServices> messageServices(const ros::NodeHandle& node);
   [[nodiscard]] GoalListener& of(blocks::Block block) const {
     return *servers_[static_cast<std::size_t>(block)];
   }
@@ -80,6 +83,8 @@ class CommandNode {
   std::unique_ptr<runtime::CommandRuntime> runtime_;
   std::unique_ptr<TableServices> tables_;
   std::unique_ptr<PathServices> path_services_;
+  std::unique_ptr<MessageServices> messages_;
+  std::unique_ptr<ExchangeServices> exchange_;
   ros::SteadyTimer retry_;
   ros::ServiceServer finish_;
   bool stopped_ = false;

@@ -28,6 +28,7 @@ class StatusPublisher {
   /// Latched; when the status stream has ended, robot_status becomes "unknown" as well.
   void publish(const command::CommandStatus& status, const ClockPair& clocks);
   /// Latched, and at once in tf, as far as they are known.
+  void publish(const command::GroupState& state);
   void publish(const robot::ActiveFrames& frames);
   /// The frames of each port on a topic of its own: the stream would drown the commands.
   void publish(const command::FrameTraced& trace, const ClockPair& clocks);
@@ -46,6 +47,7 @@ class StatusPublisher {
   HeardTopic tool_pose_;
   HeardTopic robot_status_;
   ros::Publisher command_status_;
+  ros::Publisher group_state_;
   ros::Publisher active_frames_topic_;
   HeardTopic frames_;
   HeardTopic status_frames_;

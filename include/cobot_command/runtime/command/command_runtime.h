@@ -58,7 +58,13 @@ class CommandRuntime {
   /// taken it.
   std::optional<std::future<command::FeedrateAnswer>> setFeedrate(command::FeedrateRequest request);
   std::optional<std::future<std::optional<std::string>>> switchTracking(command::TrackingSwitch request);
+  /// See CommandCore; the answers as with finish().
+  std::optional<std::future<command::ExchangeAnswer>> updateExchange(blocks::ExchangeSettings settings);
+  std::optional<std::future<command::ResetAnswer>> reset();
+  std::optional<std::future<std::vector<command::Message>>> messages(command::Severity least,
+                                                                     std::uint32_t after_id);
   /// See CommandCore.
+  void tellEnd(blocks::Block block, blocks::Outcome outcome);
   void keepConnected(blocks::ConnectGoal target);
 
   /// Begins the end, and returns at once: no goal is taken any more, a robot that moves is told to stop. The

@@ -1,4 +1,8 @@
 // The attributes of objects in scripts: IO, Robot, Point, Base, TCP.
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+
 #include "simulated_robot.h"
 #include <gtest/gtest.h>
 
@@ -111,6 +115,40 @@ TEST_F(ScriptAttributesTest, changeAPointButNotAsItWasTaught) {
   EXPECT_EQ(run("Point[\"P1\"].Value={1,2,3,4,5,6}\r\nPoint[\"P1\"].Pose={1,3,5}"), ok("1"));
   expectValue("Point[\"P1\"].Value", "{1,2,3,4,5,6}");
   expectValue("Point[\"P1\"].TeachPose", "{0,2,4}");
+}
+
+/// As ListenSend() sends them: four bytes each, the lowest first.
+std::string bytes(std::initializer_list<float> numbers) {
+  std::string all;
+  for (const float number : numbers) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, &number, sizeof(word));
+    for (int shift = 0; shift < 32; shift += 8) all += static_cast<char>(word >> shift & 0xFFU);
+  }
+  return all;
+}
+
+TEST_F(ScriptAttributesTest, areSentAsFloatsOfLittleEndianOneLineBehindTheOther) {
+  const auto sent = [](int channel, const std::string& payload) {
+    return protocol::encodeFrame("TMSTA", std::to_string(channel) + ',' + payload);
+  };
+  EXPECT_EQ(run("TCP[\"gripper\"].Mass=2.5\r\nTCP[\"gripper\"].MOI={1,2,3}\r\n"
+                "// what it is now\r\n"
+                "ListenSend(90,TCP[\"gripper\"].Value)\r\n\r\n"
+                "ListenSend(91,TCP[\"gripper\"].Mass)\r\n"
+                "ListenSend(92,TCP[\"gripper\"].MOI)\r\n"
+                "TCP[\"gripper\"].MCF[2]=-80\r\n"
+                "ListenSend(93,TCP[\"gripper\"].MCF)\r\n"
+                "ListenSend(90,Base[\"table\"].Value)\r\nListenSend(94,\"end\")"),
+            sent(90, bytes({0, 0, 150, 0, 0, 0})) + sent(91, bytes({2.5F})) + sent(92, bytes({1, 2, 3})) +
+                sent(93, bytes({0, 0, -80, 0, 0, 0})) + sent(90, bytes({1, 2, 3, 0, 0, 0})) +
+                sent(94, "end") + ok("1"));
+}
+
+TEST_F(ScriptAttributesTest, areNotSentAtAllWhenOneOfThemIsUnknown) {
+  EXPECT_EQ(run("ListenSend(90,TCP[\"gripper\"].Value)\r\nListenSend(90,TCP[\"gone\"].Value)\r\n"
+                "ListenSend(90,Base[\"gone\"].Value)"),
+            error("1", "2;3"));
 }
 
 // The vendor's ROS drivers write outputs so (set_io).

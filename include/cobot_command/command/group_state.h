@@ -1,0 +1,31 @@
+// How the robot and the interface to it are, in few words: the state of the group of SRCI.
+#pragma once
+
+#include <optional>
+
+#include "cobot_command/blocks/exchange_configuration.h"
+#include "cobot_command/robot/speed_trend.h"
+
+namespace cobot_command::command {
+
+struct GroupState {
+  /// Of what was commanded.
+  enum class Sequence {
+    Idle = 0,
+    Executing = 1,   ///< something is under way, or waits
+    Interrupted = 2  ///< the same, and the robot is held: paused, or by a safeguard
+  };
+
+  blocks::RiState ri_state = blocks::RiState::NotInitialized;
+  bool enabled = false;  ///< commands can be sent: no emergency stop, and no error of the controller
+  Sequence sequence = Sequence::Idle;
+  bool in_primary_position = true;  ///< where it was interrupted, or not interrupted
+  double queue_usage = 0;           ///< of the commands that can be held [%]
+  int pending_errors = 0;
+  int pending_warnings = 0;
+  std::optional<robot::Trend> trend;  ///< nothing: not known
+
+  friend bool operator==(const GroupState& a, const GroupState& b);
+};
+
+}  // namespace cobot_command::command

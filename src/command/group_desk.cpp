@@ -1,0 +1,60 @@
+#include "group_desk.h"
+
+#include <tuple>
+
+#include "cobot_command/command/waiting_goals.h"
+
+namespace cobot_command::command {
+namespace {
+
+using Sequence = GroupState::Sequence;
+
+/// A joint that differs by more is elsewhere.
+constexpr double kElsewhere = degToRad(0.1);
+constexpr double kMostHeld = static_cast<double>(kMostWaiting) + 1;
+
+auto asTuple(const GroupState& s) {
+  return std::tie(s.ri_state, s.enabled, s.sequence, s.in_primary_position, s.queue_usage, s.pending_errors,
+                  s.pending_warnings, s.trend);
+}
+
+}  // namespace
+
+bool operator==(const GroupState& a, const GroupState& b) {
+  return asTuple(a) == asTuple(b);
+}
+
+void GroupDesk::tell() {
+  GroupState state;
+  state.ri_state = parts_.exchange.riState();
+  state.enabled = parts_.keeper.run().ready() && !parts_.robot.emergencyStop() && !parts_.robot.showsError();
+  state.sequence = sequence();
+  state.in_primary_position = isInPrimaryPosition(state.sequence);
+  const std::size_t held = parts_.arbiter.queue().size() + (parts_.arbiter.turns().run() != nullptr ? 1 : 0);
+  state.queue_usage = 100 * static_cast<double>(held) / kMostHeld;
+  state.pending_errors = static_cast<int>(parts_.messages.pendingErrors());
+  state.pending_warnings = static_cast<int>(parts_.messages.pendingWarnings());
+  state.trend = parts_.robot.trend();
+  if (state == told_) return;
+  told_ = state;
+  actions_.emplace_back(GroupStateChanged{state});
+}
+
+Sequence GroupDesk::sequence() const {
+  const bool is_there =
+      parts_.arbiter.turns().run() != nullptr || !parts_.arbiter.queue().empty() || parts_.arbiter.mayMove();
+  if (!is_there) return Sequence::Idle;
+  return parts_.robot.held() ? Sequence::Interrupted : Sequence::Executing;
+}
+
+bool GroupDesk::isInPrimaryPosition(Sequence sequence) {
+  const auto joints = parts_.robot.joints();
+  if (sequence != Sequence::Interrupted) {
+    interrupted_at_.reset();
+  } else if (!interrupted_at_ && joints && parts_.robot.moving() == false) {
+    interrupted_at_ = joints;
+  }
+  return !interrupted_at_ || !joints || (*joints - *interrupted_at_).cwiseAbs().maxCoeff() <= kElsewhere;
+}
+
+}  // namespace cobot_command::command

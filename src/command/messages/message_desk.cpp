@@ -1,0 +1,145 @@
+#include "messages/message_desk.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/command/waiting_goals.h"
+
+namespace cobot_command::command {
+namespace {
+
+constexpr const char* kRobot = "robot";
+constexpr const char* kQueue = "queue";
+constexpr int kQueueNearlyFull = 0x7A01;
+
+/// 80 % of those that can wait, and of the one under way.
+constexpr int kManyCommands = (static_cast<int>(kMostWaiting) + 1) * 4 / 5;
+
+Message emergencyStop() {
+  return {0,
+          {},
+          Severity::Warning,
+          MessageType::Arm,
+          blocks::own_error::kEmergencyStop,
+          kRobot,
+          "emergency stop",
+          "release it, and start the project again where that is needed"};
+}
+
+Message queueNearlyFull() {
+  return {0,
+          {},
+          Severity::Warning,
+          MessageType::Interface,
+          kQueueNearlyFull,
+          kQueue,
+          "80 % of the commands wait that can wait",
+          "send no more until some are done: further ones are refused when it is full (16#216)"};
+}
+
+}  // namespace
+
+void MessageDesk::look(Instant now) {
+  now_ = now;
+  for (; looked_at_ < actions_.size(); ++looked_at_) {
+    std::visit([this](const auto& action) { take(action); }, actions_[looked_at_]);
+    quieten(actions_[looked_at_]);
+  }
+  for (Message& message : std::exchange(raised_, {})) {
+    actions_.emplace_back(MessageRaised{std::move(message)});
+  }
+  tellPending();
+  looked_at_ = actions_.size();
+}
+
+void MessageDesk::quieten(Action& action) const {
+  auto* const log = std::get_if<LogMessage>(&action);
+  if (log != nullptr && !board_.keeps(log->severity)) log->severity = Severity::Off;
+}
+
+void MessageDesk::take(const GoalEnded& end) {
+  tellEnd(end.block, end.outcome, now_);
+}
+
+void MessageDesk::tellEnd(blocks::Block block, const blocks::Outcome& outcome, Instant now) {
+  now_ = now;
+  if (outcome.error_id == 0) return;
+  raise({0,
+         {},
+         Severity::Error,
+         MessageType::Command,
+         outcome.error_id,
+         toString(block),
+         outcome.error_description,
+         outcome.remedy});
+}
+
+void MessageDesk::take(const LogMessage& message) {
+  raise({0,
+         {},
+         message.severity,
+         MessageType::Interface,
+         message.code,
+         "connection",
+         message.text,
+         message.remedy});
+}
+
+void MessageDesk::take(const StatusChanged& changed) {
+  show(changed.status.queue_depth >= kManyCommands, queueNearlyFull());
+}
+
+void MessageDesk::take(const RobotStatusReceived& received) {
+  // What was received, not what is known: an emergency stop closes the link, and what is known goes with it.
+  const link::RobotStatus& status = received.status;
+  show(status.emergency_stop.value_or(false), emergencyStop());
+  if (!status.error.value_or(false)) return;
+  raise({0,
+         {},
+         Severity::Error,
+         MessageType::Controller,
+         status.error_code.value_or(0),
+         kRobot,
+         robot::errorText(status),
+         "clear it at the robot stick or in TMflow, then reset"});
+}
+
+void MessageDesk::raise(Message message, bool lasts) {
+  message.time = now_;
+  if (auto raised = board_.raise(std::move(message), lasts)) raised_.push_back(*std::move(raised));
+}
+
+void MessageDesk::show(bool is_so, const Message& warning) {
+  if (is_so) {
+    raise(warning, true);
+  } else {
+    board_.end(warning.origin, warning.code);
+  }
+}
+
+void MessageDesk::tellPending() {
+  auto pending = board_.pending();
+  if (pending == told_pending_) return;
+  told_pending_ = pending;
+  actions_.emplace_back(PendingChanged{std::move(pending)});
+}
+
+ResetAnswer MessageDesk::reset() {
+  const bool in_error = robot_.showsError();
+  ResetAnswer answer;
+  answer.acknowledged =
+      static_cast<int>(in_error ? board_.acknowledge({MessageType::Controller}) : board_.acknowledge());
+  answer.success = !in_error;
+  answer.pending = board_.pending();
+  answer.message = in_error ? fmt::format(
+                                  "the controller shows {}: clear it at the robot stick or in TMflow, then "
+                                  "reset again",
+                                  robot_.errorText())
+                            : fmt::format("{} acknowledged", answer.acknowledged);
+  tellPending();
+  return answer;
+}
+
+}  // namespace cobot_command::command

@@ -1,0 +1,153 @@
+// What of goals, link and robot becomes a message, once, and until when it is pending.
+#include "core_rig.h"
+#include "status_frames.h"
+#include <gmock/gmock.h>
+
+#include "cobot_command/blocks/shared/error_ids.h"
+
+namespace cobot_command::testing {
+namespace {
+
+using namespace blocks;
+using namespace command;
+using ::testing::HasSubstr;
+
+MoveAbsoluteGoal tooFast() {
+  MoveAbsoluteGoal goal = CoreRig::move();
+  goal.speed = 101;
+  return goal;
+}
+
+class Messages : public ::testing::Test {
+ protected:
+  Messages() : rig(std::nullopt, link::LinkSettings()) {
+    rig.connect();
+    show(StatusFrames());
+  }
+  [[nodiscard]] std::vector<int> pendingCodes() const {
+    std::vector<int> codes;
+    for (const Message& message : rig.pending_messages) codes.push_back(message.code);
+    return codes;
+  }
+  void show(const StatusFrames& frame) { rig.status(frame); }
+
+  CoreRig rig;
+};
+
+TEST_F(Messages, areNoneAsLongAsAllIsWell) {
+  EXPECT_TRUE(rig.messages.empty());
+  EXPECT_TRUE(rig.pending_messages.empty());
+}
+
+TEST_F(Messages, tellTheErrorOfAGoal) {
+  const GoalId id = rig.submit(tooFast());
+  ASSERT_EQ(rig.messages.size(), 1U);
+  const Message& message = rig.messages.front();
+  const Outcome& outcome = *rig.outcome(id);
+  EXPECT_EQ(message.severity, Severity::Error);
+  EXPECT_EQ(message.type, MessageType::Command);
+  EXPECT_EQ(message.code, outcome.error_id);
+  EXPECT_EQ(message.origin, "move_absolute");
+  EXPECT_EQ(message.text, outcome.error_description);
+  EXPECT_EQ(message.remedy, outcome.remedy);
+  EXPECT_TRUE(message.pending);
+}
+
+TEST_F(Messages, tellTheEndOfAGoalThatNeverCameToTheCore) {
+  Outcome outcome;
+  outcome.error_id = own_error::kFrameUnknown;
+  outcome.error_description = "no frame";
+  rig.core.tellEnd(kBlock<MoveCircleGoal>, outcome, rig.now);
+  rig.pump();
+  EXPECT_EQ(pendingCodes(), std::vector<int>({own_error::kFrameUnknown}));
+  EXPECT_EQ(rig.messages[0].origin, "move_circle");
+  EXPECT_EQ(rig.messages[0].time, rig.now);
+}
+
+/// SRCI oracle 22, first half.
+TEST_F(Messages, ofAFailedGoalAreAcknowledgedByAReset) {
+  rig.submit(tooFast());
+  ASSERT_EQ(rig.pending_messages.size(), 1U);
+  const ResetAnswer answer = rig.core.reset(rig.now);
+  rig.pass(0ms);
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.acknowledged, 1);
+  EXPECT_TRUE(rig.pending_messages.empty());
+}
+
+/// SRCI oracle 22, second half.
+TEST_F(Messages, ofTheControllerStayAsLongAsItShowsItsError) {
+  show(StatusFrames().error(0x13, "PTP"));
+  show(StatusFrames().error(0x13, "PTP"));
+  ASSERT_EQ(pendingCodes(), std::vector<int>({0x13}));
+  EXPECT_EQ(rig.pending_messages[0].type, MessageType::Controller);
+  const ResetAnswer refused = rig.core.reset(rig.now);
+  rig.pass(0ms);
+  EXPECT_FALSE(refused.success);
+  EXPECT_THAT(refused.message, HasSubstr("0x13"));
+  EXPECT_THAT(refused.message, HasSubstr("robot stick"));
+  EXPECT_EQ(pendingCodes(), std::vector<int>({0x13}));
+  show(StatusFrames());
+  EXPECT_EQ(pendingCodes(), std::vector<int>({0x13})) << "until somebody has seen it";
+  EXPECT_TRUE(rig.core.reset(rig.now).success);
+  rig.pass(0ms);
+  EXPECT_TRUE(rig.pending_messages.empty());
+}
+
+TEST_F(Messages, tellALostLinkOnce) {
+  rig.close("the cable", link::Channel::Script);
+  rig.pass(0ms);
+  ASSERT_FALSE(rig.messages.empty());
+  EXPECT_EQ(rig.messages[0].type, MessageType::Interface);
+  EXPECT_EQ(rig.messages[0].code, 0x8AAD);
+  EXPECT_THAT(rig.messages[0].text, HasSubstr("the cable"));
+  rig.pass(1s);  // for the end of the connect goal, which is a message of its own
+  const auto count = rig.messages.size();
+  EXPECT_EQ(rig.messages.back().origin, "connect");
+  for (int i = 0; i < 20; ++i) {
+    rig.pass(5s);
+    if (rig.pendingOpen(link::Channel::Script)) rig.failOpen(link::OpenFailure::Kind::Refused);
+  }
+  EXPECT_EQ(rig.messages.size(), count) << "a missing robot does not flood: " << rig.messages.back().text;
+}
+
+TEST_F(Messages, warnOfAnEmergencyStopUntilItIsReleased) {
+  show(StatusFrames().emergencyStop());
+  show(StatusFrames().emergencyStop());
+  EXPECT_EQ(pendingCodes(), std::vector<int>({own_error::kEmergencyStop}));
+  EXPECT_EQ(rig.messages.size(), 1U);
+  EXPECT_EQ(rig.messages[0].severity, Severity::Warning);
+  show(StatusFrames());
+  EXPECT_TRUE(rig.pending_messages.empty());
+}
+
+TEST_F(Messages, warnOfAnEmergencyStopThatHasClosedTheLink) {
+  rig.close("the peer", link::Channel::Script);
+  show(StatusFrames().emergencyStop());
+  EXPECT_THAT(pendingCodes(), ::testing::Contains(own_error::kEmergencyStop));
+}
+
+/// SRCI oracle 18.
+TEST_F(Messages, warnOfAQueueThatIsNearlyFull) {
+  MoveAbsoluteGoal move = CoreRig::move();
+  move.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  for (int i = 0; i < 51; ++i) rig.submit(move);
+  rig.discardSent();
+  EXPECT_TRUE(rig.pending_messages.empty());
+  const GoalId last = rig.submit(move);
+  EXPECT_EQ(pendingCodes(), std::vector<int>({0x7A01}));
+  EXPECT_THAT(rig.pending_messages[0].text, HasSubstr("80 %"));
+  rig.cancel(last);
+  EXPECT_TRUE(rig.pending_messages.empty());
+}
+
+TEST_F(Messages, areReadFromASeverityOn) {
+  show(StatusFrames().emergencyStop());
+  rig.submit(tooFast());
+  EXPECT_EQ(rig.core.messages(Severity::Off, 0).size(), 2U);
+  EXPECT_EQ(rig.core.messages(Severity::Error, 0).size(), 1U);
+  EXPECT_EQ(rig.core.messages(Severity::Off, rig.messages.back().id).size(), 0U);
+}
+
+}  // namespace
+}  // namespace cobot_command::testing
