@@ -12,6 +12,7 @@ namespace cobot_command::blocks {
 namespace {
 
 using namespace exchange_error;
+using namespace exchange_note;
 
 constexpr std::size_t kLongestName = 20;
 constexpr int kLowestPriority = 4;
@@ -86,8 +87,8 @@ ErrorTable ExchangeConfigurationGoal::errors() {
       .row(kParCmd, "Invalid name or priority",
            "Give at most 20 printable ASCII characters, and a priority of 0 to 4",
            "name is longer than 20 bytes or not printable, or priority is above 4")
-      .row(kSyncMode, "Invalid mode of synchronisation", kSetInRange,
-           "cannot occur: the modes are parameters of the node, which are checked when it starts")
+      .row(kSyncMode, "Invalid mode of synchronisation", "Set ~sync/tools/start and the like to 0, 1 or 2",
+           "~sync/tools/start, or that of frames or loads, is AUTOMATIC (3), which is none at the start")
       .row(kLifeSignLost, "No life sign of the controller",
            "Look at life_sign_worst_gap, and choose a longer life_sign_time_out; check the wiring. Stop the "
            "robot by "
@@ -139,6 +140,15 @@ const char* srciNameOf(int id) {
       {kWaitAtBlending, "WAIT_AT_BLENDING_POINT_NOT_SUPPORTED"},
       {kExecutionMode, "EXECUTION_MODE"},
       {kOnlyOneInstance, "ONLY_ONE_INSTANCE_ALLOWED"},
+      // The library names these nowhere that is known here: the words are ours.
+      {kQueueUsage, "ACR_USAGE_HIGH"},
+      {kToolsConflict, "TOOL_CHANGED_ON_BOTH_SIDES"},
+      {kFramesConflict, "FRAME_CHANGED_ON_BOTH_SIDES"},
+      {kToolsUnreachable, "TOOL_NOT_READ_OR_WRITTEN"},
+      {kFramesUnreachable, "FRAME_NOT_READ_OR_WRITTEN"},
+      {kToolsDiffer, "TOOLS_NOT_IN_SYNC"},
+      {kFramesDiffer, "FRAMES_NOT_IN_SYNC"},
+      {kLoadsDiffer, "LOADS_NOT_IN_SYNC"},
   };
   const auto* const found =
       std::find_if(std::begin(kNames), std::end(kNames), [id](const Name& name) { return name.id == id; });
@@ -197,10 +207,6 @@ std::vector<std::string> withoutEffect(const ExchangeConfigurationGoal& goal) {
   std::vector<std::string> names;
   if (goal.priority != 0) names.emplace_back("priority");
   if (goal.settings.allow_sec_seq_while_subprogram) names.emplace_back("allow_sec_seq_while_subprogram");
-  if (goal.settings.allow_dynamic_blending) names.emplace_back("allow_dynamic_blending");
-  // As long as nothing is compared with the controller.
-  if (!(goal.settings.data_enable_sync == DataSets())) names.emplace_back("data_enable_sync");
-  if (goal.settings.sync_reaction != 0) names.emplace_back("sync_reaction");
   return names;
 }
 

@@ -117,6 +117,7 @@ ErrorTable FollowJointTrajectoryGoal::errors() {
       .instead({{own_error::kNotAtTarget, own_error::kGoalTolerance}})
       .anyCommand()
       .turn()
+      .underInterface()
       .condition(motion_error::kOtherBlockBusy, "cannot occur through ROS: a trajectory always takes over")
       .condition(own_error::kBufferModeUnknown, "cannot occur through ROS, which has no such field here")
       .condition(own_error::kOrphanMoves, "cannot occur through ROS: a trajectory always takes over")
@@ -162,6 +163,7 @@ ErrorTable FollowJointTrajectoryGoal::errors() {
 GoalTraits traitsOf(const FollowJointTrajectoryGoal& goal) {
   GoalTraits traits;
   traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.may_move = true;
   traits.needs_plan = true;
   return traits;
 }

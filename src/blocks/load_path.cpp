@@ -186,6 +186,7 @@ const char* toString(Execution execution) {
 GoalTraits traitsOf(const LoadPathGoal& goal) {
   GoalTraits traits;
   traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.may_move = true;
   traits.check_only = goal.check_only;
   traits.needs_plan = true;
   traits.needs_automatic = true;

@@ -159,6 +159,7 @@ void addOwn(ErrorTable& table) {
                own_error::kTagLost, own_error::kCommunication, own_error::kStopNotConfirmed,
                own_error::kNotAtTarget, own_error::kOrphanMoves, own_error::kStoppedElsewhere,
                own_error::kShutDown})
+      .underInterface()
       .shared(own_error::kNotPlannable,
               "planning: the path would take more than 3 h, or is refused for another reason, which the "
               "description tells")

@@ -42,6 +42,7 @@ ErrorTable MoveAbsoluteGoal::errors() {
       .thesisCommand()
       .anyCommand()
       .turn()
+      .underInterface()
       .move()
       .framedPose()
       .row(motion_error::kPoseWithLine, "Robot Pose must be disabled for Line command", kSetInRange,

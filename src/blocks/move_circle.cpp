@@ -39,6 +39,7 @@ ErrorTable MoveCircleGoal::errors() {
       .thesisCommand()
       .anyCommand()
       .turn()
+      .underInterface()
       .move()
       .framedPose()
       .row(own_error::kArcAngleRange, "ArcAngle range: 0~360 degrees", kSetInRange,

@@ -88,6 +88,7 @@ CheckSequenceGoal asSequence(const PickAndPlaceGoal& goal) {
 ErrorTable PickAndPlaceGoal::errors() {
   return ErrorTable()
       .turn()
+      .underInterface()
       .shared({motion_error::kNotConnected, motion_error::kLinkDropped, own_error::kStartUnknown,
                own_error::kNoModel, own_error::kPlanningBudget, own_error::kShutDown})
       .shared(own_error::kStepCount, "there are no steps, or more than 50")
@@ -124,6 +125,7 @@ ErrorTable PickAndPlaceGoal::errors() {
 GoalTraits traitsOf(const PickAndPlaceGoal& goal) {
   GoalTraits traits;
   traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.may_move = true;
   traits.check_only = goal.check_only;
   return traits;
 }

@@ -22,6 +22,8 @@ ErrorTable ProgramControlGoal::errors() {
       .shared(
           own_error::kNotListening,
           "the controller answered CPERR F1: the flow is not in a Listen node, which is left to it to say")
+      .shared(interface_error::kInterrupted,
+              "RESUME, and enabled data are out of sync, for which a sync_reaction has interrupted the robot")
       .row(own_error::kProgramCommandUnknown, "Command unknown", "Use 0 (Pause) or 1 (Resume)",
            "command is neither 0 nor 1");
 }
@@ -32,6 +34,7 @@ GoalTraits traitsOf(const ProgramControlGoal& goal) {
   traits.command_id = goal.command_id;
   traits.tried_anyway = true;
   traits.halts = is(goal, ProgramCommand::Pause);
+  traits.resumes = is(goal, ProgramCommand::Resume);
   return traits;
 }
 

@@ -165,6 +165,7 @@ ErrorTable RunScriptGoal::errors() {
               "Correct the lines that the description names; sent again as they are they "
               "fail again")
       .turn()
+      .underInterface()
       .motion()
       .row(
           own_error::kScriptInvalid, "Script invalid",
@@ -186,6 +187,8 @@ ErrorTable RunScriptGoal::errors() {
 GoalTraits traitsOf(const RunScriptGoal& goal) {
   GoalTraits traits;
   traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.may_move = true;
+  traits.ends_blend = true;
   traits.awaits_motion = goal.await_motion;
   // A longer one is refused, and not read.
   traits.exits_node = goal.script.size() <= kMaxScript && endsWithScriptExit(split(goal.script));

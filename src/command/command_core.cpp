@@ -67,6 +67,10 @@ void CommandCore::setFeedrate(const FeedrateRequest& request, const FeedrateRepl
   impl_->advance(now);
 }
 
+void CommandCore::useExchangeRules(const ExchangeRules& rules) {
+  impl_->exchange().useRules(rules);
+}
+
 ExchangeAnswer CommandCore::updateExchange(const blocks::ExchangeSettings& settings, Instant now) {
   ExchangeAnswer answer = impl_->exchange().update(settings, now);
   impl_->advance(now);

@@ -30,14 +30,16 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       paths_(actions_),
       board_(actions_),
       keeper_(settings_, links_, robot_, board_),
-      exchange_({settings_, links_, robot_, keeper_, board_, messages_, hold_}),
+      sync_({links_.script(), settings_, tables_, messages_, actions_}),
+      exchange_({settings_, links_, robot_, keeper_, board_, messages_, hold_, sync_, reaction_}),
+      permit_(exchange_, sync_, reaction_),
       forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_,
                 tables_.store(), actions_),
-      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), paths_, keeper_, exchange_, hold_,
-                forecast_, board_, actions_},
+      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), paths_, keeper_, exchange_, sync_,
+                reaction_, permit_, hold_, forecast_, board_, actions_},
                std::move(ports), planning),
       status_({links_, tags_, robot_, strangers_, board_, keeper_, forecast_, arbiter_}, actions_),
-      group_({robot_, keeper_, exchange_, arbiter_, messages_}, actions_) {}
+      group_({robot_, keeper_, exchange_, sync_, reaction_, arbiter_, messages_}, actions_) {}
 
 // --- Goals.
 
@@ -133,12 +135,14 @@ void CommandCore::Impl::advance(Instant now) {
   settle(now);
   arbiter_.advance(now);
   exchange_.advance(now);
+  sync_.advance(now);
   keeper_.run().advance(now);
   settle(now);
 }
 
 std::optional<Instant> CommandCore::Impl::nextDeadline() const {
-  const auto of_goals = earlier(exchange_.nextDeadline(), arbiter_.nextDeadline());
+  const auto of_exchange = earlier(exchange_.nextDeadline(), sync_.nextDeadline());
+  const auto of_goals = earlier(of_exchange, arbiter_.nextDeadline());
   return earlier(links_.nextDeadline(), earlier(keeper_.run().nextDeadline(), of_goals));
 }
 
@@ -156,6 +160,7 @@ void CommandCore::Impl::settle(Instant now) {
     keeper_.lookForTheRobotLeft();
     arbiter_.watchOrphan(now);
     watchStrangers(now);
+    sync_.look(now);
     exchange_.look(now);
     arbiter_.settle(now);
     if (life_ == Life::Working) arbiter_.dispatch(now);
@@ -168,7 +173,7 @@ void CommandCore::Impl::settle(Instant now) {
 
 void CommandCore::Impl::takeEvents(Instant now) {
   while (const auto output = links_.script().next(now)) {
-    std::visit(Overloaded{[](const protocol::ListenData&) {},  // no block asks for it
+    std::visit(Overloaded{[this](const protocol::ListenData& data) { static_cast<void>(sync_.take(data)); },
                           [&](const auto& event) { handle(event, now); }},
                *output);
     arbiter_.settle(now);
@@ -219,7 +224,7 @@ void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
 }
 
 void CommandCore::Impl::handle(const link::ScriptAnswered& event, Instant now) {
-  arbiter_.answered(event, now);
+  if (!sync_.take(event)) arbiter_.answered(event, now);
 }
 
 void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {

@@ -16,7 +16,10 @@
 #include "messages/message_desk.h"
 #include "paths/path_desk.h"
 #include "status_desk.h"
-#include "table_desk.h"
+#include "exchange/motion_permit.h"
+#include "sync/sync_desk.h"
+#include "sync/sync_reaction.h"
+#include "tables/table_desk.h"
 
 #include "cobot_command/command/command_core.h"
 #include "cobot_command/link/tag_ledger.h"
@@ -84,7 +87,10 @@ class CommandCore::Impl {
   OutputBoard board_;
   LinkKeeper keeper_;
   MotionHold hold_;
+  SyncDesk sync_;
+  SyncReaction reaction_;
   ExchangeDesk exchange_;
+  MotionPermit permit_;
   Forecast forecast_;
   Arbiter arbiter_;
   StatusDesk status_;

@@ -14,8 +14,8 @@ constexpr double kElsewhere = degToRad(0.1);
 constexpr double kMostHeld = static_cast<double>(kMostWaiting) + 1;
 
 auto asTuple(const GroupState& s) {
-  return std::tie(s.ri_state, s.enabled, s.sequence, s.in_primary_position, s.queue_usage, s.pending_errors,
-                  s.pending_warnings, s.trend);
+  return std::tie(s.ri_state, s.out_of_sync, s.enabled, s.sequence, s.in_primary_position, s.queue_usage,
+                  s.pending_errors, s.pending_warnings, s.trend);
 }
 
 }  // namespace
@@ -27,6 +27,7 @@ bool operator==(const GroupState& a, const GroupState& b) {
 void GroupDesk::tell() {
   GroupState state;
   state.ri_state = parts_.exchange.riState();
+  state.out_of_sync = parts_.sync.whyNot();
   state.enabled = parts_.keeper.run().ready() && !parts_.robot.emergencyStop() && !parts_.robot.showsError();
   state.sequence = sequence();
   state.in_primary_position = isInPrimaryPosition(state.sequence);
@@ -43,6 +44,7 @@ void GroupDesk::tell() {
 Sequence GroupDesk::sequence() const {
   const bool is_there =
       parts_.arbiter.turns().run() != nullptr || !parts_.arbiter.queue().empty() || parts_.arbiter.mayMove();
+  if (parts_.reaction.interrupts()) return Sequence::Interrupted;
   if (!is_there) return Sequence::Idle;
   return parts_.robot.held() ? Sequence::Interrupted : Sequence::Executing;
 }

@@ -8,6 +8,8 @@
 #include "connecting/link_keeper.h"
 #include "exchange/exchange_desk.h"
 #include "messages/message_desk.h"
+#include "sync/sync_desk.h"
+#include "sync/sync_reaction.h"
 
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/group_state.h"
@@ -22,6 +24,8 @@ class GroupDesk {
     const robot::RobotWatch& robot;
     const LinkKeeper& keeper;
     const ExchangeDesk& exchange;
+    const SyncDesk& sync;
+    const SyncReaction& reaction;
     const Arbiter& arbiter;
     const MessageDesk& messages;
   };

@@ -65,7 +65,7 @@ void StatusDesk::describe(CommandStatus& status) const {
   status.queue_depth = status.commands_under_way + status.commands_waiting;
   status.waiting_return = parts_.arbiter.turns().occupancy().busyWith().has_value();
   status.open_tags = parts_.tags.openTags();
-  status.late_replies = script.lateReplies() + parts_.tags.staleReports() + parts_.links.lateEvents();
+  status.late_replies = script.requests().late() + parts_.tags.staleReports() + parts_.links.lateEvents();
   status.decode_faults = script.decodeFaults() + parts_.links.status().decodeFaults();
   status.blocks = parts_.board.outputs();
 }

@@ -25,6 +25,11 @@ std::optional<Request> RequestLedger::giveUp(const Open::iterator& request) {
   return *request;
 }
 
+bool RequestLedger::awaitsScript() const {
+  return std::any_of(open_.begin(), open_.end(),
+                     [](const Request& request) { return request.kind == Request::Kind::Script; });
+}
+
 std::optional<Request> RequestLedger::takeScript(std::string_view id) {
   return take(
       findAwaited([&](const Request& r) { return r.kind == Request::Kind::Script && r.script_id == id; }));

@@ -57,11 +57,11 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
   if (state_ == State::Probing) {
     heard_ = fmt::format("{} ({})", frame.header, protocol::describe(*message));
   }
-  const std::uint64_t late_before = lateReplies();
+  const std::uint64_t late_before = requests().late();
   take(*message, now);
   if (!traced) return;
   wire_.trace(now, Channel::Script, false, bytes,
-              protocol::describe(*message) + (lateReplies() > late_before ? " (nobody waits for it)" : ""));
+              protocol::describe(*message) + (requests().late() > late_before ? " (nobody waits for it)" : ""));
 }
 
 void ScriptLink::fault(std::string_view bytes, const std::string& meaning, Instant now) {

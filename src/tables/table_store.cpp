@@ -21,6 +21,13 @@ int inUseError(Kind kind) {
 TableStore::TableStore(DataTables tables, Payload payload)
     : tables_(std::move(tables)), payload_(std::move(payload)) {}
 
+DataTables TableStore::forPlans() const {
+  DataTables tables = tables_;
+  for (const auto& [name, pose] : project_.tools) tables.learnTool(name, pose);
+  for (const auto& [name, pose] : project_.frames) tables.learnFrame(name, pose);
+  return tables;
+}
+
 Hold TableStore::hold(Use use) {
   uses_.erase(std::remove_if(uses_.begin(), uses_.end(), [](const auto& one) { return one.expired(); }),
               uses_.end());

@@ -40,6 +40,19 @@ void CoreAndRobot::cancel(blocks::GoalId goal) {
   settle();
 }
 
+command::TableAnswer CoreAndRobot::write(const command::TableWrite& entry) {
+  auto answer = core_.writeTable(entry);
+  core_.advance(now_);
+  settle();
+  return answer;
+}
+
+command::ExchangeAnswer CoreAndRobot::update(const blocks::ExchangeSettings& settings) {
+  auto answer = core_.updateExchange(settings, now_);
+  settle();
+  return answer;
+}
+
 std::optional<std::string> CoreAndRobot::switchTracking(const command::TrackingSwitch& request) {
   auto refusal = core_.switchTracking(request, now_);
   settle();

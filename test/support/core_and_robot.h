@@ -29,7 +29,9 @@ class CoreAndRobot {
   void finish();
   void shutDown();
   void operate(const simulator::OperatorAction& action);
-  command::TableAnswer write(const command::TableWrite& entry) { return core_.writeTable(entry); }
+  command::TableAnswer write(const command::TableWrite& entry);
+  void useRules(const command::ExchangeRules& rules) { core_.useExchangeRules(rules); }
+  command::ExchangeAnswer update(const blocks::ExchangeSettings& settings);
   [[nodiscard]] std::optional<std::string> switchTracking(const command::TrackingSwitch& request);
   /// What was answered until now; nothing: nothing yet.
   std::optional<command::FeedrateAnswer> setFeedrate(std::optional<double> percent, bool restart = false);
@@ -54,6 +56,9 @@ class CoreAndRobot {
   [[nodiscard]] const std::vector<std::string>& scripts() const { return scripts_; }
   [[nodiscard]] const command::CommandStatus& status() const { return status_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  [[nodiscard]] const command::GroupState& group() const { return group_; }
+  [[nodiscard]] const tables::DataTables& tables() const { return tables_; }
+  [[nodiscard]] const std::vector<command::Message>& messages() const { return messages_; }
   [[nodiscard]] const path::PathControls& controls() const { return controls_; }
   /// To everyone, of runs, and when.
   [[nodiscard]] const std::vector<std::pair<Instant, blocks::Detail>>& told() const { return told_; }
@@ -87,6 +92,9 @@ class CoreAndRobot {
   void take(const command::PlanAsked& action) { plans_.push_back({now_ + planning_, action}); }
   void take(const command::PathControlsChanged& action) { controls_ = action.controls; }
   void take(const command::LogMessage& action) { warnings_.push_back(action.text); }
+  void take(const command::GroupStateChanged& action) { group_ = action.state; }
+  void take(const command::TablesChanged& action) { tables_ = action.tables; }
+  void take(const command::MessageRaised& action) { messages_.push_back(action.message); }
   void take(const command::RunTold& action) { told_.emplace_back(now_, action.news); }
   void take(const command::FrameTraced& action);
   template <class Other>
@@ -111,6 +119,9 @@ class CoreAndRobot {
   std::vector<std::string> scripts_;
   std::vector<std::pair<Instant, blocks::Detail>> told_;
   command::CommandStatus status_;
+  command::GroupState group_;
+  tables::DataTables tables_;
+  std::vector<command::Message> messages_;
   path::PathControls controls_;
   FeedratePromise answer_ = std::make_shared<std::optional<command::FeedrateAnswer>>();
   std::vector<std::string> warnings_;

@@ -113,6 +113,18 @@ inline constexpr int kExecutionMode = 0x8F10;
 inline constexpr int kOnlyOneInstance = 0x8F12;
 }  // namespace exchange_error
 
+/// Warnings and infos, the same. SRCI has no warnings of loads of their own: those are of tools.
+namespace exchange_note {
+inline constexpr int kToolsDiffer = 0x6014;   ///< and are not enabled
+inline constexpr int kFramesDiffer = 0x6020;  ///< the same
+inline constexpr int kLoadsDiffer = 0x6026;   ///< the same
+inline constexpr int kToolsConflict = 0x7013;
+inline constexpr int kFramesConflict = 0x7019;
+inline constexpr int kToolsUnreachable = 0x7044;
+inline constexpr int kFramesUnreachable = 0x7045;
+inline constexpr int kQueueUsage = 0x7A01;
+}  // namespace exchange_note
+
 /// Of an error, warning or info of this block, as SRCI has it; "" of any other.
 [[nodiscard]] const char* srciNameOf(int id);
 

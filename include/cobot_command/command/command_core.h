@@ -18,6 +18,7 @@
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/core_ports.h"
 #include "cobot_command/command/exchange_answer.h"
+#include "cobot_command/command/exchange_rules.h"
 #include "cobot_command/command/finish.h"
 #include "cobot_command/command/path_requests.h"
 #include "cobot_command/command/planning_job.h"
@@ -82,6 +83,9 @@ class CommandCore {
   /// new one, what is at the controller keeps its own. `reply`: called once, at once or later.
   void setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now);
 
+  /// What the node wants of the interface; for the next goal of exchange_configuration, and at once where it
+  /// is required.
+  void useExchangeRules(const ExchangeRules& rules);
   /// Other settings for the exchange_configuration goal that is enabled, as the goal itself cannot change.
   [[nodiscard]] ExchangeAnswer updateExchange(const blocks::ExchangeSettings& settings, Instant now);
 

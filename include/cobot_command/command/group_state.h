@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "cobot_command/blocks/exchange_configuration.h"
 #include "cobot_command/robot/speed_trend.h"
@@ -12,12 +13,15 @@ struct GroupState {
   /// Of what was commanded.
   enum class Sequence {
     Idle = 0,
-    Executing = 1,   ///< something is under way, or waits
-    Interrupted = 2  ///< the same, and the robot is held: paused, or by a safeguard
+    Executing = 1,  ///< something is under way, or waits
+    /// The same, and the robot is held: paused, or by a safeguard; or motions are interrupted, as data are
+    /// out of sync.
+    Interrupted = 2
   };
 
   blocks::RiState ri_state = blocks::RiState::NotInitialized;
-  bool enabled = false;  ///< commands can be sent: no emergency stop, and no error of the controller
+  std::string out_of_sync;  ///< of the data that are enabled, in words; empty: nothing
+  bool enabled = false;     ///< commands can be sent: no emergency stop, and no error of the controller
   Sequence sequence = Sequence::Idle;
   bool in_primary_position = true;  ///< where it was interrupted, or not interrupted
   double queue_usage = 0;           ///< of the commands that can be held [%]

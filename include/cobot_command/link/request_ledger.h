@@ -43,6 +43,8 @@ class RequestLedger {
   /// One request whose deadline has come. The time of those that are new begins with it.
   std::optional<Request> takeExpired(Instant now);
 
+  /// The controller has not answered a script yet, and may still do so.
+  [[nodiscard]] bool awaitsScript() const;
   /// With a new request: at once.
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
   /// Forgets all requests: the connection is gone. Ids go on.

@@ -94,7 +94,8 @@ class ScriptLink {
   [[nodiscard]] const std::string& listenNode() const { return listen_node_; }
   /// When the last frame of the controller came on this connection; nothing: none has.
   [[nodiscard]] std::optional<Instant> heardAt() const { return heard_at_; }
-  [[nodiscard]] std::uint64_t lateReplies() const { return requests_.late(); }
+  /// What has no answer yet, and answers that nobody waited for.
+  [[nodiscard]] const ScriptRequests& requests() const { return requests_; }
   [[nodiscard]] std::uint64_t decodeFaults() const { return decode_faults_; }
 
  private:

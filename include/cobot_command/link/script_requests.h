@@ -35,6 +35,7 @@ class ScriptRequests {
  public:
   /// See RequestLedger.
   [[nodiscard]] std::string newScriptId() { return ledger_.newScriptId(); }
+  [[nodiscard]] bool awaitsScript() const { return ledger_.awaitsScript(); }
   void add(Request request) { ledger_.add(std::move(request)); }
   [[nodiscard]] std::optional<Instant> nextDeadline() const { return ledger_.nextDeadline(); }
   /// The connection is gone, and no answer will come.

@@ -1,9 +1,11 @@
 // The tables of one robot where they are changed: who uses an entry, and that nobody writes it meanwhile.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cobot_command/tables/data_tables.h"
@@ -21,11 +23,21 @@ struct Use {
 /// As long as it, or a copy of it, is there, the entries are in use.
 using Hold = std::shared_ptr<const Use>;
 
+/// What the controller's project has, by its names.
+struct ProjectPoses {
+  std::map<std::string, arm::Pose> tools;   ///< in the flange
+  std::map<std::string, arm::Pose> frames;  ///< in the robot base
+};
+
 class TableStore {
  public:
   explicit TableStore(DataTables tables = {}, Payload payload = {});
 
   [[nodiscard]] const DataTables& tables() const { return tables_; }
+  /// With the poses of entries that only the project knows, as far as those are known.
+  [[nodiscard]] DataTables forPlans() const;
+  /// What is known of the project from now on.
+  void know(ProjectPoses project) { project_ = std::move(project); }
   [[nodiscard]] const Payload& payload() const { return payload_; }
   /// All at once, whoever uses what: for what is read at the start.
   void replace(DataTables tables) { tables_ = std::move(tables); }
@@ -53,6 +65,7 @@ class TableStore {
 
   DataTables tables_;
   Payload payload_;
+  ProjectPoses project_;
   std::vector<std::weak_ptr<const Use>> uses_;
 };
 

@@ -62,6 +62,7 @@ template <class Move>
   // Behind an exit nothing can blend with it, and nobody else would know when it ends.
   traits.awaits_motion = !goal.blending_enable || goal.exit_node;
   traits.check_only = goal.check_only;
+  traits.may_move = true;
   return traits;
 }
 

@@ -196,6 +196,20 @@ constexpr SharedError kRobotErrors[] = {
      "told to shut down"},
 };
 
+constexpr SharedError kInterfaceErrors[] = {
+    {interface_error::kNotEnabled, "Interface is not enabled",
+     "Send a goal to exchange_configuration, and wait until it is enabled",
+     "~require_exchange_configuration is true, and no exchange_configuration goal is enabled"},
+    {interface_error::kNotSynchronized, "Interface is not synchronized",
+     "Bring the data into line: write the entry that is meant, or change it back on the pendant",
+     "enabled data are out of sync, with a sync_reaction, and were so when the robot or the interface was "
+     "enabled"},
+    {interface_error::kInterrupted, "Interrupted: cannot go on before the data are in sync",
+     "Bring the data into line, then RESUME with program_control; or stop; a goal with BUFFERED waits",
+     "a sync_reaction has interrupted the robot, as enabled data are out of sync, and the goal cannot wait: "
+     "its buffer_mode is not BUFFERED; or they are in sync again, and nobody has resumed it"},
+};
+
 template <std::size_t N>
 const SharedError* find(const SharedError (&table)[N], int id) {
   const auto* found = std::find_if(std::begin(table), std::end(table),
@@ -204,8 +218,9 @@ const SharedError* find(const SharedError (&table)[N], int id) {
 }
 
 const SharedError& sharedError(int id) {
-  for (const SharedError* found : {find(kThesisErrors, id), find(kTargetErrors, id),
-                                   find(kParameterErrors, id), find(kRobotErrors, id)}) {
+  for (const SharedError* found :
+       {find(kThesisErrors, id), find(kTargetErrors, id), find(kParameterErrors, id), find(kRobotErrors, id),
+        find(kInterfaceErrors, id)}) {
     if (found != nullptr) return *found;
   }
   assert(false && "no shared error has this id");
@@ -267,6 +282,11 @@ ErrorTable& ErrorTable::turn() {
   return shared({motion_error::kOtherBlockBusy, own_error::kBufferModeUnknown, own_error::kQueueFull,
                  own_error::kNotListening, own_error::kEmergencyStop, own_error::kRobotError,
                  own_error::kStopNotConfirmed, own_error::kOrphanMoves});
+}
+
+ErrorTable& ErrorTable::underInterface() {
+  return shared(
+      {interface_error::kNotEnabled, interface_error::kNotSynchronized, interface_error::kInterrupted});
 }
 
 ErrorTable& ErrorTable::motion() {

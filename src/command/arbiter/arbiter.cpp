@@ -31,6 +31,7 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
       turns_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, std::move(ports.frames)),
       feedrate_({parts.paths, paths_, window_, parts.forecast, parts.robot, parts.actions,
                  [&keeper = parts.keeper] { return keeper.objectionsToATry(); }}),
+      interruption_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, feedrate_),
       front_desk_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, feedrate_) {}
 
 // --- Ends that are asked for.
@@ -112,11 +113,13 @@ void Arbiter::linkLost(const std::string& reason, Instant now) {
   turns_.linkLost(reason, now);
   stop_.linkLost(reason);
   feedrate_.linkLost();
+  parts_.reaction.linkLost();
   parts_.paths.linkLost();
 }
 
 void Arbiter::disconnected(const std::string& reason, Instant now) {
   feedrate_.linkLost();
+  parts_.reaction.linkLost();
   stop_.linkLost(reason);
   window_.besideLinkLost(reason, now);
   settle(now);
@@ -142,7 +145,8 @@ void Arbiter::advance(Instant now) {
 
 std::optional<Instant> Arbiter::nextDeadline() const {
   const auto held = earlier(parts_.hold.nextDeadline(), desk_.nextDeadline());
-  return earlier(turns_.nextDeadline(), earlier(stop_.nextDeadline(), held));
+  const auto due = earlier(held, parts_.reaction.nextDeadline());
+  return earlier(turns_.nextDeadline(), earlier(stop_.nextDeadline(), due));
 }
 
 // --- What follows.
@@ -157,7 +161,10 @@ void Arbiter::settleStops(Instant now) {
   while (const auto result = stops_.takeResult(now)) {
     window_.stopEnded(*result, now);
     turns_.stopEnded(*result, now);
-    if (!result->failed()) continue;
+    if (!result->failed()) {
+      interruption_.stopConfirmed();
+      continue;
+    }
     queue_.dropUnstopped(fmt::format("{}: {}", robot::LooseMotion::kMayStillMove, result->failure.found));
   }
 }
@@ -168,6 +175,7 @@ void Arbiter::settleBeside(Instant now) {
     const bool got_no_reply =
         isError(ended.block, ended.outcome.error_id, blocks::motion_error::kReceiveReply);
     if (got_no_reply && ended.stops_unanswered) unanswered = toString(ended.block);
+    interruption_.ended(ended);
     if (ended.goal == 0) {
       feedrate_.ended(ended);
     } else {
@@ -182,6 +190,7 @@ void Arbiter::settleBeside(Instant now) {
 void Arbiter::proceed(Instant now) {
   if (window_.empty() && !parts_.forecast.loose().mayMove() && !stops_.busy()) parts_.forecast.queueDone();
   desk_.proceed(now);
+  interruption_.proceed();
   turns_.tellPlaces();
 }
 

@@ -10,6 +10,7 @@
 #include "arbiter/front_desk.h"
 #include "arbiter/goal_plans.h"
 #include "arbiter/goal_queue.h"
+#include "arbiter/interruption.h"
 #include "arbiter/stop_desk.h"
 #include "arbiter/turns.h"
 #include "forecast/plan_desk.h"
@@ -64,7 +65,10 @@ class Arbiter {
   /// Ends what has ended.
   void settle(Instant now);
   void watchOrphan(Instant now) { stops_.watchOrphan(now); }
-  void dispatch(Instant now) { turns_.dispatch(now); }
+  void dispatch(Instant now) {
+    interruption_.look(now);
+    turns_.dispatch(now);
+  }
   /// Once, at the end: the next plan, and what those that wait are told.
   void proceed(Instant now);
 
@@ -95,6 +99,7 @@ class Arbiter {
   PathTurn paths_;
   Turns turns_;
   FeedrateDesk feedrate_;
+  Interruption interruption_;
   FrontDesk front_desk_;
 };
 

@@ -7,8 +7,10 @@
 #include "connecting/link_keeper.h"
 #include "exchange/exchange_desk.h"
 #include "exchange/motion_hold.h"
+#include "exchange/motion_permit.h"
 #include "forecast/forecast.h"
 #include "paths/path_desk.h"
+#include "sync/sync_reaction.h"
 
 #include "cobot_command/command/actions.h"
 #include "cobot_command/link/script_link.h"
@@ -28,6 +30,9 @@ struct CoreParts {
   PathDesk& paths;
   LinkKeeper& keeper;
   ExchangeDesk& exchange;
+  SyncDesk& sync;
+  SyncReaction& reaction;
+  MotionPermit& permit;
   MotionHold& hold;
   Forecast& forecast;
   OutputBoard& board;

@@ -82,6 +82,7 @@ void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant 
   const bool only_connection = tried_anyway && !parts_.keeper.run().disconnecting();
   Failures failures = rules.violations();
   append(failures, only_connection ? parts_.keeper.objectionsToATry() : parts_.keeper.objectionsToCommands());
+  append(failures, parts_.permit.objectionsTo(traits));
   if (!tried_anyway && parts_.robot.emergencyStop()) {
     failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
   }
@@ -89,6 +90,7 @@ void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant 
   if (rejected(id, goal, failures)) return;
   const blocks::Command command = *rules.command();
   parts_.board.accept(command.block, id, command.traits.command_id);
+  if (traits.resumes) parts_.permit.resumes(id);
   desks_.window.sendBeside(command, id, now);
   if (traits.halts) feedrate_.pausedByOthers();
 }
@@ -106,7 +108,11 @@ void FrontDesk::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instan
 void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, const blocks::GoalTraits& traits,
                         Instant now) {
   Failures failures = blocks::GoalRules(goal).violations();
-  append(failures, turns_.occupancy().objectionsToAny(traits.buffer_mode, traits.needs_automatic));
+  const Failures of_interface = parts_.permit.objectionsTo(traits);
+  // That others are in front of it is for the same reason then.
+  const blocks::BufferMode mode = of_interface.empty() ? traits.buffer_mode : blocks::BufferMode::Aborting;
+  append(failures, turns_.occupancy().objectionsToAny(mode, traits.needs_automatic));
+  append(failures, of_interface);
   sortByTable(blockOf(goal), failures);
   if (!rejected(id, goal, failures)) enqueue(id, goal, traits.buffer_mode, now);
 }

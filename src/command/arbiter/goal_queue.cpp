@@ -133,7 +133,8 @@ void GoalQueue::tellPlaces(const std::function<std::string(int place)>& text) {
   int place = 0;
   for (Waiting& waiting : waiting_) {
     ++place;
-    if (waiting.told_place == place || waiting.turn == Waiting::Turn::PlansCommand) continue;
+    const bool is_told = waiting.told_place == place && !retells_;
+    if (is_told || waiting.turn == Waiting::Turn::PlansCommand) continue;
     waiting.told_place = place;
     blocks::Progress progress;
     progress.phase = blocks::Phase::Queued;
@@ -141,6 +142,7 @@ void GoalQueue::tellPlaces(const std::function<std::string(int place)>& text) {
     progress.text = text(place);
     board_.progress(blocks::blockOf(waiting.goal), waiting.id, std::move(progress));
   }
+  retells_ = false;
 }
 
 }  // namespace cobot_command::command

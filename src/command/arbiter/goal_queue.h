@@ -98,6 +98,8 @@ class GoalQueue {
   void forgetPlan(blocks::GoalId id) { plans_.drop(id); }
   /// What was foreseen for those that wait stands on what was in front of them.
   void forgetForecasts();
+  /// What they wait for is another thing now.
+  void retell() { retells_ = true; }
   /// To each whose place is another one, but for the one that is about to be sent; `text`: for people.
   void tellPlaces(const std::function<std::string(int place)>& text);
 
@@ -114,6 +116,7 @@ class GoalQueue {
   blocks::GoalId newest_submitted_ = 0;
   Ticket last_ticket_ = 0;
   CommandsFell fell_{0, ""};  ///< the last that fell
+  bool retells_ = false;
 };
 
 }  // namespace cobot_command::command

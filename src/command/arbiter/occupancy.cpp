@@ -98,11 +98,18 @@ std::optional<blocks::Failure> Occupancy::objectionTo(const blocks::Command& com
   return command.find_moved_frame ? command.find_moved_frame(frames_) : std::nullopt;
 }
 
+/// Whether a motion that is under way stands again can only be told where there is a stream.
+bool Occupancy::isHeldBack(const Waiting& next) const {
+  const bool robot_stands = !parts_.forecast.loose().mayMove() || !parts_.robot.tellsMotion();
+  return parts_.permit.holdsBack(blocks::GoalRules(next.goal).traits(), robot_stands);
+}
+
 bool Occupancy::robotStands() const {
   return !stops_.busy() && !parts_.forecast.loose().mayMove() && parts_.robot.moving() != true;
 }
 
 std::string Occupancy::textOfPlace(int place) const {
+  if (parts_.permit.interrupts()) return parts_.permit.text();
   if (parts_.hold.isHolding()) return "waits for the next motion";
   if (place > 1) return "waits for its turn, others are in front of it";
   if (run_) return "waits for its turn, one is in front of it";

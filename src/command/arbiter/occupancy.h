@@ -46,6 +46,8 @@ class Occupancy {
   /// Of what goes out now, behind what is at the controller.
   [[nodiscard]] Origin originNow(Instant now) const;
 
+  /// The interface has something against a motion that begins now, or ends a blend.
+  [[nodiscard]] bool isHeldBack(const Waiting& next) const;
   /// As far as that is known: nothing of ours moves it, and nothing else that can be seen.
   [[nodiscard]] bool robotStands() const;
 

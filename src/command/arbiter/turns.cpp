@@ -41,13 +41,15 @@ void Turns::dispatch(Instant now) {
 }
 
 bool Turns::beginNext(Instant now) {
-  if (!desks_.window.empty() || desks_.queue.empty()) return false;
+  if (!desks_.window.empty() || desks_.queue.empty() || occupancy_.isHeldBack(desks_.queue.front()))
+    return false;
   return !parts_.hold.holdsBack(desks_.queue.front().id, desks_.queue.motions()) && admitNext(now);
 }
 
 bool Turns::joinNext(Instant now) {
   return !desks_.queue.empty() && run_->chain() != nullptr &&
-         run_->chain()->isJoinedBy(blockOf(desks_.queue.front().goal)) && admitNext(now);
+         run_->chain()->isJoinedBy(blockOf(desks_.queue.front().goal)) &&
+         !occupancy_.isHeldBack(desks_.queue.front()) && admitNext(now);
 }
 
 bool Turns::admitNext(Instant now) {

@@ -28,13 +28,13 @@ Duration milliseconds(int count) {
   return std::chrono::milliseconds(count);
 }
 
-/// Of what a TM controller keeps nothing that could be compared.
-std::vector<std::string> localSets() {
-  return {"default_dynamics", "reference_dynamics"};
+blocks::SyncReaction reactionOf(const blocks::ExchangeSettings& settings) {
+  return static_cast<blocks::SyncReaction>(settings.sync_reaction);
 }
 
-blocks::DataSets allInSync() {
-  return {true, true, true, true, true, true, true};
+/// Of what a TM controller keeps nothing that could be compared.
+std::vector<std::string> localSets() {
+  return {"software_limits", "default_dynamics", "reference_dynamics"};
 }
 
 }  // namespace
@@ -50,6 +50,9 @@ void ExchangeDesk::execute(blocks::GoalId id, const blocks::ExchangeConfiguratio
   std::vector<blocks::Failure> failures;
   if (state_ != State::Disabled) failures.push_back({blocks::exchange_error::kOnlyOneInstance, "", ""});
   for (blocks::Failure& failure : check(goal)) failures.push_back(std::move(failure));
+  if (auto fault = faultIn(rules_)) {
+    failures.push_back({blocks::exchange_error::kSyncMode, *std::move(fault), ""});
+  }
   if (!failures.empty()) {
     blocks::Outcome refusal = toRejection(kBlock, failures);
     blocks::ExchangeReport report;
@@ -102,7 +105,7 @@ void ExchangeDesk::look(Instant now) {
   if (!script.established()) linkLost(script.diagnosis(), now);
   if (core_.keeper.run().ready()) fire(Event::Ready, now);
   if (state_ == State::Disabling) fire(Event::Restored, now);
-  if (isEnabled()) report_.out_cmd.tells_motion_state = tellsMotionState();
+  if (isEnabled()) noteSync();
   if (state_ != State::Disabled) report(now);
 }
 
@@ -156,6 +159,7 @@ void ExchangeDesk::act(ExchangeAction action, Instant now) {
       takeUpdate(now);
       return;
     case Do::Restore:
+      disabled_ = report_.enabled;
       report_.busy = true;
       report_.enabled = report_.parameter_accepted = false;
       deadline_ = now + kPatience;
@@ -201,16 +205,31 @@ void ExchangeDesk::enable(Instant now) {
   report_.busy = false;
   report_.enabled = report_.command_buffered = report_.parameter_accepted = true;
   report_.par_seq = 1;
-  report_.ri_state = blocks::RiState::Initialized;
   report_.local_sets = localSets();
   blocks::ExchangeOutCmd& out = report_.out_cmd;
   out.length_acr = static_cast<int>(kMostWaiting) + 1;
   out.highest_tool_index = out.highest_frame_index = out.highest_load_index = tables::kEntryCount - 1;
-  out.data_in_sync = allInSync();
-  out.tells_motion_state = tellsMotionState();
+  core_.sync.begin(rules_, goal_.settings, now);
+  core_.reaction.begin(milliseconds(goal_.settings.sync_delay), reactionOf(goal_.settings));
+  noteSync();
   life_sign_.begin(milliseconds(goal_.settings.life_sign_time_out), now);
   rule(now);
   tell(now);
+}
+
+void ExchangeDesk::noteSync() {
+  report_.ri_state = core_.sync.riState();
+  report_.warning_id = core_.sync.warningId();
+  if (report_.warning_id == 0 && core_.messages.isQueueNearlyFull()) {
+    report_.warning_id = blocks::exchange_note::kQueueUsage;
+  }
+  report_.info_id = core_.sync.infoId();
+  blocks::ExchangeOutCmd& out = report_.out_cmd;
+  out.tells_motion_state = tellsMotionState();
+  out.data_in_sync = core_.sync.controllersHalf();
+  out.change_index_tool = core_.sync.changed().tools;
+  out.change_index_frame = core_.sync.changed().frames;
+  out.change_index_load = core_.sync.changed().loads;
 }
 
 bool ExchangeDesk::tellsMotionState() const {
@@ -223,6 +242,9 @@ void ExchangeDesk::takeUpdate(Instant now) {
   tell(now);
   goal_.settings = *std::exchange(update_, std::nullopt);
   life_sign_.change(milliseconds(goal_.settings.life_sign_time_out));
+  core_.sync.change(goal_.settings);
+  core_.reaction.change(milliseconds(goal_.settings.sync_delay), reactionOf(goal_.settings));
+  noteSync();
   rule(now);
   report_.without_effect = withoutEffect(goal_);
   report_.parameter_accepted = true;
@@ -247,6 +269,8 @@ void ExchangeDesk::restore(Instant now) {
   core_.settings = node_;
   core_.messages.keepAsAtTheStart();
   core_.hold.end();
+  core_.sync.end();
+  core_.reaction.end();
   core_.links.script().settingsChanged(now);
 }
 
@@ -291,7 +315,8 @@ void ExchangeDesk::tell(Instant now) {
   blocks::Progress progress;
   if (report_.enabled) {
     progress.phase = blocks::Phase::Connected;
-    progress.text = "enabled";
+    const std::string why_not = core_.sync.whyNot();
+    progress.text = why_not.empty() ? "enabled" : "enabled, and out of sync: " + why_not;
   } else if (state_ == State::Disabling) {
     progress.phase = blocks::Phase::Stopping;
     progress.text = "is being disabled";

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "board/output_board.h"
 #include "connecting/link_keeper.h"
@@ -12,6 +13,8 @@
 #include "exchange/motion_hold.h"
 #include "links/links.h"
 #include "messages/message_desk.h"
+#include "sync/sync_desk.h"
+#include "sync/sync_reaction.h"
 
 #include "cobot_command/blocks/exchange_configuration.h"
 #include "cobot_command/blocks/shared/failure.h"
@@ -31,9 +34,13 @@ class ExchangeDesk {
     OutputBoard& board;
     MessageDesk& messages;
     MotionHold& hold;
+    SyncDesk& sync;
+    SyncReaction& reaction;
   };
   explicit ExchangeDesk(const Core& core) : core_(core), node_(core.settings) {}
 
+  /// Of the node; for the next goal.
+  void useRules(const ExchangeRules& rules) { rules_ = rules; }
   /// Those of the node; what an enabled goal wants otherwise stays so.
   void useSettings(const link::LinkSettings& node, Instant now);
 
@@ -49,6 +56,12 @@ class ExchangeDesk {
     return isEnabled() ? report_.ri_state : blocks::RiState::NotInitialized;
   }
   [[nodiscard]] bool isEnabled() const { return state_ == ExchangeState::Enabled; }
+  /// Without it nothing may be moved.
+  [[nodiscard]] bool isRequired() const { return rules_.required; }
+  /// Blended motions go to their end where a script waits behind them.
+  [[nodiscard]] bool endsBlends() const { return isEnabled() && !goal_.settings.allow_dynamic_blending; }
+  /// Its client has disabled it since the last call.
+  [[nodiscard]] bool takeDisabled() { return std::exchange(disabled_, false); }
 
   // --- Events.
   /// What follows from an event, to be called behind it.
@@ -68,6 +81,8 @@ class ExchangeDesk {
   void enable(Instant now);
   [[nodiscard]] bool tellsMotionState() const;
   void takeUpdate(Instant now);
+  /// What has come of the comparison.
+  void noteSync();
   void restore(Instant now);
   /// What the goal wants.
   void rule(Instant now);
@@ -80,6 +95,7 @@ class ExchangeDesk {
 
   Core core_;
   link::LinkSettings node_;
+  ExchangeRules rules_;
   State state_ = State::Disabled;
   std::optional<blocks::GoalId> id_;
   blocks::ExchangeConfigurationGoal goal_;
@@ -87,6 +103,7 @@ class ExchangeDesk {
   std::optional<Instant> deadline_;                 ///< of Enabling and Disabling
   LifeSign life_sign_;
   bool life_sign_lost_ = false;
+  bool disabled_ = false;
   std::string why_;  ///< it ends, when not by its client
   blocks::ExchangeReport report_;
   blocks::ExchangeReport told_;

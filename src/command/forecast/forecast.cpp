@@ -132,7 +132,7 @@ PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const OriginAt& o
     scene.arm = arm_.get();
     if (origin) scene.start = origin->start;
     scene.give_up = [dropped] { return dropped->load(); };
-    scene.tables = tables_.tables();
+    scene.tables = tables_.forPlans();
     return [=, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
       return planGoal(goal, scene, base, origin);
     };

@@ -34,14 +34,16 @@ const char* toString(Severity severity) {
 std::optional<Message> MessageBoard::raise(Message message, bool lasts) {
   if (!keeps(message.severity)) return std::nullopt;
   message.pending = lasts || message.severity >= Severity::Error;
-  const bool is_known = std::any_of(messages_.begin(), messages_.end(), [&](const Message& known) {
-    return known.pending && isOfOneCause(known, message);
-  });
-  if (is_known) return std::nullopt;
+  if (isPending(message)) return std::nullopt;
   message.id = ++last_id_;
   messages_.push_back(std::move(message));
   if (messages_.size() > kMost) messages_.pop_front();
   return messages_.back();
+}
+
+bool MessageBoard::isPending(const Message& message) const {
+  return std::any_of(messages_.begin(), messages_.end(),
+                     [&](const Message& known) { return known.pending && isOfOneCause(known, message); });
 }
 
 bool MessageBoard::end(const std::string& origin, int code) {

@@ -26,6 +26,8 @@ class MessageBoard {
   std::optional<Message> raise(Message message, bool lasts = false);
   /// The cause of what lasts, of that origin and code, is gone. True when that was pending.
   bool end(const std::string& origin, int code);
+  /// The same, of the same cause and in the same words.
+  [[nodiscard]] bool isPending(const Message& message) const;
   /// All that is pending is seen by somebody; returns how much that was. `still`: what is wrong still stays.
   std::size_t acknowledge(const std::vector<MessageType>& still = {});
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr const char* kRobot = "robot";
 constexpr const char* kQueue = "queue";
-constexpr int kQueueNearlyFull = 0x7A01;
 
 /// 80 % of those that can wait, and of the one under way.
 constexpr int kManyCommands = (static_cast<int>(kMostWaiting) + 1) * 4 / 5;
@@ -33,7 +32,7 @@ Message queueNearlyFull() {
           {},
           Severity::Warning,
           MessageType::Interface,
-          kQueueNearlyFull,
+          blocks::exchange_note::kQueueUsage,
           kQueue,
           "80 % of the commands wait that can wait",
           "send no more until some are done: further ones are refused when it is full (16#216)"};
@@ -91,6 +90,10 @@ void MessageDesk::take(const StatusChanged& changed) {
   show(changed.status.queue_depth >= kManyCommands, queueNearlyFull());
 }
 
+bool MessageDesk::isQueueNearlyFull() const {
+  return board_.isPending(queueNearlyFull());
+}
+
 void MessageDesk::take(const RobotStatusReceived& received) {
   // What was received, not what is known: an emergency stop closes the link, and what is known goes with it.
   const link::RobotStatus& status = received.status;
@@ -112,11 +115,9 @@ void MessageDesk::raise(Message message, bool lasts) {
 }
 
 void MessageDesk::show(bool is_so, const Message& warning) {
-  if (is_so) {
-    raise(warning, true);
-  } else {
-    board_.end(warning.origin, warning.code);
-  }
+  if (is_so && board_.isPending(warning)) return;
+  board_.end(warning.origin, warning.code);
+  if (is_so) raise(warning, true);
 }
 
 void MessageDesk::tellPending() {

@@ -31,11 +31,16 @@ class MessageDesk {
   /// Of a goal that never came to the core; told with the next look.
   void tellEnd(blocks::Block block, const blocks::Outcome& outcome, Instant now);
 
+  /// A warning that is pending as long as it is so; in other words it is another one. Told with the next
+  /// look.
+  void show(bool is_so, const Message& warning);
+
   /// An error of the controller that is shown still stays: nobody but who stands there can clear it.
   [[nodiscard]] ResetAnswer reset();
   [[nodiscard]] std::size_t pendingErrors() const {
     return board_.countPending(Severity::Error) + board_.countPending(Severity::Fatal);
   }
+  [[nodiscard]] bool isQueueNearlyFull() const;
   [[nodiscard]] std::size_t pendingWarnings() const { return board_.countPending(Severity::Warning); }
   [[nodiscard]] std::vector<Message> read(Severity least, std::uint32_t after_id) const {
     return board_.all(least, after_id);
@@ -53,8 +58,6 @@ class MessageDesk {
   template <class Other>
   void take(const Other& /*action*/) {}
   void raise(Message message, bool lasts = false);
-  /// Pending as long as it is so.
-  void show(bool is_so, const Message& warning);
   void tellPending();
 
   const robot::RobotWatch& robot_;

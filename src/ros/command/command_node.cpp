@@ -100,6 +100,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
                          {},
                          [this](link::Channel channel) { return publisher_.isHeard(channel); }});
   runtime_->useTables(parameters.tables.tables);
+  runtime_->useExchangeRules(parameters.exchange);
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
@@ -269,7 +270,10 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                  [&](const command::RunTold& a) { paths_->take(a); },
                  [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
                  [&](const command::LogMessage& a) { log(a); },
-                 [&](const command::GroupStateChanged& a) { publisher_.publish(a.state); },
+                 [&](const command::GroupStateChanged& a) {
+                   publisher_.publish(a.state);
+                   diagnostics_.take(a.state);
+                 },
                  [&](const command::MessageRaised& a) { messages_->take(a, clocks); },
                  [&](const command::PendingChanged& a) { messages_->take(a, clocks); },
                  [](const auto&) {},  // connections and bytes are the runtime's own business

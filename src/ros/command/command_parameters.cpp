@@ -174,11 +174,36 @@ SettingTable behaviourTable(CommandParameters& p) {
   };
 }
 
+SettingTable exchangeTable(command::ExchangeRules& rules) {
+  SettingTable rows = {
+      {"require_exchange_configuration", flag(rules.required),
+       "motions are refused (16#8C05) while no `exchange_configuration` goal is enabled; the robot is "
+       "stopped "
+       "when it is disabled"},
+      {"sync_period", seconds(rules.sync_period, 0.1, 60),
+       "between two looks at the tools, frames and loads of the controller's project, while "
+       "`exchange_configuration` is enabled"},
+  };
+  const auto add = [&rows](const std::string& set, command::SyncModes& modes) {
+    rows.push_back({fmt::format("sync/{}/start", set), whole(modes.start, 0, 3),
+                    fmt::format("who wins where {} differ when the interface is enabled: 0 nobody, 1 this "
+                                "layer, 2 the controller; 3 is refused then (10)",
+                                set)});
+    rows.push_back(
+        {fmt::format("sync/{}/run", set), whole(modes.run, 0, 3), "and from then on; 3: who has changed it"});
+  };
+  add("tools", rules.sync.tools);
+  add("frames", rules.sync.frames);
+  add("loads", rules.sync.loads);
+  return rows;
+}
+
 }  // namespace
 
 SettingTable settingsTable(CommandParameters& parameters) {
   return joined({robotTable(parameters), deadlineTable(parameters.link), pathTable(parameters.link),
-                 behaviourTable(parameters), tableRows(parameters.tables)});
+                 behaviourTable(parameters), exchangeTable(parameters.exchange),
+                 tableRows(parameters.tables)});
 }
 
 Result<CommandParameters, ParameterError> readCommandParameters(const GivenParameters& given) {

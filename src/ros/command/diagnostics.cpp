@@ -33,6 +33,10 @@ auto significant(const link::RobotStatus& s) {
                   s.operating_mode);
 }
 
+auto significant(const command::GroupState& s) {
+  return std::tie(s.ri_state, s.out_of_sync);
+}
+
 }  // namespace
 
 // The updater looks for a period by itself, at any time, and throws at one that is no number: it is given a
@@ -47,6 +51,7 @@ Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& sel
   add("Queue", describeQueue);
   add("Robot", describeRobot);
   add("Status stream", describeStatusStream);
+  add("Exchange", describeExchange);
   periodic_ = node.createSteadyTimer(ros::WallDuration(period),
                                      [this](const ros::SteadyTimerEvent&) { publish(true); });
   soon_ = node.createSteadyTimer(
@@ -87,6 +92,12 @@ void Diagnostics::take(const link::RobotStatus& status) {
   last_frame_ = ros::SteadyTime::now();
 }
 
+void Diagnostics::take(const command::GroupState& state) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (significant(state) != significant(group_)) noteChange();
+  group_ = state;
+}
+
 void Diagnostics::publish(bool due) {
   const ros::SteadyTime now = ros::SteadyTime::now();
   {
@@ -94,6 +105,7 @@ void Diagnostics::publish(bool due) {
     if (!due && !changed_) return;
     changed_ = false;
     view_.command = command_;
+    view_.group = group_;
     view_.robot = robot_;
     view_.status_age.reset();
     if (last_frame_) view_.status_age = (now - *last_frame_).toSec();

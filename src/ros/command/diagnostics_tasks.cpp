@@ -149,4 +149,22 @@ void describeStatusStream(DiagnosticStatusWrapper& status, const DiagnosticsView
   status.add("age [s]", view.status_age ? fmt::format("{:.3f}", *view.status_age) : "none came yet");
 }
 
+/// Nobody needs it to move the robot, so that it is no warning where it is not enabled.
+void describeExchange(DiagnosticStatusWrapper& status, const DiagnosticsView& view) {
+  switch (view.group.ri_state) {
+    case blocks::RiState::NotInitialized:
+      status.summary(DiagnosticStatus::OK, "not enabled");
+      break;
+    case blocks::RiState::Initialized:
+      status.summary(view.group.out_of_sync.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+                     orElse(view.group.out_of_sync, "enabled, nothing is compared"));
+      break;
+    case blocks::RiState::Synchronized:
+      status.summary(DiagnosticStatus::OK, "enabled, and in sync");
+      break;
+  }
+  status.add("Enabled", view.group.ri_state != blocks::RiState::NotInitialized);
+  status.add("Out of sync", orElse(view.group.out_of_sync, "nothing"));
+}
+
 }  // namespace cobot_command::ros_adapter

@@ -97,6 +97,7 @@ cobot_command::GroupState toMessage(const command::GroupState& state, const ros:
   cobot_command::GroupState message;
   message.header.stamp = stamp;
   message.ri_state = static_cast<std::uint8_t>(state.ri_state);
+  message.out_of_sync = state.out_of_sync;
   message.enabled = state.enabled;
   message.sequence = static_cast<std::uint8_t>(state.sequence);
   message.in_primary_position = state.in_primary_position;

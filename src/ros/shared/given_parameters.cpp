@@ -15,6 +15,24 @@ Given listIn(XmlRpc::XmlRpcValue& value) {
   return {list};
 }
 
+void add(GivenValues& values, const std::string& name, XmlRpc::XmlRpcValue& value) {
+  values.emplace(name, toGiven(value));
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeStruct) return;
+  for (auto& entry : value) add(values, name + '/' + entry.first, entry.second);
+}
+
+/// The table has rows in it, so that it is no parameter itself.
+bool isSpaceOf(const SettingTable& table, const std::string& name) {
+  return std::any_of(table.begin(), table.end(),
+                     [&](const Setting& row) { return row.name.find(name + '/') == 0; });
+}
+
+/// What is below a name that is told of itself, or that others have.
+bool isBelowAnother(const SettingTable& table, const std::string& name) {
+  const std::size_t end = name.find('/');
+  return end != std::string::npos && !isSpaceOf(table, name.substr(0, end));
+}
+
 }  // namespace
 
 Given toGiven(const XmlRpc::XmlRpcValue& value) {
@@ -48,7 +66,7 @@ GivenParameters givenParameters(const ros::NodeHandle& node, const ros::NodeHand
   XmlRpc::XmlRpcValue value;
   // All at once: what is not asked for by name must be seen as well.
   if (ros::param::get(given.space, value) && value.getType() == XmlRpc::XmlRpcValue::TypeStruct) {
-    for (auto& entry : value) given.own.emplace(entry.first, toGiven(entry.second));
+    for (auto& entry : value) add(given.own, entry.first, entry.second);
   }
   if (node.getParam("robot_description", value)) given.robot_description = toGiven(value);
   return given;
@@ -62,6 +80,7 @@ std::vector<std::string> warningsOfUnknown(const GivenParameters& given, const S
                                            const std::vector<std::string>& others) {
   std::vector<std::string> warnings;
   for (const UnknownSetting& unknown : unknownSettings(table, given.own)) {
+    if (isSpaceOf(table, unknown.name) || isBelowAnother(table, unknown.name)) continue;
     if (std::find(others.begin(), others.end(), unknown.name) != others.end()) continue;
     const std::string hint =
         unknown.meant.empty() ? "README.md lists those that it has" : "did you mean " + unknown.meant + "?";

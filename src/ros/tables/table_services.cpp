@@ -81,7 +81,9 @@ void TableServices::take(const tables::DataTables& tables) {
   // The core's thread and the spinner may tell of one change both: the first one does.
   const std::lock_guard<std::mutex> lock(telling_);
   const ros::Time now = ros::Time::now();
-  if (board_.take(tables, now)) topic_.publish(toMessage(tables, now));
+  if (!board_.take(tables, now)) return;
+  topic_.publish(toMessage(tables, now));
+  writer_.keep(tables);
 }
 
 template <class Of>

@@ -6,8 +6,13 @@
 #include <mutex>
 #include <thread>
 #include <utility>
+#include <variant>
+
+#include <ros/console.h>
 
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/overloaded.h"
+#include "cobot_command/tables/table_text.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -55,27 +60,41 @@ class TableWriter::Desk {
     const std::lock_guard<std::mutex> lock(mutex_);
     jobs_.push_back({std::move(write), {}});
     changed_.notify_all();
-    return jobs_.back().answer.get_future();
+    return std::get<Write>(jobs_.back()).answer.get_future();
+  }
+
+  void add(tables::DataTables changed) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    jobs_.emplace_back(std::move(changed));
+    changed_.notify_all();
   }
 
   void serve() {
-    while (auto job = next()) job->answer.set_value(answerTo(job->write));
+    while (auto job = next()) {
+      std::visit(Overloaded{[this](Write& write) { write.answer.set_value(answerTo(write.write)); },
+                            [this](const tables::DataTables& changed) { keep(changed); }},
+                 *job);
+    }
   }
 
   /// The core is asked before this returns, or not at all.
   void close() {
     const std::lock_guard<std::mutex> lock(mutex_);
     is_open_ = false;
-    for (Job& job : jobs_) job.answer.set_value(refuse(closing(job.write)));
+    for (Job& job : jobs_) {
+      if (auto* const write = std::get_if<Write>(&job))
+        write->answer.set_value(refuse(closing(write->write)));
+    }
     jobs_.clear();
     changed_.notify_all();
   }
 
  private:
-  struct Job {
+  struct Write {
     TableWrite write;
     std::promise<TableAnswer> answer;
   };
+  using Job = std::variant<Write, tables::DataTables>;
 
   std::optional<Job> next() {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -92,12 +111,21 @@ class TableWriter::Desk {
     if (const auto why_not = keep_(tried->tables)) return refuse(notKept(write, *why_not));
     TableAnswer written = ask(core_.written, write);
     if (written) {
-      kept_ = written->tables;
+      kept_ = tried->tables;
+      keep(written->tables);  // something else may have changed meanwhile
     } else {
       // Somebody has begun to use it meanwhile: the file goes back to what rules.
       static_cast<void>(keep_(kept_));
     }
     return written;
+  }
+
+  void keep(const tables::DataTables& changed) {
+    if (toFile(changed) == toFile(kept_)) return;
+    kept_ = changed;
+    if (const auto why_not = keep_(changed)) {
+      ROS_ERROR_STREAM("the tables were changed, and ~tables_file does not have that: " << *why_not);
+    }
   }
 
   TableAnswer ask(const Ask& core, const TableWrite& write) {
@@ -130,6 +158,10 @@ TableWriter::TableWriter(tables::DataTables tables, Core core, Keep keep)
 
 TableWriter::~TableWriter() {
   desk_->close();
+}
+
+void TableWriter::keep(tables::DataTables tables) {
+  desk_->add(std::move(tables));
 }
 
 std::future<TableAnswer> TableWriter::write(TableWrite write) {

@@ -33,6 +33,8 @@ class TableWriter {
 
   /// Nothing changes when the answer is a refusal.
   [[nodiscard]] std::future<command::TableAnswer> write(command::TableWrite write);
+  /// The core has changed them by itself: kept behind all that was to be written before.
+  void keep(tables::DataTables tables);
 
  private:
   class Desk;

@@ -230,6 +230,10 @@ void CommandRuntime::useTables(tables::DataTables tables) {
   impl_->post([tables = std::move(tables)](auto& core, Instant /*now*/) { core.useTables(tables); });
 }
 
+void CommandRuntime::useExchangeRules(const command::ExchangeRules& rules) {
+  impl_->post([rules](auto& core, Instant /*now*/) { core.useExchangeRules(rules); });
+}
+
 std::optional<std::future<command::TableAnswer>> CommandRuntime::writeTable(command::TableWrite write) {
   return ask<command::TableAnswer>(
       [write = std::move(write)](auto& core, const auto& reply, Instant /*now*/) {

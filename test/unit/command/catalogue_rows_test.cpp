@@ -25,6 +25,7 @@ Scenarios allScenarios() {
                            Goal(good<MoveCircleGoal>()), Goal(script)}) {
     all.merge(motionScenarios(goal));
     all.merge(stopScenarios(goal));
+    all.merge(interfaceScenarios(goal));
   }
   for (const Goal& goal :
        {Goal(good<MoveAbsoluteGoal>()), Goal(good<MoveRelativeGoal>()), Goal(good<MoveCircleGoal>()),
@@ -48,6 +49,11 @@ Scenarios allScenarios() {
   all.merge(turnScenarios(good<FollowJointTrajectoryGoal>()));
   all.merge(linkScenarios(good<PickAndPlaceGoal>()));
   all.merge(turnScenarios(good<PickAndPlaceGoal>()));
+  for (const Goal& goal : {Goal(good<LoadPathGoal>()), Goal(good<FollowJointTrajectoryGoal>()),
+                           Goal(good<PickAndPlaceGoal>())}) {
+    all.merge(interfaceScenarios(goal));
+  }
+  all.merge(resumeScenarios());
   all.merge(triedScenarios(StopGoal{}));
   all.merge(stopScenarios(StopGoal{}));
   return all;

@@ -19,6 +19,10 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios connectScenarios();
 /// The settings of the interface, and how they cease to rule.
 [[nodiscard]] Scenarios exchangeScenarios();
+/// What the interface has against a goal that may move the robot.
+[[nodiscard]] Scenarios interfaceScenarios(const blocks::Goal& goal);
+/// To resume a robot that it has interrupted.
+[[nodiscard]] Scenarios resumeScenarios();
 /// Goals of all command blocks with one bad parameter.
 [[nodiscard]] Scenarios parameterScenarios();
 /// Moves, and scripts of them, that the arm cannot make, or of which that is not known.

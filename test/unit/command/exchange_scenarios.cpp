@@ -23,7 +23,61 @@ Outcome until(const std::function<void(ExchangeRig&)>& trouble) {
   return *rig.outcome(id);
 }
 
+/// Enabled with tools that are in sync, or are said not to be.
+void enable(ExchangeRig& rig, SyncReaction reaction, bool in_sync) {
+  rig.connect();
+  rig.exchangeWith([&](ExchangeSettings& s) {
+    s.sync_reaction = static_cast<int>(reaction);
+    s.data_enable_sync.tools = true;
+    s.data_in_sync.tools = in_sync;
+  });
+}
+
+/// Its data were in sync when it was enabled, and are so no more.
+void interrupt(ExchangeRig& rig) {
+  enable(rig, SyncReaction::InterruptAtOnce, true);
+  rig.update([](ExchangeSettings& s) {
+    s.sync_reaction = static_cast<int>(SyncReaction::InterruptAtOnce);
+    s.data_enable_sync.tools = true;
+  });
+}
+
 }  // namespace
+
+Scenarios interfaceScenarios(const Goal& goal) {
+  using namespace interface_error;
+  const auto row = [&](int id) { return Row{blockOf(goal), id}; };
+  return {{row(kNotEnabled),
+           [=] {
+             ExchangeRig rig;
+             command::ExchangeRules rules;
+             rules.required = true;
+             rig.core.useExchangeRules(rules);
+             rig.connect();
+             return *rig.outcome(rig.submit(goal));
+           }},
+          {row(kNotSynchronized),
+           [=] {
+             ExchangeRig rig;
+             enable(rig, SyncReaction::NoEnable, false);
+             return *rig.outcome(rig.submit(goal));
+           }},
+          {row(kInterrupted), [=] {
+             ExchangeRig rig;
+             interrupt(rig);
+             return *rig.outcome(rig.submit(goal));
+           }}};
+}
+
+Scenarios resumeScenarios() {
+  ProgramControlGoal resume;
+  resume.command = static_cast<int>(ProgramCommand::Resume);
+  return {{Row{kBlock<ProgramControlGoal>, interface_error::kInterrupted}, [=] {
+             ExchangeRig rig;
+             interrupt(rig);
+             return *rig.outcome(rig.submit(resume));
+           }}};
+}
 
 Scenarios exchangeScenarios() {
   using namespace exchange_error;
@@ -38,6 +92,15 @@ Scenarios exchangeScenarios() {
          return *rig.outcome(id);
        }},
       {row(kParCmd), [] { return refused([](Goal& g) { g.priority = 5; }); }},
+      {row(kSyncMode),
+       [] {
+         ExchangeRig rig;
+         command::ExchangeRules rules;
+         rules.sync.tools.start = static_cast<int>(command::SyncMode::Automatic);
+         rig.core.useExchangeRules(rules);
+         rig.connect();
+         return *rig.outcome(rig.exchange());
+       }},
       {row(kLifeSignLost),
        [] {
          return until([](ExchangeRig& rig) {

@@ -7,6 +7,7 @@
 #include "runs/pick_and_place_states.h"
 #include "runs/wait_for_input_states.h"
 #include "stops/stop_run_states.h"
+#include "sync/sync_reaction_states.h"
 #include "table_checks.h"
 #include <gtest/gtest.h>
 
@@ -28,6 +29,23 @@ TEST(CommandRunTable, isSound) {
 
 TEST(ExchangeTable, isSound) {
   expectSoundTable<ExchangeTable>(ExchangeState::Disabling, ExchangeEvent::ShutDown, ExchangeState::Disabled);
+}
+
+TEST(SyncReactionTable, isSound) {
+  expectSoundTable<SyncReactionTable>(SyncReactionState::Resumable, SyncReactionEvent::LinkLost,
+                                      SyncReactionState::Free);
+}
+
+/// Nothing resumes by itself.
+TEST(SyncReactionTable, leavesAnInterruptionOnlyByItsClientOrWhereNothingIsLeft) {
+  for (const auto& row : SyncReactionTable::kRows) {
+    const bool was_held =
+        row.from == SyncReactionState::Interrupted || row.from == SyncReactionState::Resumable;
+    if (was_held && row.to == SyncReactionState::Free) {
+      EXPECT_TRUE(row.event == SyncReactionEvent::Resumed || row.event == SyncReactionEvent::Emptied ||
+                  row.event == SyncReactionEvent::LinkLost);
+    }
+  }
 }
 
 TEST(InputWaitTable, isSound) {

@@ -202,7 +202,7 @@ TEST_F(ScriptLinkTest, matchesScriptRepliesById) {
   EXPECT_EQ(answers[1].id, first);
   say(protocol::ScriptReply{first, true, {}});
   EXPECT_EQ(all<ScriptAnswered>().size(), 2u);
-  EXPECT_EQ(link.lateReplies(), 1u);
+  EXPECT_EQ(link.requests().late(), 1u);
 }
 
 TEST_F(ScriptLinkTest, givesACommunicationErrorToTheOldestFrame) {
@@ -216,7 +216,7 @@ TEST_F(ScriptLinkTest, givesACommunicationErrorToTheOldestFrame) {
   ASSERT_EQ(all<TagQueryFailed>().size(), 1u);
   EXPECT_EQ(all<TagQueryFailed>()[0].tag, 3);
   say(CommunicationError{CommunicationErrorCode::Data});
-  EXPECT_EQ(link.lateReplies(), 1u);
+  EXPECT_EQ(link.requests().late(), 1u);
 }
 
 TEST_F(ScriptLinkTest, givesF1ToTheOldestScript) {
@@ -257,7 +257,7 @@ TEST_F(ScriptLinkTest, tellsOfMissingReplies) {
   EXPECT_TRUE(std::holds_alternative<NoReply>(all<ScriptAnswered>()[0].answer));
   ASSERT_EQ(all<TagQueryFailed>().size(), 1u);
   say(protocol::ScriptReply{id, true, {}});
-  EXPECT_EQ(link.lateReplies(), 1u);
+  EXPECT_EQ(link.requests().late(), 1u);
 }
 
 TEST_F(ScriptLinkTest, stopsBeingInterestedInTheMiddleOfASegment) {
@@ -283,7 +283,7 @@ TEST_F(ScriptLinkTest, takesBackTheAnswersOfAnOldConnection) {
   say(ListenNodeState{true, "Listen1"});
   EXPECT_EQ(link.state(), State::Ready) << "the half frame of before is forgotten";
   say(protocol::ScriptReply{id, true, {}});
-  EXPECT_EQ(link.lateReplies(), 1u);
+  EXPECT_EQ(link.requests().late(), 1u);
   EXPECT_TRUE(all<ScriptAnswered>().empty());
 }
 

@@ -41,13 +41,25 @@ diagnostic_updater::DiagnosticStatusWrapper said(
 }
 
 TEST(Diagnostics, everythingIsFineWhileCommandsAreTaken) {
-  for (const auto describe :
-       {describeLink, describeListenNode, describeQueue, describeRobot, describeStatusStream}) {
+  for (const auto describe : {describeLink, describeListenNode, describeQueue, describeRobot,
+                              describeStatusStream, describeExchange}) {
     const auto status = said(describe, ready());
     EXPECT_EQ(status.level, DiagnosticStatus::OK) << status.message;
   }
   EXPECT_THAT(said(describeLink, ready()).message, HasSubstr("192.168.1.2:5890"));
   EXPECT_THAT(said(describeStatusStream, ready()).message, HasSubstr("66 frames"));
+}
+
+TEST(Diagnostics, dataThatAreOutOfSyncAreAWarningThatNamesThem) {
+  DiagnosticsView view = ready();
+  view.group.ri_state = blocks::RiState::Initialized;
+  EXPECT_EQ(said(describeExchange, view).level, DiagnosticStatus::OK) << "nothing is compared";
+  view.group.out_of_sync = "tool 3 is another one";
+  EXPECT_EQ(said(describeExchange, view).level, DiagnosticStatus::WARN);
+  EXPECT_EQ(said(describeExchange, view).message, "tool 3 is another one");
+  view.group = {};
+  view.group.ri_state = blocks::RiState::Synchronized;
+  EXPECT_EQ(said(describeExchange, view).level, DiagnosticStatus::OK);
 }
 
 TEST(Diagnostics, aLinkThatIsBeingTriedIsAWarningWithTheDiagnosis) {

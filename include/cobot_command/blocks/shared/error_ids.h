@@ -151,6 +151,13 @@ inline constexpr int kPathTolerance = 0x2A4;
 inline constexpr int kGoalTolerance = 0x2A5;
 }  // namespace own_error
 
+/// SRCI's, of goals that its interface has something against (exchange_configuration).
+namespace interface_error {
+inline constexpr int kNotEnabled = 0x8C05;
+inline constexpr int kNotSynchronized = 0x8C06;
+inline constexpr int kInterrupted = 0x8C30;
+}  // namespace interface_error
+
 /// Rockwell's manual of LoadPath, which is decimal; those of points and plans: path/path_refusal.h.
 namespace load_path_error {
 inline constexpr int kNotRegistered = 1000;

@@ -58,6 +58,8 @@ class ErrorTable {
   ErrorTable& anyCommand();
   /// To wait for one's turn, with a robot that may move.
   ErrorTable& turn();
+  /// What may move the arm, while exchange_configuration rules.
+  ErrorTable& underInterface();
   /// What moves the arm: its plan, and its way from the acceptance to the tag, or to a stop.
   ErrorTable& motion();
   /// That, and the parameters of a move.

@@ -1,4 +1,4 @@
-// The state of one robot on /diagnostics: Link, Listen node, Queue, Robot, Status stream.
+// The state of one robot on /diagnostics: Link, Listen node, Queue, Robot, Status stream, Exchange.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include <ros/steady_timer.h>
 
 #include "cobot_command/command/command_status.h"
+#include "cobot_command/command/group_state.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/robot_status.h"
 
@@ -18,6 +19,7 @@ namespace cobot_command::ros_adapter {
 /// All that the tasks look at.
 struct DiagnosticsView {
   command::CommandStatus command;
+  command::GroupState group;
   link::RobotStatus robot;           ///< of the last status frame
   bool status_wanted = true;         ///< a status stream is asked for
   double status_rate = 0;            ///< frames a second, over the last period
@@ -30,6 +32,7 @@ void describeListenNode(diagnostic_updater::DiagnosticStatusWrapper& status, con
 void describeQueue(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
 void describeRobot(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
 void describeStatusStream(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
+void describeExchange(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
 
 /// Publishes once in a period, and within a tenth of a second when something that people look
 /// at has changed. take() is for the core's thread and costs a copy; all else is done on ROS's spinner.
@@ -44,6 +47,7 @@ class Diagnostics {
 
   void take(const command::CommandStatus& status);
   void take(const link::RobotStatus& status);
+  void take(const command::GroupState& state);
 
  private:
   using Describe = void (*)(diagnostic_updater::DiagnosticStatusWrapper&, const DiagnosticsView&);
@@ -52,8 +56,9 @@ class Diagnostics {
   void noteChange();
   void publish(bool due);
 
-  std::mutex mutex_;  // guards the next five
+  std::mutex mutex_;  // guards the next six
   command::CommandStatus command_;
+  command::GroupState group_;
   link::RobotStatus robot_;
   std::uint64_t frames_ = 0;
   std::optional<ros::SteadyTime> last_frame_;

@@ -15,7 +15,7 @@ namespace cobot_command::ros_adapter {
 
 struct GivenParameters {
   std::string space;                       ///< of the private ones: "/command_node"
-  GivenValues own;                         ///< by their private names; what is below them is theirs
+  GivenValues own;                         ///< by their private names, also "space/name"
   std::optional<Given> robot_description;  ///< as the node's namespace has it
 };
 

@@ -51,6 +51,7 @@ class CommandRuntime {
   void useSettings(const link::LinkSettings& settings);
   /// See CommandCore.
   void useTables(tables::DataTables tables);
+  void useExchangeRules(const command::ExchangeRules& rules);
   /// See CommandCore; the answer as with finish().
   std::optional<std::future<command::TableAnswer>> writeTable(command::TableWrite write);
   std::optional<std::future<command::TableAnswer>> tryTable(command::TableWrite write);

@@ -227,16 +227,22 @@ TEST(ExchangeConfiguration, namesWhatIsWithoutEffect) {
   EXPECT_THAT(rig.report(id).without_effect, ElementsAre("allow_sec_seq_while_subprogram"));
 }
 
-TEST(ExchangeConfiguration, namesWhatIsNotBuiltYetAmongThat) {
+TEST(ExchangeConfiguration, warnsOfAQueueThatIsNearlyFull) {
   ExchangeRig rig;
   rig.connect();
-  const GoalId id = rig.exchangeWith([](auto& s) {
-    s.allow_dynamic_blending = true;
-    s.data_enable_sync.tools = true;
-    s.sync_reaction = 3;
-  });
-  EXPECT_THAT(rig.report(id).without_effect,
-              ElementsAre("allow_dynamic_blending", "data_enable_sync", "sync_reaction"));
+  const GoalId id = rig.exchange();
+  rig.submit(CoreRig::move());
+  rig.reply(rig.takeScript().id);
+  auto waits = CoreRig::move();
+  waits.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  GoalId last = 0;
+  for (int i = 0; i < 51; ++i) last = rig.submit(waits);
+  rig.pass(200ms);
+  EXPECT_EQ(rig.report(id).warning_id, 0x7A01);
+  rig.cancel(last);
+  rig.pass(200ms);
+  EXPECT_EQ(rig.report(id).warning_id, 0);
+  rig.discardSent();
 }
 
 TEST(ExchangeConfiguration, tellsItsStateEverySecond) {

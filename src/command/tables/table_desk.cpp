@@ -1,4 +1,4 @@
-#include "table_desk.h"
+#include "tables/table_desk.h"
 
 #include "cobot_command/common/overloaded.h"
 

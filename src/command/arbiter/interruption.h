@@ -1,0 +1,41 @@
+// Motions and the interface of SRCI: what its reactions do to the robot and to what waits.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "arbiter/core_parts.h"
+#include "arbiter/turns.h"
+#include "paths/feedrate_desk.h"
+
+namespace cobot_command::command {
+
+class Interruption {
+ public:
+  /// All have to live longer.
+  Interruption(const CoreParts& parts, const Turns::Desks& desks, Turns& turns, FeedrateDesk& feedrate)
+      : parts_(parts), desks_(desks), turns_(turns), feedrate_(feedrate) {}
+
+  /// Behind each event, before anything begins.
+  void look(Instant now);
+  /// A stop has taken what there was; or so it will be, when that has ended.
+  void stopConfirmed() { is_stopped_ = true; }
+  /// What was sent beside has ended.
+  void ended(const CommandWindow::Ended& ended);
+  /// Once, at the end of an event.
+  void proceed();
+
+ private:
+  void pause(Instant now);
+  /// Whoever needs the interface for moving has disabled it.
+  void stopWithout(Instant now);
+  void warn(std::string text);
+
+  CoreParts parts_;
+  Turns::Desks desks_;
+  Turns& turns_;
+  FeedrateDesk& feedrate_;
+  bool is_stopped_ = false;
+};
+
+}  // namespace cobot_command::command

@@ -1,0 +1,43 @@
+// What the interface of SRCI has against motions: it is not enabled though it has to be, or data are out of
+// sync.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exchange/exchange_desk.h"
+#include "sync/sync_desk.h"
+#include "sync/sync_reaction.h"
+
+#include "cobot_command/blocks/shared/failure.h"
+#include "cobot_command/blocks/shared/goal_traits.h"
+
+namespace cobot_command::command {
+
+class MotionPermit {
+ public:
+  /// All have to live longer.
+  MotionPermit(const ExchangeDesk& exchange, const SyncDesk& sync, SyncReaction& reaction)
+      : exchange_(exchange), sync_(sync), reaction_(reaction) {}
+
+  /// Against a goal as it comes.
+  [[nodiscard]] std::vector<blocks::Failure> objectionsTo(const blocks::GoalTraits& traits) const;
+  /// It waits, though it would be its turn. `robot_stands`: no blended motion is under way, as far as known.
+  [[nodiscard]] bool holdsBack(const blocks::GoalTraits& traits, bool robot_stands) const;
+  [[nodiscard]] bool interrupts() const { return reaction_.interrupts(); }
+  /// Why motions that wait do not begin. Precondition: interrupts().
+  [[nodiscard]] std::string text() const;
+
+  // --- RESUME.
+  void resumes(blocks::GoalId goal) { resuming_ = goal; }
+  void ended(blocks::GoalId goal, bool is_done);
+
+ private:
+  const ExchangeDesk& exchange_;
+  const SyncDesk& sync_;
+  SyncReaction& reaction_;
+  std::optional<blocks::GoalId> resuming_;
+};
+
+}  // namespace cobot_command::command

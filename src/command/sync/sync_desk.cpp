@@ -1,0 +1,313 @@
+#include "sync/sync_desk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/common/deadline.h"
+#include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/overloaded.h"
+
+namespace cobot_command::command {
+namespace {
+
+using tables::Kind;
+
+constexpr Kind kKinds[] = {Kind::Tool, Kind::Frame, Kind::Load};
+/// Names that the project did not have are asked for again with each so many-th look.
+constexpr int kLooksUntilUnknownAgain = 10;
+/// A controller that is busy with the script of another client answers late, and nothing has changed by that.
+constexpr int kUnansweredUntilUnknown = 3;
+constexpr const char* kOrigin = "synchronisation";
+
+struct SetNumbers {
+  const char* name;
+  int differs;      ///< info, of a set that is not enabled
+  int conflict;     ///< warning
+  int unreachable;  ///< warning: could not be read, or written
+};
+constexpr SetNumbers numbersOf(Kind kind) {
+  using namespace blocks::exchange_note;
+  switch (kind) {
+    case Kind::Tool:
+      return {"tools", kToolsDiffer, kToolsConflict, kToolsUnreachable};
+    case Kind::Frame:
+      return {"frames", kFramesDiffer, kFramesConflict, kFramesUnreachable};
+    default:
+      return {"loads", kLoadsDiffer, kToolsConflict, kToolsUnreachable};
+  }
+}
+
+bool flagOf(const blocks::DataSets& sets, Kind kind) {
+  switch (kind) {
+    case Kind::Tool:
+      return sets.tools;
+    case Kind::Frame:
+      return sets.frames;
+    default:
+      return sets.loads;
+  }
+}
+
+bool isAnyEnabled(const blocks::DataSets& sets) {
+  return !(sets == blocks::DataSets());
+}
+
+bool isOf(Kind kind, const script::AttributeRead& read) {
+  using script::ProjectAttribute;
+  if (kind == Kind::Frame) return read.attribute == ProjectAttribute::BaseValue;
+  return (read.attribute == ProjectAttribute::TcpValue) == (kind == Kind::Tool) &&
+         read.attribute != ProjectAttribute::BaseValue;
+}
+
+Message warning(int code, std::string text, std::string remedy) {
+  return {0,    {},      Severity::Warning, MessageType::Interface,
+          code, kOrigin, std::move(text),   std::move(remedy)};
+}
+
+}  // namespace
+
+void SyncDesk::begin(const ExchangeRules& rules, const blocks::ExchangeSettings& settings, Instant now) {
+  end();
+  rules_ = rules;
+  settings_ = settings;
+  policy_.begin(rules);
+  is_active_ = true;
+  ask_at_ = now;
+  look(now);
+}
+
+void SyncDesk::change(const blocks::ExchangeSettings& settings) {
+  settings_ = settings;
+}
+
+void SyncDesk::end() {
+  line_.forget();
+  is_active_ = is_judged_ = is_verifying_ = false;
+  ask_at_.reset();
+  looks_ = unanswered_ = 0;
+  unknown_.clear();
+  unread_ = unwritten_ = {};
+  look_ = {};
+  changed_ = {};
+  tell();
+  told_infos_ = {};
+  core_.tables.store().know({});
+}
+
+// --- Events.
+
+void SyncDesk::advance(Instant now) {
+  line_.advance(now);
+}
+
+std::optional<Instant> SyncDesk::nextDeadline() const {
+  if (!is_active_) return std::nullopt;
+  return earlier(line_.nextDeadline(), line_.isFree() ? ask_at_ : std::nullopt);
+}
+
+void SyncDesk::look(Instant now) {
+  if (!is_active_) return;
+  while (const auto result = line_.takeResult()) take(*result, now);
+  const bool are_others = &compared_.entries() != &core_.tables.store().tables().entries();
+  if (are_others && !line_.isReading()) ask_at_ = now;
+  if (ask_at_ && now >= *ask_at_ && line_.isFree()) ask(now);
+  tell();
+}
+
+void SyncDesk::ask(Instant now) {
+  compared_ = core_.tables.store().tables();
+  if (++looks_ % kLooksUntilUnknownAgain == 0) unknown_.clear();
+  auto reads = readsOf(compared_.entries());
+  const bool is_any_named = !reads.empty();
+  reads.erase(
+      std::remove_if(reads.begin(), reads.end(), [this](const auto& read) { return isUnknown(read); }),
+      reads.end());
+  ask_at_ = is_any_named ? std::optional(now + rules_.sync_period) : std::nullopt;
+  if (reads.empty()) {
+    takeValues({}, now);
+  } else {
+    line_.read(std::move(reads), now);
+  }
+}
+
+void SyncDesk::take(const ProjectLine::Result& result, Instant now) {
+  std::visit(Overloaded{[&](const robot::ReadOutcome& outcome) {
+                          if (outcome) {
+                            takeValues(*outcome, now);
+                          } else {
+                            takeFailure(outcome.error(), now);
+                          }
+                        },
+                        [&](const ProjectLine::Written&) {
+                          policy_.written();
+                          is_verifying_ = true;
+                          ask_at_ = now;
+                        },
+                        [&](const ProjectLine::NotWritten& not_written) {
+                          for (const Kind kind : kKinds) {
+                            if (!look_.differences.of(kind).empty()) unwritten_.of(kind) = not_written.reason;
+                          }
+                        }},
+             result);
+}
+
+void SyncDesk::takeValues(const std::vector<robot::ReadValue>& values, Instant now) {
+  if (&compared_.entries() != &core_.tables.store().tables().entries()) return;  // asked for again
+  unanswered_ = 0;
+  unread_ = {};
+  for (const auto& read : unknown_) noteUnread(read, fmt::format("the project has no {}", describe(read)));
+  const ProjectValues project = valuesOf(values);
+  tables::TableStore& store = core_.tables.store();
+  store.know({project.tcps, project.bases});
+  look_ = policy_.look(compared_, project,
+                       [&store](Kind kind, int index) { return store.userOf(kind, index).has_value(); });
+  is_judged_ = true;
+  for (const Kind kind : kKinds) {
+    if (look_.changed.of(kind) != 0) changed_.of(kind) = look_.changed.of(kind);
+    if (look_.differences.of(kind).empty()) unwritten_.of(kind).clear();
+  }
+  carryOut(now);
+}
+
+/// What was written is looked at once before it is written again: a controller that does not keep it would be
+/// asked without an end.
+void SyncDesk::carryOut(Instant now) {
+  const bool is_verified = std::exchange(is_verifying_, false);
+  for (const TableWrite& write : look_.for_tables) {
+    const auto written = core_.tables.write(write);
+    if (!written) unwritten_.of(written.error().kind) = describe(written.error());
+  }
+  if (!look_.for_project.empty() && !is_verified && line_.isFree()) line_.write(look_.for_project, now);
+}
+
+void SyncDesk::takeFailure(const robot::ReadFailure& failure, Instant now) {
+  using Failure = robot::ReadFailure::Kind;
+  if (failure.kind == Failure::Lost) return;
+  if (failure.kind == Failure::Unknown) {
+    unknown_.insert(unknown_.end(), failure.reads.begin(), failure.reads.end());
+    ask_at_ = now;
+    return;
+  }
+  if (failure.kind == Failure::NoAnswer && ++unanswered_ < kUnansweredUntilUnknown) return;
+  if (failure.kind == Failure::NoListenSend) ask_at_.reset();
+  is_judged_ = true;
+  for (const auto& read : readsOf(compared_.entries())) noteUnread(read, failure.reason);
+}
+
+bool SyncDesk::isUnknown(const script::AttributeRead& read) const {
+  return std::find(unknown_.begin(), unknown_.end(), read) != unknown_.end();
+}
+
+void SyncDesk::noteUnread(const script::AttributeRead& read, const std::string& why) {
+  for (const Kind kind : kKinds) {
+    if (isOf(kind, read)) unread_.of(kind) = why;
+  }
+}
+
+// --- What is so.
+
+bool SyncDesk::isSetInSync(Kind kind) const {
+  return look_.differences.of(kind).empty() && unread_.of(kind).empty();
+}
+
+blocks::DataSets SyncDesk::controllersHalf() const {
+  const auto half = [this](Kind kind) { return is_judged_ && isSetInSync(kind); };
+  return {half(Kind::Tool), half(Kind::Frame), half(Kind::Load), true, true, true, true};
+}
+
+bool SyncDesk::isInSync() const {
+  return std::all_of(std::begin(kKinds), std::end(kKinds), [this](Kind kind) {
+    if (!flagOf(settings_.data_enable_sync, kind)) return true;
+    return is_judged_ && flagOf(settings_.data_in_sync, kind) && isSetInSync(kind);
+  });
+}
+
+blocks::RiState SyncDesk::riState() const {
+  if (!is_active_) return blocks::RiState::NotInitialized;
+  return isAnyEnabled(settings_.data_enable_sync) && isInSync() ? blocks::RiState::Synchronized
+                                                                : blocks::RiState::Initialized;
+}
+
+std::string SyncDesk::reasonOf(Kind kind) const {
+  std::string reason;
+  const auto add = [&reason](const std::string& text) {
+    if (!text.empty()) reason += (reason.empty() ? "" : "; ") + text;
+  };
+  for (const std::string& difference : look_.differences.of(kind)) add(difference);
+  add(unread_.of(kind));
+  add(unwritten_.of(kind));
+  return reason;
+}
+
+std::string SyncDesk::whyNot() const {
+  std::string why;
+  for (const Kind kind : kKinds) {
+    if (!flagOf(settings_.data_enable_sync, kind)) continue;
+    std::string reason = reasonOf(kind);
+    if (reason.empty() && !flagOf(settings_.data_in_sync, kind)) {
+      reason =
+          fmt::format("data_in_sync says that the caller's own {} are not up to date", numbersOf(kind).name);
+    }
+    if (!reason.empty()) why += (why.empty() ? "" : "; ") + reason;
+  }
+  return why;
+}
+
+int SyncDesk::warningId() const {
+  for (const Kind kind : kKinds) {
+    if (look_.conflicts.of(kind)) return numbersOf(kind).conflict;
+  }
+  for (const Kind kind : kKinds) {
+    if (!unread_.of(kind).empty() || !unwritten_.of(kind).empty()) return numbersOf(kind).unreachable;
+  }
+  return 0;
+}
+
+int SyncDesk::infoId() const {
+  for (const Kind kind : kKinds) {
+    if (is_judged_ && !flagOf(settings_.data_enable_sync, kind) && !isSetInSync(kind)) {
+      return numbersOf(kind).differs;
+    }
+  }
+  return 0;
+}
+
+// --- What is told.
+
+void SyncDesk::tell() {
+  for (const Kind kind : {Kind::Tool, Kind::Frame}) {
+    const SetNumbers numbers = numbersOf(kind);
+    const bool is_tools = kind == Kind::Tool;
+    const bool is_conflict = look_.conflicts.of(kind) || (is_tools && look_.conflicts.loads);
+    core_.messages.show(
+        is_conflict,
+        warning(numbers.conflict,
+                fmt::format("{} were changed here and on the controller: nobody wins", numbers.name),
+                "write the entry that is meant, or change it back on the pendant"));
+    std::string unreachable = unread_.of(kind) + unwritten_.of(kind);
+    if (is_tools && unreachable.empty()) unreachable = unread_.loads + unwritten_.loads;
+    core_.messages.show(!unreachable.empty(),
+                        warning(numbers.unreachable,
+                                fmt::format("{} could not be read or written: {}", numbers.name, unreachable),
+                                "give the names as the project has them; see doc/tables.md"));
+  }
+  for (const Kind kind : kKinds) tellInfo(kind);
+}
+
+/// Once, until it is so no more.
+void SyncDesk::tellInfo(Kind kind) {
+  const bool is_so =
+      is_judged_ && !flagOf(settings_.data_enable_sync, kind) && !look_.differences.of(kind).empty();
+  if (is_so && !told_infos_.of(kind)) {
+    core_.actions.emplace_back(
+        LogMessage{Severity::Info,
+                   fmt::format("{} differ, and are not enabled in data_enable_sync: {}", numbersOf(kind).name,
+                               reasonOf(kind)),
+                   numbersOf(kind).differs});
+  }
+  told_infos_.of(kind) = is_so;
+}
+
+}  // namespace cobot_command::command

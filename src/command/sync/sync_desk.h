@@ -1,0 +1,96 @@
+// Our tables and the controller's project, kept side by side while the interface is enabled: looked at, told,
+// and brought into line as the modes of the node say (SRCI: data in sync).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "messages/message_desk.h"
+#include "sync/project_line.h"
+#include "sync/sync_policy.h"
+#include "tables/table_desk.h"
+
+#include "cobot_command/blocks/exchange_configuration.h"
+#include "cobot_command/command/actions.h"
+#include "cobot_command/command/exchange_rules.h"
+
+namespace cobot_command::command {
+
+class SyncDesk {
+ public:
+  /// All have to live longer.
+  struct Core {
+    link::ScriptLink& script;
+    const link::LinkSettings& settings;
+    TableDesk& tables;
+    MessageDesk& messages;
+    std::vector<Action>& actions;
+  };
+  explicit SyncDesk(const Core& core) : core_(core), line_(core.script, core.settings) {}
+
+  /// The interface is enabled; nothing is known of the controller's values yet.
+  void begin(const ExchangeRules& rules, const blocks::ExchangeSettings& settings, Instant now);
+  void change(const blocks::ExchangeSettings& settings);
+  void end();
+
+  // --- Events. The first two: whether it was for this desk.
+  bool take(const protocol::ListenData& data) { return line_.take(data); }
+  bool take(const link::ScriptAnswered& answered) { return line_.take(answered); }
+  void advance(Instant now);
+  /// Behind each event: what was answered, and what is to be asked now.
+  void look(Instant now);
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+  // --- What is so.
+  /// The sets were looked at, or cannot be.
+  [[nodiscard]] bool isJudged() const { return is_judged_; }
+  /// All that are enabled.
+  [[nodiscard]] bool isInSync() const;
+  [[nodiscard]] blocks::RiState riState() const;
+  /// The controller's half: without the flags of the caller.
+  [[nodiscard]] blocks::DataSets controllersHalf() const;
+  /// Changed last on the controller, by others; 0: none.
+  [[nodiscard]] const BySet<int>& changed() const { return changed_; }
+  /// SRCI's numbers; 0: none.
+  [[nodiscard]] int warningId() const;
+  [[nodiscard]] int infoId() const;
+  /// What is out of sync, in words; empty: nothing.
+  [[nodiscard]] std::string whyNot() const;
+
+ private:
+  void ask(Instant now);
+  void take(const ProjectLine::Result& result, Instant now);
+  void takeValues(const std::vector<robot::ReadValue>& values, Instant now);
+  void takeFailure(const robot::ReadFailure& failure, Instant now);
+  void carryOut(Instant now);
+  [[nodiscard]] bool isUnknown(const script::AttributeRead& read) const;
+  void noteUnread(const script::AttributeRead& read, const std::string& why);
+  /// "" without a reason.
+  [[nodiscard]] std::string reasonOf(tables::Kind kind) const;
+  [[nodiscard]] bool isSetInSync(tables::Kind kind) const;
+  /// Messages of what is so, each once.
+  void tell();
+  void tellInfo(tables::Kind kind);
+
+  Core core_;
+  ProjectLine line_;
+  SyncPolicy policy_;
+  ExchangeRules rules_;
+  blocks::ExchangeSettings settings_;
+  bool is_active_ = false;
+  bool is_judged_ = false;
+  bool is_verifying_ = false;  ///< ours were written, and are read back
+  std::optional<Instant> ask_at_;
+  int looks_ = 0;
+  int unanswered_ = 0;                          ///< questions, one after the other
+  tables::DataTables compared_;                 ///< our tables, as they were then
+  std::vector<script::AttributeRead> unknown_;  ///< of names that the project does not have
+  BySet<std::string> unread_;                   ///< why their values are not known
+  BySet<std::string> unwritten_;                ///< why ours were not taken
+  SyncLook look_;
+  BySet<int> changed_;
+  BySet<bool> told_infos_;
+};
+
+}  // namespace cobot_command::command

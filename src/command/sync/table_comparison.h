@@ -1,0 +1,45 @@
+// Our tables beside what the controller's project has: entry by entry, for those that it knows by name.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sync/project_values.h"
+
+#include "cobot_command/tables/data_tables.h"
+
+namespace cobot_command::command {
+
+/// A tool in the flange, a frame in the robot base; or a load.
+using EntryValue = std::variant<arm::Pose, tables::Load>;
+
+/// Equal as far as the controller's floats can tell: to 0.001 mm and deg, 0.001 kg, 0.1 kg mm^2.
+[[nodiscard]] bool isSame(const EntryValue& a, const EntryValue& b);
+/// "0,0,150,0,0,0", "2 kg".
+[[nodiscard]] std::string describe(const EntryValue& value);
+
+struct NamedValue {
+  std::string name;                 ///< in the project
+  std::optional<EntryValue> value;  ///< nothing: it has not been read
+};
+
+struct ComparedEntry {
+  tables::Kind kind = tables::Kind::Tool;
+  int index = 0;
+  std::optional<EntryValue> ours;  ///< nothing: what the controller has counts
+  std::vector<NamedValue> theirs;  ///< one; of a load, those of all tools that have it
+
+  /// All that was read, and has to be, is the same.
+  [[nodiscard]] bool isInSync() const;
+  /// What they agree on; nothing: they do not, or it was not read.
+  [[nodiscard]] std::optional<EntryValue> theirValue() const;
+  /// "tool 3 "gripper" is ... on the controller, ... here".
+  [[nodiscard]] std::string difference() const;
+};
+
+/// Those that the project knows by name, and the loads of such tools.
+[[nodiscard]] std::vector<ComparedEntry> compare(const tables::DataTables& ours, const ProjectValues& theirs);
+
+}  // namespace cobot_command::command
