@@ -185,9 +185,9 @@ SettingTable exchangeTable(command::ExchangeRules& rules) {
        "`exchange_configuration` is enabled"},
   };
   const auto add = [&rows](const std::string& set, command::SyncModes& modes) {
-    rows.push_back({fmt::format("sync/{}/start", set), whole(modes.start, 0, 3),
+    rows.push_back({fmt::format("sync/{}/start", set), whole(modes.start, 0, 2),
                     fmt::format("who wins where {} differ when the interface is enabled: 0 nobody, 1 this "
-                                "layer, 2 the controller; 3 is refused then (10)",
+                                "layer, 2 the controller",
                                 set)});
     rows.push_back(
         {fmt::format("sync/{}/run", set), whole(modes.run, 0, 3), "and from then on; 3: who has changed it"});
