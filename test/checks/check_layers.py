@@ -11,6 +11,7 @@ ALLOWED = {
     "protocol": {"common"},
     "arm": {"common"},
     "tables": {"common", "arm"},
+    "kinematics": {"common", "arm", "tables"},
     "motion": {"common", "arm"},
     "planning": {"common", "script", "arm", "tables", "motion"},
     "path": {"common", "script", "arm", "tables", "motion", "planning"},
