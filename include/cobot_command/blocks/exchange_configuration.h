@@ -121,8 +121,6 @@ inline constexpr int kOnlyOneInstance = 0x8F12;
 [[nodiscard]] std::vector<Failure> check(const ExchangeConfigurationGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const ExchangeSettings& settings);
 
-/// What nobody can have of a TM controller, in SRCI's words.
-[[nodiscard]] const std::vector<std::string>& unsupportedByTheController();
 [[nodiscard]] std::vector<std::string> withoutEffect(const ExchangeConfigurationGoal& goal);
 
 }  // namespace cobot_command::blocks
