@@ -191,19 +191,6 @@ std::vector<Failure> check(const ExchangeSettings& settings) {
   return failures;
 }
 
-const std::vector<std::string>& unsupportedByTheController() {
-  static const std::vector<std::string> kNames = {
-      "work areas",
-      "working hours: the controller tells its uptime only",
-      "brake test",
-      "step mode",
-      "path accuracy mode",
-      "avoid singularity",
-      "collision detection: it is always on, and set on the pendant",
-  };
-  return kNames;
-}
-
 std::vector<std::string> withoutEffect(const ExchangeConfigurationGoal& goal) {
   std::vector<std::string> names;
   if (goal.priority != 0) names.emplace_back("priority");

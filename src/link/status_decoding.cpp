@@ -128,6 +128,12 @@ constexpr ItemRow kItems[] = {
     {"Project_Speed",
      [](const StatusItem& i, RobotStatus& s) { return readInt(i, s.project_speed_percent); }},
     {"MA_Mode", [](const StatusItem& i, RobotStatus& s) { return readInt(i, s.operating_mode); }},
+    {"Robot_Model",
+     [](const StatusItem& i, RobotStatus& s) { return readString(i, s.identity.robot_model); }},
+    {"ControlBox_SN",
+     [](const StatusItem& i, RobotStatus& s) { return readString(i, s.identity.control_box_sn); }},
+    {"TMflow_Version",
+     [](const StatusItem& i, RobotStatus& s) { return readString(i, s.identity.tmflow_version); }},
 };
 
 }  // namespace

@@ -36,6 +36,8 @@ void StatusLink::stop(Instant now) {
 
 void StatusLink::opened(Instant now) {
   heard_ = Heard::Nothing;
+  content_.reset();  // another controller may say the same, and is another one all the same
+  questions_ = {};
   fire(Event::Opened, now);
 }
 
@@ -108,6 +110,10 @@ std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instan
   if (wire_.isTraced(Channel::Status)) {
     wire_.trace(now, Channel::Status, false, decoder_.lastFrame(), protocol::describe(frame));
   }
+  if (questions_.take(*status_frame)) {
+    questions_.complete(decoded_.identity);
+    return std::nullopt;
+  }
   if (status_frame->mode != static_cast<int>(protocol::StatusMode::WriteBinary)) {
     diagnosis_ = fmt::format(
         "the status stream is sent in mode {} ({}), only BINARY can be read: set it in TMflow, Setting > "
@@ -128,7 +134,10 @@ std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instan
   }
   heard_ = Heard::Nothing;
   back_off_.reset();
+  // Behind the first frame: now it is known to be a status port.
+  const bool is_first = state_ == StatusLinkState::Waiting;
   fire(Event::Frame, now);
+  if (is_first) ask(now);
   diagnosis_ = unreadable_;
   decoded_.received = now;
   return decoded_;
@@ -140,6 +149,7 @@ std::optional<std::string> StatusLink::decode(std::string content) {
   const auto items = protocol::parseBinaryItems(content);
   if (!items) return items.error().message;
   decoded_ = toRobotStatus(*items, Instant{});
+  questions_.complete(decoded_.identity);
   unreadable_ = decoded_.unreadable.empty()
                     ? ""
                     : fmt::format(
@@ -148,6 +158,16 @@ std::optional<std::string> StatusLink::decode(std::string content) {
                           fmt::join(decoded_.unreadable, ", "));
   content_ = std::move(content);
   return std::nullopt;
+}
+
+void StatusLink::ask(Instant now) {
+  for (const protocol::StatusFrame& request : IdentityQuestions::missingIn(decoded_.identity)) {
+    std::string bytes = protocol::encode(request);
+    if (wire_.isTraced(Channel::Status)) {
+      wire_.trace(now, Channel::Status, true, bytes, fmt::format("asks for items, as \"{}\"", request.id));
+    }
+    wire_.send(*connection_, std::move(bytes));
+  }
 }
 
 void StatusLink::fault(std::string_view bytes, std::string meaning, Instant now) {

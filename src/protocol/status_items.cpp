@@ -151,6 +151,15 @@ std::string encodeBinaryItems(const std::vector<StatusItem>& items) {
   return content;
 }
 
+std::string encodeBinaryNames(const std::vector<std::string>& names) {
+  std::string content;
+  for (const std::string& name : names) {
+    assert(!name.empty());
+    appendField(content, name);
+  }
+  return content;
+}
+
 Result<StatusReply, MessageFault> parseStatusReply(std::string_view content) {
   std::string_view fields = content;
   const std::string_view digits = takeUntil(',', fields);

@@ -133,8 +133,6 @@ inline constexpr int kQueueUsage = 0x7A01;
 [[nodiscard]] std::vector<Failure> check(const ExchangeConfigurationGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const ExchangeSettings& settings);
 
-/// What nobody can have of a TM controller, in SRCI's words.
-[[nodiscard]] const std::vector<std::string>& unsupportedByTheController();
 [[nodiscard]] std::vector<std::string> withoutEffect(const ExchangeConfigurationGoal& goal);
 
 }  // namespace cobot_command::blocks

@@ -8,6 +8,7 @@
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/link/controller_identity.h"
 
 namespace cobot_command::link {
 
@@ -39,6 +40,7 @@ struct RobotStatus {
   std::array<std::optional<bool>, 16> control_box_inputs;  ///< the digital ones
   std::array<std::optional<bool>, 4> end_module_inputs;
   std::optional<int> operating_mode;  ///< MA_Mode: 0 none, 1 automatic, 2 manual
+  ControllerIdentity identity;        ///< of the stream, or asked for
 };
 
 }  // namespace cobot_command::link

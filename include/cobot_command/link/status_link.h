@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "cobot_command/link/back_off.h"
+#include "cobot_command/link/identity_questions.h"
 #include "cobot_command/link/robot_status.h"
 #include "cobot_command/link/status_link_states.h"
 #include "cobot_command/link/wire.h"
@@ -47,6 +48,7 @@ class StatusLink {
   void drop();
   [[nodiscard]] std::optional<RobotStatus> read(const protocol::Frame& frame, Instant now);
   [[nodiscard]] std::optional<std::string> decode(std::string content);
+  void ask(Instant now);
   void fault(std::string_view bytes, std::string meaning, Instant now);
   /// What came since the connection was opened, or since the last status frame: it tells what the peer is.
   enum class Heard { Nothing, Garbage, ScriptPort, OtherFrames };
@@ -64,7 +66,8 @@ class StatusLink {
   Heard heard_ = Heard::Nothing;
   std::optional<std::string> content_;  ///< of the last frame that could be read, and what it says:
   RobotStatus decoded_;
-  std::string unreadable_;  ///< as a diagnosis; empty: all could be read
+  IdentityQuestions questions_;  ///< of this connection
+  std::string unreadable_;       ///< as a diagnosis; empty: all could be read
   std::string diagnosis_;
   std::uint64_t decode_faults_ = 0;
 };

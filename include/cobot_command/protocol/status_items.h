@@ -68,6 +68,8 @@ struct StatusFrame {
 /// The content of a BINARY frame (mode 1, or the reply of mode 11).
 [[nodiscard]] Result<std::vector<StatusItem>, MessageFault> parseBinaryItems(std::string_view content);
 [[nodiscard]] std::string encodeBinaryItems(const std::vector<StatusItem>& items);
+/// The content of a request to read them (mode 11). Precondition: there are names, and none is empty.
+[[nodiscard]] std::string encodeBinaryNames(const std::vector<std::string>& names);
 
 /// Mode 0: what became of a request. Codes: TM 3.
 struct StatusReply {

@@ -9,6 +9,7 @@
 
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/capabilities/functions.h"
 #include "cobot_command/command/waiting_goals.h"
 #include "cobot_command/common/deadline.h"
 #include "cobot_command/script/script_command.h"
@@ -194,7 +195,7 @@ void ExchangeDesk::begin(Instant now) {
   life_sign_lost_ = false;
   report_ = {};
   report_.busy = true;
-  report_.unsupported = blocks::unsupportedByTheController();
+  report_.unsupported = capabilities::beyondTheController();
   report_.without_effect = withoutEffect(goal_);
   deadline_ = now + kPatience;
   tell(now);

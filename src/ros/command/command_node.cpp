@@ -7,9 +7,11 @@
 
 #include "command/action_servers.h"
 #include "exchange/exchange_services.h"
+#include "kinematics/kinematics_services.h"
 #include "messages/message_services.h"
 #include "paths/path_publisher.h"
 #include "paths/path_services.h"
+#include "robot_data/robot_data_publisher.h"
 #include "tables/table_services.h"
 #include "tables/tables_file.h"
 #include <fmt/format.h>
@@ -91,6 +93,11 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   messages_ = messageServices(node);
   exchange_ = std::make_unique<ExchangeServices>(
       node, [this](const blocks::ExchangeSettings& settings) { return runtime_->updateExchange(settings); });
+  const auto arm = [model = parameters.arm ? std::make_shared<const arm::ArmModel>(*parameters.arm)
+                                           : nullptr] { return model; };
+  kinematics_ = std::make_unique<KinematicsServices>(
+      node, KinematicsServices::Sources{arm, [this] { return tables_->tables(); }});
+  robot_data_ = std::make_unique<RobotDataPublisher>(node, joint_names, arm);
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
@@ -254,6 +261,7 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                  [&](const command::RobotStatusReceived& a) {
                    publisher_.publish(a.status);
                    diagnostics_.take(a.status);
+                   robot_data_->take(a.status);
                  },
                  [&](const command::StatusChanged& a) {
                    publisher_.publish(a.status, clocks);

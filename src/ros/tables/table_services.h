@@ -21,6 +21,8 @@ class TableServices {
 
   /// They are so now; told when that is new.
   void take(const tables::DataTables& tables);
+  /// As they were told last. From any thread.
+  [[nodiscard]] tables::DataTables tables() const { return board_.tables(); }
 
  private:
   template <class Of>

@@ -259,6 +259,82 @@ TEST_F(StatusLinkTest, namesAStreamWhoseItemsCannotBeRead) {
   EXPECT_TRUE(link.diagnosis().empty()) << "it is well again";
 }
 
+// --- Who the controller is.
+
+class AskedIdentity : public StatusLinkTest {
+ protected:
+  static std::string frameOf(const std::string& id, int mode, const std::vector<StatusItem>& items) {
+    return protocol::encode(protocol::StatusFrame{id, mode, protocol::encodeBinaryItems(items)});
+  }
+  static std::string refusalOf(const std::string& id) {
+    using Code = protocol::StatusReply::Code;
+    return protocol::encode(
+        protocol::StatusFrame{id, 0, protocol::toContent({Code::NotExist, "ControlBox_SN"})});
+  }
+  ControllerIdentity identity() {
+    link.received(frame(1));
+    const auto status = link.next(now);
+    return status ? status->identity : ControllerIdentity();
+  }
+};
+
+TEST_F(AskedIdentity, isAskedForBehindTheFirstFrameAndOnlyOnce) {
+  link.start("robot", 5891, now);
+  link.opened(now);
+  EXPECT_TRUE(wire.sent.empty()) << "it may be no status port";
+  receive(frame(0));
+  ASSERT_EQ(wire.sent.size(), 3u);
+  EXPECT_EQ(wire.sent[1], protocol::encode(protocol::StatusFrame{
+                              "ControlBoxSN", 11, protocol::encodeBinaryNames({"ControlBox_SN"})}));
+  EXPECT_THAT(wire.traced, ::testing::Contains(HasSubstr("asks for items")));
+  receive(frame(1) + frame(2));
+  EXPECT_EQ(wire.sent.size(), 3u);
+}
+
+TEST_F(AskedIdentity, isToldWithEachFrameFromItsAnswerOn) {
+  stream();
+  EXPECT_EQ(identity(), ControllerIdentity());
+  EXPECT_EQ(receive(frameOf("RobotModel", 11, {item::ofString("Robot_Model", "TM5-900")}) +
+                    frameOf("TMflowVersion", 11, {item::ofString("TMflow_Version", "1.84.1200")}) +
+                    refusalOf("ControlBoxSN")),
+            0);
+  const ControllerIdentity expected{"TM5-900", std::nullopt, "1.84.1200"};
+  EXPECT_EQ(identity(), expected);
+  EXPECT_EQ(identity(), expected);
+  EXPECT_EQ(link.decodeFaults(), 0u);
+  EXPECT_TRUE(link.diagnosis().empty());
+}
+
+TEST_F(AskedIdentity, isTakenFromTheStreamWhereThatHasIt) {
+  link.start("robot", 5891, now);
+  link.opened(now);
+  link.received(
+      frameOf("0", 1, {item::ofString("ControlBox_SN", "SN1"), item::ofString("TMflow_Version", "1.8")}));
+  EXPECT_EQ(link.next(now)->identity, (ControllerIdentity{std::nullopt, "SN1", "1.8"}));
+  ASSERT_EQ(wire.sent.size(), 1u);
+  EXPECT_THAT(wire.sent[0], HasSubstr("Robot_Model"));
+}
+
+TEST_F(AskedIdentity, ofAnotherControllerIsAskedForAnew) {
+  stream();
+  receive(frameOf("RobotModel", 11, {item::ofString("Robot_Model", "TM5-900")}));
+  link.closed("gone", now);
+  now = *link.nextDeadline();
+  link.advance(now);
+  link.opened(now);
+  EXPECT_EQ(identity(), ControllerIdentity()) << "though its stream says the same";
+  EXPECT_EQ(wire.sent.size(), 6u);
+}
+
+TEST_F(AskedIdentity, isNotWhatAnAnswerToSomebodyElseSays) {
+  stream();
+  receive(frameOf("RobotModel", 11, {item::ofInt("Error_Code", 5)}));
+  receive(protocol::encode(protocol::StatusFrame{"RobotModel", 11, "\xFF\xFF"}));
+  EXPECT_EQ(identity(), ControllerIdentity());
+  receive(frameOf("other", 11, {item::ofString("Robot_Model", "TM5-900")}));
+  EXPECT_EQ(identity(), ControllerIdentity());
+}
+
 TEST_F(StatusLinkTest, endsCleanlyInEveryState) {
   for (int step = 0; step < 4; ++step) {
     testing::RecordingWire fresh_wire;

@@ -115,6 +115,11 @@ TEST(ItemContent, readsNamesAlone) {
               ElementsAre("A", "Bc"));
 }
 
+TEST(ItemContent, readsTheNamesThatARequestAsksFor) {
+  const std::vector<std::string> names = {"Robot_Model", "ControlBox_SN"};
+  EXPECT_EQ(parseItemNames(ItemFormat::Binary, encodeBinaryNames(names)).value(), names);
+}
+
 TEST(ItemContent, ofAnotherFormatIsRefused) {
   for (const ItemFormat format : kFormats) {
     EXPECT_FALSE(parseItems(format, ""));

@@ -28,9 +28,11 @@
 namespace cobot_command::ros_adapter {
 
 class ExchangeServices;
+class KinematicsServices;
 class MessageServices;
 class PathPublisher;
 class PathServices;
+class RobotDataPublisher;
 class TableServices;
 
 class CommandNode {
@@ -85,6 +87,8 @@ class CommandNode {
   std::unique_ptr<PathServices> path_services_;
   std::unique_ptr<MessageServices> messages_;
   std::unique_ptr<ExchangeServices> exchange_;
+  std::unique_ptr<KinematicsServices> kinematics_;
+  std::unique_ptr<RobotDataPublisher> robot_data_;
   ros::SteadyTimer retry_;
   ros::ServiceServer finish_;
   bool stopped_ = false;

@@ -1,0 +1,34 @@
+// Why a calculation of the kinematics has no answer.
+#pragma once
+
+#include <string>
+
+#include "cobot_command/tables/refusal.h"
+
+namespace cobot_command::kinematics {
+
+/// SRCI's numbers; below 16#6000 as own_error of the blocks has them.
+namespace kinematics_error {
+inline constexpr int kNoPosture = 0x8C62;      ///< none at all, or none with the bits that were asked for
+inline constexpr int kOutsideLimits = 0x8C63;  ///< a joint; of a posture that was given, or was found
+inline constexpr int kTooNear = 0x8C59;        ///< points, or poses that are turned too little
+inline constexpr int kNotPossible = 0x8C60;    ///< the touches of a tool are too far from one point
+inline constexpr int kOnOneLine = 0x8C61;      ///< points; or poses that are turned about one axis
+inline constexpr int kTooMany = 0x8C65;        ///< poses
+inline constexpr int kTooFew = 0x8C66;
+inline constexpr int kToolIndex = tables::table_error::kToolIndex;
+inline constexpr int kFrameIndex = tables::table_error::kFrameIndex;
+inline constexpr int kConfigurationUnknown = 0x8D21;
+inline constexpr int kElbowBit = 0x8D05;
+inline constexpr int kShoulderBit = 0x8D40;
+inline constexpr int kWristBit = 0x8D41;
+inline constexpr int kNotFinite = tables::table_error::kNotFinite;
+inline constexpr int kCoordinateRange = tables::table_error::kCoordinateRange;
+}  // namespace kinematics_error
+
+struct Refusal {
+  int error_id = 0;
+  std::string message;  ///< what was found, what is allowed, what to do
+};
+
+}  // namespace cobot_command::kinematics

@@ -1,0 +1,91 @@
+#include "cobot_command/capabilities/functions.h"
+
+#include <fmt/format.h>
+
+namespace cobot_command::capabilities {
+namespace {
+
+constexpr bool kNeedsArm = true;
+constexpr std::string_view kPaused =
+    "the project is paused and let go; to move elsewhere in between is not built yet";
+
+}  // namespace
+
+const std::vector<Function>& functions() {
+  static const std::vector<Function> rows{
+      {"ExchangeConfiguration", "action exchange_configuration, service update_configuration"},
+      {"ReadRobotData", "topic robot_data"},
+      {"ReadMessages", "topic messages, topic pending_messages, service read_messages"},
+      {"GroupReset", "service reset", Offer::Partly,
+       "an error of the controller: nobody can clear it through the Listen node"},
+      {"state of the group", "topic group_state"},
+      {"ReadToolData", "service read_tool"},
+      {"WriteToolData", "service write_tool"},
+      {"ReadFrameData", "service read_frame"},
+      {"WriteFrameData", "service write_frame"},
+      {"ReadLoadData", "service read_load"},
+      {"WriteLoadData", "service write_load"},
+      {"MoveLinearAbsolute", "action move_absolute"},
+      {"MoveAxesAbsolute", "action move_absolute"},
+      {"MoveDirectAbsolute", "action move_absolute"},
+      {"MoveLinearRelative", "action move_relative"},
+      {"MoveAxesRelative", "action move_relative"},
+      {"MoveDirectRelative", "action move_relative"},
+      {"MoveCircularAbsolute", "action move_circle"},
+      {"GroupStop", "action stop"},
+      {"GroupInterrupt", "action program_control, service stop_on_path", Offer::Partly, kPaused},
+      {"GroupContinue", "action program_control, service resume_path", Offer::Partly, kPaused},
+      {"CalculateForwardKinematic", "service forward_kinematics", Offer::Whole, {}, kNeedsArm},
+      {"CalculateInverseKinematic", "service inverse_kinematics", Offer::Whole, {}, kNeedsArm},
+      {"CalculateFrame", "service calculate_frame"},
+      {"CalculateTool", "service calculate_tool"},
+      {"WriteDigitalOutputs", "action set_output"},
+      {"ReadDigitalInputs", "topic robot_status, action wait_for_input"},
+      {"CallSubprogram", "action run_script", Offer::Partly, "lines of script, no subprograms"},
+      {"ChangeSpeedOverride", "", Offer::NotBuilt},
+      {"ReadRobotReferenceDynamics", "", Offer::NotBuilt},
+      {"WriteRobotReferenceDynamics", "", Offer::NotBuilt},
+      {"ReadRobotDefaultDynamics", "", Offer::NotBuilt},
+      {"WriteRobotDefaultDynamics", "", Offer::NotBuilt},
+      {"ReadRobotSWLimits", "", Offer::NotBuilt},
+      {"WriteRobotSWLimits", "", Offer::NotBuilt},
+      {"GroupJog", "", Offer::NotBuilt},
+      {"ReturnToPrimary", "", Offer::NotBuilt},
+      {"retrace", "", Offer::NotBuilt},
+      {"WaitTime", "", Offer::NotBuilt},
+      {"ReadDigitalOutputs", "", Offer::NotBuilt},
+      {"work areas", "", Offer::NoWay, "a TM controller does not offer them to a Listen node"},
+      {"working hours", "", Offer::NoWay, "a TM controller tells its uptime only"},
+      {"brake test", "", Offer::NoWay, "a TM controller does not offer it to a Listen node"},
+      {"step mode", "", Offer::NoWay, "a TM controller does not offer it to a Listen node"},
+      {"path accuracy mode", "", Offer::NoWay, "a TM controller does not offer it to a Listen node"},
+      {"avoid singularity", "", Offer::NoWay, "a TM controller does not offer it to a Listen node"},
+      {"collision detection", "", Offer::NoWay, "it is always on, and set on the pendant"},
+  };
+  return rows;
+}
+
+Support supportOf(const Function& function, bool has_arm) {
+  switch (function.offer) {
+    case Offer::NotBuilt:
+      return {false, "not built yet"};
+    case Offer::NoWay:
+      return {false, std::string(function.reason)};
+    case Offer::Whole:
+    case Offer::Partly:
+      break;
+  }
+  if (function.needs_arm && !has_arm) return {false, kNoArm};
+  return {true, std::string(function.reason)};
+}
+
+std::vector<std::string> beyondTheController() {
+  std::vector<std::string> names;
+  for (const Function& function : functions()) {
+    if (function.offer != Offer::NoWay) continue;
+    names.push_back(fmt::format("{}: {}", function.srci, function.reason));
+  }
+  return names;
+}
+
+}  // namespace cobot_command::capabilities
