@@ -8,6 +8,8 @@
 #include "arbiter/arbiter.h"
 #include "board/output_board.h"
 #include "connecting/link_keeper.h"
+#include "dynamics/defaults_desk.h"
+#include "dynamics/limits_desk.h"
 #include "exchange/exchange_desk.h"
 #include "exchange/motion_hold.h"
 #include "forecast/forecast.h"
@@ -19,6 +21,7 @@
 #include "table_desk.h"
 
 #include "cobot_command/command/command_core.h"
+#include "cobot_command/command/speed_override.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/robot/robot_watch.h"
 #include "cobot_command/robot/stranger_watch.h"
@@ -43,6 +46,8 @@ class CommandCore::Impl {
   [[nodiscard]] Arbiter& arbiter() { return arbiter_; }
   [[nodiscard]] MessageDesk& messages() { return messages_; }
   [[nodiscard]] ExchangeDesk& exchange() { return exchange_; }
+  [[nodiscard]] DefaultsDesk& defaults() { return defaults_; }
+  [[nodiscard]] LimitsDesk& limits() { return limits_; }
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);
@@ -80,12 +85,15 @@ class CommandCore::Impl {
   robot::StrangerWatch strangers_;
   MessageDesk messages_;
   TableDesk tables_;
+  SpeedOverride speed_;
+  DefaultsDesk defaults_;
   PathDesk paths_;
   OutputBoard board_;
   LinkKeeper keeper_;
   MotionHold hold_;
   ExchangeDesk exchange_;
   Forecast forecast_;
+  LimitsDesk limits_;
   Arbiter arbiter_;
   StatusDesk status_;
   GroupDesk group_;

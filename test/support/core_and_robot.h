@@ -34,6 +34,15 @@ class CoreAndRobot {
   /// What was answered until now; nothing: nothing yet.
   std::optional<command::FeedrateAnswer> setFeedrate(std::optional<double> percent, bool restart = false);
   [[nodiscard]] const std::optional<command::FeedrateAnswer>& feedrateAnswer() const { return *answer_; }
+  /// What was answered until now; nothing: nothing yet.
+  std::optional<command::OverrideAnswer> setSpeedOverride(double percent);
+  [[nodiscard]] const std::optional<command::OverrideAnswer>& overrideAnswer() const { return *override_; }
+  command::DynamicsAnswer writeDefaults(const blocks::DefaultDynamics& defaults) {
+    return core_.writeDefaults(defaults);
+  }
+  command::DynamicsAnswer writeLimits(const command::SoftwareLimits& limits) {
+    return core_.writeLimits(limits, now_);
+  }
   /// The answer to the last one, when it comes.
   using FeedratePromise = std::shared_ptr<std::optional<command::FeedrateAnswer>>;
   [[nodiscard]] FeedratePromise feedratePromise() const { return answer_; }
@@ -55,6 +64,7 @@ class CoreAndRobot {
   [[nodiscard]] const command::CommandStatus& status() const { return status_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   [[nodiscard]] const path::PathControls& controls() const { return controls_; }
+  [[nodiscard]] const command::GroupState& group() const { return group_; }
   /// To everyone, of runs, and when.
   [[nodiscard]] const std::vector<std::pair<Instant, blocks::Detail>>& told() const { return told_; }
   [[nodiscard]] simulator::RobotState robot() const { return controller_.state(); }
@@ -87,6 +97,7 @@ class CoreAndRobot {
   void take(const command::PlanAsked& action) { plans_.push_back({now_ + planning_, action}); }
   void take(const command::PathControlsChanged& action) { controls_ = action.controls; }
   void take(const command::LogMessage& action) { warnings_.push_back(action.text); }
+  void take(const command::GroupStateChanged& action) { group_ = action.state; }
   void take(const command::RunTold& action) { told_.emplace_back(now_, action.news); }
   void take(const command::FrameTraced& action);
   template <class Other>
@@ -112,6 +123,9 @@ class CoreAndRobot {
   std::vector<std::pair<Instant, blocks::Detail>> told_;
   command::CommandStatus status_;
   path::PathControls controls_;
+  command::GroupState group_;
+  std::shared_ptr<std::optional<command::OverrideAnswer>> override_ =
+      std::make_shared<std::optional<command::OverrideAnswer>>();
   FeedratePromise answer_ = std::make_shared<std::optional<command::FeedrateAnswer>>();
   std::vector<std::string> warnings_;
   Duration planning_;

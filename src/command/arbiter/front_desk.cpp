@@ -90,7 +90,7 @@ void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant 
   const blocks::Command command = *rules.command();
   parts_.board.accept(command.block, id, command.traits.command_id);
   desks_.window.sendBeside(command, id, now);
-  if (traits.halts) feedrate_.pausedByOthers();
+  if (traits.halts) pause_.pausedByOthers();
 }
 
 void FrontDesk::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
