@@ -27,6 +27,8 @@
 
 namespace cobot_command::ros_adapter {
 
+class ArmOfNow;
+class DynamicsServices;
 class ExchangeServices;
 class MessageServices;
 class PathPublisher;
@@ -58,6 +60,7 @@ class CommandNode {
                                                              const TableParameters& parameters);
   [[nodiscard]] std::unique_ptr<PathServices> pathServices(const ros::NodeHandle& node);
   [[nodiscard]] std::unique_ptr<MessageServices> messageServices(const ros::NodeHandle& node);
+  [[nodiscard]] std::unique_ptr<DynamicsServices> dynamicsServices(const ros::NodeHandle& node);
   [[nodiscard]] GoalListener& of(blocks::Block block) const {
     return *servers_[static_cast<std::size_t>(block)];
   }
@@ -73,6 +76,7 @@ class CommandNode {
   std::atomic<blocks::GoalId> last_goal_{0};  ///< counted by the spinner, asked for by the core's thread
   std::mutex fell_mutex_;
   std::vector<command::CommandsFell> fell_;  ///< told by the core, not to the intake yet
+  std::unique_ptr<ArmOfNow> arm_;            ///< for services that calculate beside the core
   StatusPublisher publisher_;
   std::unique_ptr<PathPublisher> paths_;
   Diagnostics diagnostics_;
@@ -85,6 +89,7 @@ class CommandNode {
   std::unique_ptr<PathServices> path_services_;
   std::unique_ptr<MessageServices> messages_;
   std::unique_ptr<ExchangeServices> exchange_;
+  std::unique_ptr<DynamicsServices> dynamics_;
   ros::SteadyTimer retry_;
   ros::ServiceServer finish_;
   bool stopped_ = false;
