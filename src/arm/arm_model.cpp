@@ -72,6 +72,18 @@ ArmModel ArmModel::turning(double turn_speed) const {
   return model;
 }
 
+ArmModel ArmModel::limitedTo(const JointVector& lower, const JointVector& upper) const {
+  ArmModel model(*this);
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    const auto joint = static_cast<Eigen::Index>(i);
+    assert(lower[joint] < upper[joint]);
+    assert(lower[joint] >= limits_[i].lower && upper[joint] <= limits_[i].upper);
+    model.limits_[i].lower = lower[joint];
+    model.limits_[i].upper = upper[joint];
+  }
+  return model;
+}
+
 const std::vector<std::string>& ArmModel::knownNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> result;

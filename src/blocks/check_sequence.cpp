@@ -83,8 +83,13 @@ bool hasPoint(motion::Refusal::Reason reason) {
 /// Checks and plans one step after the other.
 class Sequence {
  public:
-  Sequence(const CheckSequenceGoal& goal, const arm::ArmModel& arm, const Start& start, const GiveUp& give_up)
-      : goal_(goal), arm_(arm), planner_(arm, start), give_up_(give_up) {}
+  /// Precondition: the scene has an arm.
+  Sequence(const CheckSequenceGoal& goal, const Start& start, const PlanningScene& scene)
+      : goal_(goal),
+        arm_(*scene.arm),
+        planner_(arm_, start),
+        give_up_(scene.give_up),
+        speed_share_(scene.speed_share) {}
 
   Outcome run() {
     const std::size_t all = goal_.steps.size() + (goal_.comes_round ? 1 : 0);
@@ -118,7 +123,8 @@ class Sequence {
     if (auto failures = check(step); !failures.empty()) return refuse(Fault{std::move(failures), {}});
     const auto base = planner_.end().base;
     if (traitsOf(step).needs_base && !base) return refuse(frameUnknown());
-    auto planned = planner_.append(orderOf(step, base.value_or(arm::Pose::Identity())).commands->front());
+    const Order order = slowed(orderOf(step, base.value_or(arm::Pose::Identity())), speed_share_);
+    auto planned = planner_.append(order.commands->front());
     if (!planned) {
       const motion::Refusal& refusal = planned.error();
       Fault fault{{toFailure(refusal)}, {}};
@@ -204,6 +210,7 @@ class Sequence {
   const arm::ArmModel& arm_;
   planning::ScriptPlanner planner_;
   const GiveUp& give_up_;
+  double speed_share_;
   std::vector<planning::PlannedStep> planned_;
   std::vector<motion::Setting> settings_;  ///< that each was planned with
   SequenceReport report_;
@@ -242,7 +249,7 @@ Outcome plan(const CheckSequenceGoal& goal, const PlanningScene& scene) {
   if (const auto failures = check(goal, start, scene.arm != nullptr); !failures.empty()) {
     return toRejection(kBlock<CheckSequenceGoal>, failures);
   }
-  return Sequence(goal, *scene.arm, start, scene.give_up).run();
+  return Sequence(goal, start, scene).run();
 }
 
 }  // namespace cobot_command::blocks

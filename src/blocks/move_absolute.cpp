@@ -66,6 +66,10 @@ ErrorTable MoveAbsoluteGoal::errors() {
       .shared({own_error::kBlendingTooLarge, own_error::kMovementUnknown});
 }
 
+std::optional<script::DataFormat> formatOf(const MoveAbsoluteGoal& goal) {
+  return kFormats.at(goal.data_format);
+}
+
 GoalTraits traitsOf(const MoveAbsoluteGoal& goal) {
   GoalTraits traits = traitsOfMove(goal);
   traits.needs_base = goal.target_pose.has_value();
@@ -74,7 +78,7 @@ GoalTraits traitsOf(const MoveAbsoluteGoal& goal) {
 
 std::vector<Failure> check(const MoveAbsoluteGoal& goal) {
   ParameterChecks checks;
-  checkMotion(checks, parametersOf(goal), kFormats.at(goal.data_format));
+  checkMotion(checks, parametersOf(goal), formatOf(goal));
   checkRobotPose(checks, goal);
   checkMovement(checks, goal.movement_command, goal.data_format, kFormats, motion_error::kFormatForPtp,
                 motion_error::kFormatForLine);
@@ -92,13 +96,13 @@ std::optional<Failure> findMovedFrame(const MoveAbsoluteGoal& goal, const FrameF
 }
 
 Order orderOf(const MoveAbsoluteGoal& goal, const arm::Pose& base) {
-  const script::DataFormat format = kFormats.at(goal.data_format).value_or(script::DataFormat{});
+  const script::DataFormat format = formatOf(goal).value_or(script::DataFormat{});
   const SixValues target = targetOf(goal.target, goal.target_pose, base);
   const script::MotionOptions options = optionsOf(parametersOf(goal));
-  if (isLine(goal)) return motionOrder(script::Line{format, target, options});
+  if (isLine(goal)) return moveOrder(script::Line{format, target, options});
   script::Ptp ptp{format, target, options, std::nullopt};
   if (goal.robot_pose_enable) ptp.pose_bits = goal.robot_pose;
-  return motionOrder(ptp);
+  return moveOrder(ptp);
 }
 
 }  // namespace cobot_command::blocks

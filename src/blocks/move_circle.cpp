@@ -48,6 +48,10 @@ ErrorTable MoveCircleGoal::errors() {
            "data_format is neither 0 nor 1");
 }
 
+std::optional<script::DataFormat> formatOf(const MoveCircleGoal& goal) {
+  return kFormats.at(goal.data_format);
+}
+
 GoalTraits traitsOf(const MoveCircleGoal& goal) {
   GoalTraits traits = traitsOfMove(goal);
   traits.needs_base = goal.arc_pose || goal.end_pose;
@@ -56,7 +60,7 @@ GoalTraits traitsOf(const MoveCircleGoal& goal) {
 
 std::vector<Failure> check(const MoveCircleGoal& goal) {
   ParameterChecks checks;
-  const auto format = kFormats.at(goal.data_format);
+  const auto format = formatOf(goal);
   checkMotion(checks, parametersOf(goal), format);
   checkPoint(checks, "arc_point", goal.arc_point, "arc_pose", goal.arc_pose);
   checkPoint(checks, "end_point", goal.end_point, "end_pose", goal.end_pose);
@@ -72,10 +76,9 @@ std::optional<Failure> findMovedFrame(const MoveCircleGoal& goal, const FrameFin
 }
 
 Order orderOf(const MoveCircleGoal& goal, const arm::Pose& base) {
-  return motionOrder(script::Circle{kFormats.at(goal.data_format).value_or(script::DataFormat{}),
-                                    targetOf(goal.arc_point, goal.arc_pose, base),
-                                    targetOf(goal.end_point, goal.end_pose, base),
-                                    optionsOf(parametersOf(goal)), arcAngleOf(goal)});
+  return moveOrder(script::Circle{
+      formatOf(goal).value_or(script::DataFormat{}), targetOf(goal.arc_point, goal.arc_pose, base),
+      targetOf(goal.end_point, goal.end_pose, base), optionsOf(parametersOf(goal)), arcAngleOf(goal)});
 }
 
 }  // namespace cobot_command::blocks

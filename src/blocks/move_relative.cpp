@@ -27,13 +27,17 @@ ErrorTable MoveRelativeGoal::errors() {
       .shared({own_error::kBlendingTooLarge, own_error::kMovementUnknown});
 }
 
+std::optional<script::DataFormat> formatOf(const MoveRelativeGoal& goal) {
+  return kFormats.at(goal.data_format);
+}
+
 GoalTraits traitsOf(const MoveRelativeGoal& goal) {
   return traitsOfMove(goal);
 }
 
 std::vector<Failure> check(const MoveRelativeGoal& goal) {
   ParameterChecks checks;
-  checkMotion(checks, parametersOf(goal), kFormats.at(goal.data_format));
+  checkMotion(checks, parametersOf(goal), formatOf(goal));
   checkMovement(checks, goal.movement_command, goal.data_format, kFormats, relative_error::kFormatForPtp,
                 relative_error::kFormatForLine);
   checks.sixValues("target_position", goal.target);
@@ -41,12 +45,12 @@ std::vector<Failure> check(const MoveRelativeGoal& goal) {
 }
 
 Order orderOf(const MoveRelativeGoal& goal, const arm::Pose& /*base*/) {
-  const script::DataFormat format = kFormats.at(goal.data_format).value_or(script::DataFormat{});
+  const script::DataFormat format = formatOf(goal).value_or(script::DataFormat{});
   const script::MotionOptions options = optionsOf(parametersOf(goal));
   if (goal.movement_command == static_cast<int>(Movement::Line)) {
-    return motionOrder(script::MoveLine{format, goal.target, options});
+    return moveOrder(script::MoveLine{format, goal.target, options});
   }
-  return motionOrder(script::MovePtp{format, goal.target, options});
+  return moveOrder(script::MovePtp{format, goal.target, options});
 }
 
 }  // namespace cobot_command::blocks

@@ -71,6 +71,33 @@ void CommandCore::useExchangeRules(const ExchangeRules& rules) {
   impl_->exchange().useRules(rules);
 }
 
+void CommandCore::setSpeedOverride(double percent, const OverrideReply& reply, Instant now) {
+  impl_->arbiter().setSpeedOverride(percent, reply, now);
+  impl_->advance(now);
+}
+
+DynamicsAnswer CommandCore::writeDefaults(const blocks::DefaultDynamics& defaults) {
+  return impl_->defaults().write(defaults);
+}
+
+const blocks::DefaultDynamics& CommandCore::defaults() const {
+  return impl_->defaults().defaults();
+}
+
+std::optional<ReferenceDynamics> CommandCore::referenceDynamics() const {
+  return impl_->limits().reference();
+}
+
+DynamicsAnswer CommandCore::writeLimits(const SoftwareLimits& limits, Instant now) {
+  DynamicsAnswer answer = impl_->limits().write(limits, impl_->arbiter().underWay());
+  impl_->advance(now);
+  return answer;
+}
+
+std::optional<LimitsReport> CommandCore::limits() const {
+  return impl_->limits().limits();
+}
+
 ExchangeAnswer CommandCore::updateExchange(const blocks::ExchangeSettings& settings, Instant now) {
   ExchangeAnswer answer = impl_->exchange().update(settings, now);
   impl_->advance(now);

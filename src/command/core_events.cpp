@@ -27,16 +27,17 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       tags_(settings_.first_tag),
       messages_(robot_, actions_),
       tables_(arm ? tables::payloadOf(*arm) : tables::Payload(), actions_),
-      paths_(actions_),
+      paths_(speed_, actions_),
       board_(actions_),
       keeper_(settings_, links_, robot_, board_),
       sync_({links_.script(), settings_, tables_, messages_, actions_}),
       exchange_({settings_, links_, robot_, keeper_, board_, messages_, hold_, sync_, reaction_}),
       permit_(exchange_, sync_, reaction_),
       forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_,
-                tables_.store(), actions_),
-      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), paths_, keeper_, exchange_, sync_,
-                reaction_, permit_, hold_, forecast_, board_, actions_},
+                tables_.store(), speed_, actions_),
+      limits_(forecast_, robot_, actions_),
+      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), speed_, paths_, keeper_,
+                exchange_, sync_, reaction_, permit_, hold_, forecast_, board_, actions_},
                std::move(ports), planning),
       status_({links_, tags_, robot_, strangers_, board_, keeper_, forecast_, arbiter_}, actions_),
       group_({robot_, keeper_, exchange_, sync_, reaction_, arbiter_, messages_}, actions_) {}
@@ -50,7 +51,8 @@ void CommandCore::Impl::submit(blocks::GoalId id, const blocks::Goal& goal, Inst
   } else if (life_ == Life::Over) {
     board_.reject(block, id, blocks::toRejection(block, {{blocks::own_error::kShutDown, "", ""}}));
   } else {
-    arbiter_.take(id, goal, now);
+    const auto filled = defaults_.filled(goal);
+    arbiter_.take(id, filled ? *filled : goal, now);
   }
   settle(now);
 }

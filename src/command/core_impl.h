@@ -8,6 +8,8 @@
 #include "arbiter/arbiter.h"
 #include "board/output_board.h"
 #include "connecting/link_keeper.h"
+#include "dynamics/defaults_desk.h"
+#include "dynamics/limits_desk.h"
 #include "exchange/exchange_desk.h"
 #include "exchange/motion_hold.h"
 #include "forecast/forecast.h"
@@ -22,6 +24,7 @@
 #include "tables/table_desk.h"
 
 #include "cobot_command/command/command_core.h"
+#include "cobot_command/command/speed_override.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/robot/robot_watch.h"
 #include "cobot_command/robot/stranger_watch.h"
@@ -46,6 +49,8 @@ class CommandCore::Impl {
   [[nodiscard]] Arbiter& arbiter() { return arbiter_; }
   [[nodiscard]] MessageDesk& messages() { return messages_; }
   [[nodiscard]] ExchangeDesk& exchange() { return exchange_; }
+  [[nodiscard]] DefaultsDesk& defaults() { return defaults_; }
+  [[nodiscard]] LimitsDesk& limits() { return limits_; }
   void opened(link::ConnectionId id, Instant now);
   void openFailed(link::ConnectionId id, const link::OpenFailure& failure, Instant now);
   void received(link::ConnectionId id, std::string_view bytes, Instant now);
@@ -83,6 +88,8 @@ class CommandCore::Impl {
   robot::StrangerWatch strangers_;
   MessageDesk messages_;
   TableDesk tables_;
+  SpeedOverride speed_;
+  DefaultsDesk defaults_;
   PathDesk paths_;
   OutputBoard board_;
   LinkKeeper keeper_;
@@ -92,6 +99,7 @@ class CommandCore::Impl {
   ExchangeDesk exchange_;
   MotionPermit permit_;
   Forecast forecast_;
+  LimitsDesk limits_;
   Arbiter arbiter_;
   StatusDesk status_;
   GroupDesk group_;

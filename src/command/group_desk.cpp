@@ -15,7 +15,7 @@ constexpr double kMostHeld = static_cast<double>(kMostWaiting) + 1;
 
 auto asTuple(const GroupState& s) {
   return std::tie(s.ri_state, s.out_of_sync, s.enabled, s.sequence, s.in_primary_position, s.queue_usage,
-                  s.pending_errors, s.pending_warnings, s.trend);
+                  s.pending_errors, s.pending_warnings, s.trend, s.speed_override, s.effective_speed);
 }
 
 }  // namespace
@@ -36,6 +36,8 @@ void GroupDesk::tell() {
   state.pending_errors = static_cast<int>(parts_.messages.pendingErrors());
   state.pending_warnings = static_cast<int>(parts_.messages.pendingWarnings());
   state.trend = parts_.robot.trend();
+  state.speed_override = parts_.arbiter.speed().percent();
+  state.effective_speed = parts_.arbiter.speed().effective();
   if (state == told_) return;
   told_ = state;
   actions_.emplace_back(GroupStateChanged{state});

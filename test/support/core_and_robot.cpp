@@ -69,6 +69,14 @@ std::optional<command::FeedrateAnswer> CoreAndRobot::setFeedrate(std::optional<d
   return *answer_;
 }
 
+std::optional<command::OverrideAnswer> CoreAndRobot::setSpeedOverride(double percent) {
+  override_ = std::make_shared<std::optional<command::OverrideAnswer>>();
+  core_.setSpeedOverride(
+      percent, [answer = override_](const command::OverrideAnswer& given) { *answer = given; }, now_);
+  settle();
+  return *override_;
+}
+
 void CoreAndRobot::finish() {
   static_cast<void>(core_.finish(blocks::FinishAfter::Move, now_));
   settle();

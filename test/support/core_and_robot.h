@@ -36,6 +36,15 @@ class CoreAndRobot {
   /// What was answered until now; nothing: nothing yet.
   std::optional<command::FeedrateAnswer> setFeedrate(std::optional<double> percent, bool restart = false);
   [[nodiscard]] const std::optional<command::FeedrateAnswer>& feedrateAnswer() const { return *answer_; }
+  /// What was answered until now; nothing: nothing yet.
+  std::optional<command::OverrideAnswer> setSpeedOverride(double percent);
+  [[nodiscard]] const std::optional<command::OverrideAnswer>& overrideAnswer() const { return *override_; }
+  command::DynamicsAnswer writeDefaults(const blocks::DefaultDynamics& defaults) {
+    return core_.writeDefaults(defaults);
+  }
+  command::DynamicsAnswer writeLimits(const command::SoftwareLimits& limits) {
+    return core_.writeLimits(limits, now_);
+  }
   /// The answer to the last one, when it comes.
   using FeedratePromise = std::shared_ptr<std::optional<command::FeedrateAnswer>>;
   [[nodiscard]] FeedratePromise feedratePromise() const { return answer_; }
@@ -56,10 +65,10 @@ class CoreAndRobot {
   [[nodiscard]] const std::vector<std::string>& scripts() const { return scripts_; }
   [[nodiscard]] const command::CommandStatus& status() const { return status_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-  [[nodiscard]] const command::GroupState& group() const { return group_; }
   [[nodiscard]] const tables::DataTables& tables() const { return tables_; }
   [[nodiscard]] const std::vector<command::Message>& messages() const { return messages_; }
   [[nodiscard]] const path::PathControls& controls() const { return controls_; }
+  [[nodiscard]] const command::GroupState& group() const { return group_; }
   /// To everyone, of runs, and when.
   [[nodiscard]] const std::vector<std::pair<Instant, blocks::Detail>>& told() const { return told_; }
   [[nodiscard]] simulator::RobotState robot() const { return controller_.state(); }
@@ -123,6 +132,8 @@ class CoreAndRobot {
   tables::DataTables tables_;
   std::vector<command::Message> messages_;
   path::PathControls controls_;
+  std::shared_ptr<std::optional<command::OverrideAnswer>> override_ =
+      std::make_shared<std::optional<command::OverrideAnswer>>();
   FeedratePromise answer_ = std::make_shared<std::optional<command::FeedrateAnswer>>();
   std::vector<std::string> warnings_;
   Duration planning_;

@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -100,12 +101,13 @@ class CoreRig {
   int opens = 0;
   std::vector<command::FrameTraced> traces;
   std::vector<link::RobotStatus> robot_statuses;
-  std::vector<robot::ActiveFrames> active_frames;  ///< every change
-  std::vector<std::string> warnings;               ///< of the log
-  std::vector<command::Message> messages;          ///< all that were raised
-  command::GroupState group_state;                 ///< as told last
-  std::vector<command::Message> pending_messages;  ///< as told last
-  std::map<std::string, arm::Pose> frames;         ///< where tf would say that they are now
+  std::vector<robot::ActiveFrames> active_frames;    ///< every change
+  std::vector<std::string> warnings;                 ///< of the log
+  std::vector<command::Message> messages;            ///< all that were raised
+  command::GroupState group_state;                   ///< as told last
+  std::shared_ptr<const arm::ArmModel> limited_arm;  ///< as told last
+  std::vector<command::Message> pending_messages;    ///< as told last
+  std::map<std::string, arm::Pose> frames;           ///< where tf would say that they are now
   std::vector<command::CommandsFell> fell;
   std::vector<tables::DataTables> told_tables;  ///< every change
   std::vector<command::GoalPreviewed> previews;
@@ -139,6 +141,7 @@ class CoreRig {
   void take(const command::MessageRaised& action) { messages.push_back(action.message); }
   void take(const command::PendingChanged& action) { pending_messages = action.pending; }
   void take(const command::GroupStateChanged& action) { group_state = action.state; }
+  void take(const command::SoftwareLimitsChanged& action) { limited_arm = action.arm; }
   void answerLifesigns();
 
   blocks::GoalId last_goal_ = 0;

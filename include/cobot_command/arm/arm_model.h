@@ -59,6 +59,10 @@ class ArmModel {
   /// The same arm under a controller that turns the TCP so fast at 100 % [rad/s, above 0].
   [[nodiscard]] ArmModel turning(double turn_speed) const;
 
+  /// The same arm, with joints that are to stay between `lower` and `upper` [rad]. Precondition: below each
+  /// other, and within its limits.
+  [[nodiscard]] ArmModel limitedTo(const JointVector& lower, const JointVector& upper) const;
+
   [[nodiscard]] static const std::vector<std::string>& knownNames();
   /// The built-in URDF of a known model. Precondition: the name is known.
   [[nodiscard]] static const std::string& urdfOf(std::string_view name);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cobot_command/blocks/goal.h"
@@ -11,6 +12,12 @@
 #include "cobot_command/tables/table_store.h"
 
 namespace cobot_command::blocks {
+
+/// With the defaults in place of what is negative: the speed, the time to top speed and the blending (where
+/// it is enabled) of each move in it. To be called before all rules, once.
+[[nodiscard]] Goal withDefaults(Goal goal, const DefaultDynamics& defaults);
+/// What is wrong with one of them, that is there: what was found, and what is allowed; nothing: they may be.
+[[nodiscard]] std::optional<std::string> faultIn(const DefaultDynamics& defaults);
 
 /// For as long as the goal lives.
 class GoalRules {

@@ -20,8 +20,8 @@ struct MoveAbsoluteGoal {
   int data_format = 1;       ///< AbsoluteFormat
   SixValues target{};
   std::optional<FramedPose> target_pose;  ///< in place of `target`, with a Cartesian format
-  double speed = 0;                       ///< % (0, 100] or mm/s (0, 4500], as the format says
-  double accel_time = 0;                  ///< time to top speed [ms], 150..9999
+  double speed = 0;       ///< % (0, 100] or mm/s (0, 4500], as the format says; negative: withDefaults()
+  double accel_time = 0;  ///< time to top speed [ms], 150..9999
   bool blending_enable = false;
   double blending_value = 0;                 ///< % 0..100, or mm 0..2000 with a radius format
   bool disable_precise_positioning = false;  ///< the controller's own sense: false is precise
@@ -32,6 +32,8 @@ struct MoveAbsoluteGoal {
   bool check_only = false;                 ///< validate and plan; nothing is sent
 };
 
+/// Nothing: its number is of none.
+[[nodiscard]] std::optional<script::DataFormat> formatOf(const MoveAbsoluteGoal& goal);
 [[nodiscard]] GoalTraits traitsOf(const MoveAbsoluteGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const MoveAbsoluteGoal& goal);
 [[nodiscard]] std::optional<Failure> findMovedFrame(const MoveAbsoluteGoal& goal, const FrameFinder& finder);

@@ -33,6 +33,8 @@ struct MoveCircleGoal {
   bool check_only = false;
 };
 
+/// Nothing: its number is of none.
+[[nodiscard]] std::optional<script::DataFormat> formatOf(const MoveCircleGoal& goal);
 [[nodiscard]] GoalTraits traitsOf(const MoveCircleGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const MoveCircleGoal& goal);
 [[nodiscard]] std::optional<Failure> findMovedFrame(const MoveCircleGoal& goal, const FrameFinder& finder);

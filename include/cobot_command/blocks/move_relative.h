@@ -38,6 +38,8 @@ struct MoveRelativeGoal {
   bool check_only = false;
 };
 
+/// Nothing: its number is of none.
+[[nodiscard]] std::optional<script::DataFormat> formatOf(const MoveRelativeGoal& goal);
 [[nodiscard]] GoalTraits traitsOf(const MoveRelativeGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const MoveRelativeGoal& goal);
 [[nodiscard]] Order orderOf(const MoveRelativeGoal& goal, const arm::Pose& base);

@@ -1,10 +1,12 @@
 // What the core wants done and told, in this order.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/types.h"
 #include "cobot_command/blocks/shared/block.h"
 #include "cobot_command/blocks/shared/goal_values.h"
@@ -86,6 +88,10 @@ struct ActiveFramesChanged {
 struct TablesChanged {
   tables::DataTables tables;
 };
+/// Every plan is made with other limits of the joints than before.
+struct SoftwareLimitsChanged {
+  std::shared_ptr<const arm::ArmModel> arm;  ///< with these; never nullptr
+};
 /// Tracking objects, or the feedrate, are otherwise than before.
 struct PathControlsChanged {
   path::PathControls controls;
@@ -134,6 +140,6 @@ using Action =
     std::variant<OpenConnection, CloseConnection, SendBytes, GoalAccepted, GoalProgressed, GoalEnded,
                  CommandsFell, PlanAsked, StatusChanged, RobotStatusReceived, ActiveFramesChanged,
                  TablesChanged, PathControlsChanged, PathPlanned, GoalPreviewed, RunTold, FrameTraced,
-                 LogMessage, MessageRaised, PendingChanged, GroupStateChanged>;
+                 LogMessage, MessageRaised, PendingChanged, GroupStateChanged, SoftwareLimitsChanged>;
 
 }  // namespace cobot_command::command

@@ -17,11 +17,13 @@
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/core_ports.h"
+#include "cobot_command/command/dynamics.h"
 #include "cobot_command/command/exchange_answer.h"
 #include "cobot_command/command/exchange_rules.h"
 #include "cobot_command/command/finish.h"
 #include "cobot_command/command/path_requests.h"
 #include "cobot_command/command/planning_job.h"
+#include "cobot_command/command/speed_override.h"
 #include "cobot_command/command/table_write.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
@@ -86,6 +88,20 @@ class CommandCore {
   /// What the node wants of the interface; for the next goal of exchange_configuration, and at once where it
   /// is required.
   void useExchangeRules(const ExchangeRules& rules);
+
+  /// 0..100 %: for what is planned and sent from now on; 0 holds the robot. `reply`: called once, at once or
+  /// later.
+  void setSpeedOverride(double percent, const OverrideReply& reply, Instant now);
+  /// For goals that come from now on.
+  [[nodiscard]] DynamicsAnswer writeDefaults(const blocks::DefaultDynamics& defaults);
+  [[nodiscard]] const blocks::DefaultDynamics& defaults() const;
+  /// Nothing without a model.
+  [[nodiscard]] std::optional<ReferenceDynamics> referenceDynamics() const;
+  /// Between which angles every motion is planned, if nothing is under way; else nothing changes.
+  [[nodiscard]] DynamicsAnswer writeLimits(const SoftwareLimits& limits, Instant now);
+  /// Nothing without a model.
+  [[nodiscard]] std::optional<LimitsReport> limits() const;
+
   /// Other settings for the exchange_configuration goal that is enabled, as the goal itself cannot change.
   [[nodiscard]] ExchangeAnswer updateExchange(const blocks::ExchangeSettings& settings, Instant now);
 

@@ -28,6 +28,8 @@ struct GroupState {
   int pending_errors = 0;
   int pending_warnings = 0;
   std::optional<robot::Trend> trend;  ///< nothing: not known
+  double speed_override = 100;        ///< as it was set [%]
+  double effective_speed = 100;       ///< OverrideAnswer::effective [%]
 
   friend bool operator==(const GroupState& a, const GroupState& b);
 };

@@ -6,28 +6,23 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
-#include "cobot_command/common/units.h"
-#include "cobot_command/motion/command.h"
 
 namespace cobot_command::blocks {
 namespace {
 
 using script::DataFormat;
 
-constexpr double kMaxSpeedPercent = 100;
-constexpr double kMaxSpeedMmPerSecond = mToMm(motion::kMaxTcpSpeed);
-constexpr double kMinAccelTime = 150;
-constexpr double kMaxAccelTime = 9999;
-constexpr double kMaxBlendingPercent = 100;
-constexpr double kMaxBlendingMm = 2000;
+const char* noDefault(double value) {
+  return value < 0 ? "; there is no default for it" : "";
+}
 
 /// 0 is refused too, though the tables have it in the range: such a motion never ends.
 void checkSpeed(ParameterChecks& checks, double speed, bool absolute) {
   const double highest = absolute ? kMaxSpeedMmPerSecond : kMaxSpeedPercent;
   checks.require(speed > 0 && speed <= highest,
                  absolute ? motion_error::kSpeedRangeAbsolute : motion_error::kSpeedRangePercent,
-                 fmt::format("speed is {} {}, it must be above 0 and at most {}", speed,
-                             absolute ? "mm/s" : "%", highest));
+                 fmt::format("speed is {} {}, it must be above 0 and at most {}{}", speed,
+                             absolute ? "mm/s" : "%", highest, noDefault(speed)));
 }
 
 int rounded(double value) {
@@ -54,14 +49,15 @@ void checkMotion(ParameterChecks& checks, const MotionParameters& parameters,
   const DataFormat units = format.value_or(DataFormat{});
   checkSpeed(checks, parameters.speed, units.speed == DataFormat::Speed::Absolute);
   checks.require(isWithin(parameters.accel_time, kMinAccelTime, kMaxAccelTime), motion_error::kAccelTimeRange,
-                 fmt::format("accel_time is {}", parameters.accel_time));
+                 fmt::format("accel_time is {}{}", parameters.accel_time, noDefault(parameters.accel_time)));
   checks.commandId(parameters.command_id, "lets the layer choose");
   checks.bufferMode(parameters.buffer_mode);
   if (!parameters.blending_enable) return;
   const bool radius = units.blending == DataFormat::Blending::Radius;
   checks.require(isWithin(parameters.blending_value, 0, radius ? kMaxBlendingMm : kMaxBlendingPercent),
                  own_error::kBlendingRange,
-                 fmt::format("blending_value is {} {}", parameters.blending_value, radius ? "mm" : "%"));
+                 fmt::format("blending_value is {} {}{}", parameters.blending_value, radius ? "mm" : "%",
+                             noDefault(parameters.blending_value)));
 }
 
 void checkMovement(ParameterChecks& checks, int movement_command, int data_format, const FormatList& formats,

@@ -9,6 +9,8 @@
 
 #include "shared/parameter_checks.h"
 
+#include "cobot_command/common/units.h"
+#include "cobot_command/motion/command.h"
 #include "cobot_command/script/script_command.h"
 
 namespace cobot_command::blocks {
@@ -45,6 +47,14 @@ template <class Move>
           goal.blending_enable, goal.blending_value, goal.disable_precise_positioning,
           goal.buffer_mode};
 }
+
+/// The ranges of what moves have, in the units of their fields; 0 is no speed.
+inline constexpr double kMaxSpeedPercent = 100;
+inline constexpr double kMaxSpeedMmPerSecond = mToMm(motion::kMaxTcpSpeed);
+inline constexpr double kMinAccelTime = 150;
+inline constexpr double kMaxAccelTime = 9999;
+inline constexpr double kMaxBlendingPercent = 100;
+inline constexpr double kMaxBlendingMm = 2000;
 
 /// Unknown formats count as speed and blending in %: which format is wrong is checked elsewhere.
 void checkMotion(ParameterChecks& checks, const MotionParameters& parameters,

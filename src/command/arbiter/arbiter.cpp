@@ -29,10 +29,14 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
              [this](Ticket ticket, Instant now) { return turns_.occupancy().originBehind(ticket, now); }),
       paths_(parts.paths, desk_, parts.actions),
       turns_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, std::move(ports.frames)),
-      feedrate_({parts.paths, paths_, window_, parts.forecast, parts.robot, parts.actions,
-                 [&keeper = parts.keeper] { return keeper.objectionsToATry(); }}),
-      interruption_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, feedrate_),
-      front_desk_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, feedrate_) {}
+      pause_({parts.paths, window_, parts.robot, parts.actions,
+              [&keeper = parts.keeper] { return keeper.objectionsToATry(); }}),
+      feedrate_({parts.paths, paths_, pause_, window_, parts.forecast, parts.robot}),
+      speed_({parts.speed, pause_, paths_, window_, parts.robot,
+              [this] { return mayBeMovedByUs() || parts_.robot.moving().value_or(false); },
+              [this] { queue_.forgetWholePlan(); }}),
+      interruption_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, pause_),
+      front_desk_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, pause_) {}
 
 // --- Ends that are asked for.
 
@@ -112,13 +116,13 @@ void Arbiter::linkLost(const std::string& reason, Instant now) {
   window_.besideLinkLost(reason, now);
   turns_.linkLost(reason, now);
   stop_.linkLost(reason);
-  feedrate_.linkLost();
+  pause_.linkLost();
   parts_.reaction.linkLost();
   parts_.paths.linkLost();
 }
 
 void Arbiter::disconnected(const std::string& reason, Instant now) {
-  feedrate_.linkLost();
+  pause_.linkLost();
   parts_.reaction.linkLost();
   stop_.linkLost(reason);
   window_.besideLinkLost(reason, now);
@@ -133,7 +137,7 @@ void Arbiter::answered(const link::ScriptAnswered& event, Instant now) {
 void Arbiter::robotChanged(Instant now) {
   turns_.robotChanged(now);
   stop_.robotChanged();
-  feedrate_.robotChanged();
+  pause_.robotChanged();
 }
 
 void Arbiter::advance(Instant now) {
@@ -177,7 +181,7 @@ void Arbiter::settleBeside(Instant now) {
     if (got_no_reply && ended.stops_unanswered) unanswered = toString(ended.block);
     interruption_.ended(ended);
     if (ended.goal == 0) {
-      feedrate_.ended(ended);
+      pause_.ended(ended);
     } else {
       parts_.board.end(ended.block, ended.goal, ended.outcome);
     }
@@ -198,6 +202,10 @@ void Arbiter::proceed(Instant now) {
 
 bool Arbiter::idle() const {
   return turns_.run() == nullptr && window_.nothingBeside() && !stops_.busy();
+}
+
+bool Arbiter::underWay() const {
+  return turns_.run() != nullptr || !queue_.empty() || mayBeMovedByUs();
 }
 
 bool Arbiter::mayMove() const {

@@ -13,8 +13,10 @@
 #include "arbiter/interruption.h"
 #include "arbiter/stop_desk.h"
 #include "arbiter/turns.h"
+#include "dynamics/speed_desk.h"
 #include "forecast/plan_desk.h"
 #include "paths/feedrate_desk.h"
+#include "paths/pause_desk.h"
 #include "runs/command_window.h"
 #include "stops/stop_run.h"
 
@@ -48,6 +50,9 @@ class Arbiter {
   void setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now) {
     feedrate_.set(request, reply, now);
   }
+  void setSpeedOverride(double percent, const OverrideReply& reply, Instant now) {
+    speed_.set(percent, reply, now);
+  }
 
   // --- Events.
   void linkLost(const std::string& reason, Instant now);
@@ -75,6 +80,8 @@ class Arbiter {
   // --- What is there.
   /// Nothing of any goal is at the controller.
   [[nodiscard]] bool idle() const;
+  /// A goal is, or waits, or something of this layer may move the robot.
+  [[nodiscard]] bool underWay() const;
   [[nodiscard]] bool stopping() const { return stops_.busy(); }
   /// Of what has been sent, something may still move the robot.
   [[nodiscard]] bool mayMove() const;
@@ -83,6 +90,7 @@ class Arbiter {
   [[nodiscard]] const Turns& turns() const { return turns_; }
   [[nodiscard]] const GoalQueue& queue() const { return queue_; }
   [[nodiscard]] const StopDesk& stops() const { return stops_; }
+  [[nodiscard]] const SpeedDesk& speed() const { return speed_; }
 
  private:
   void cancelTurn(blocks::GoalId newest, Instant now);
@@ -98,7 +106,9 @@ class Arbiter {
   GoalPlans plans_;
   PathTurn paths_;
   Turns turns_;
+  PauseDesk pause_;
   FeedrateDesk feedrate_;
+  SpeedDesk speed_;
   Interruption interruption_;
   FrontDesk front_desk_;
 };

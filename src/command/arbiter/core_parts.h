@@ -13,6 +13,7 @@
 #include "sync/sync_reaction.h"
 
 #include "cobot_command/command/actions.h"
+#include "cobot_command/command/speed_override.h"
 #include "cobot_command/link/script_link.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/robot/robot_watch.h"
@@ -27,6 +28,7 @@ struct CoreParts {
   link::TagLedger& tags;
   robot::RobotWatch& robot;
   tables::TableStore& tables;
+  SpeedOverride& speed;
   PathDesk& paths;
   LinkKeeper& keeper;
   ExchangeDesk& exchange;

@@ -6,15 +6,15 @@
 
 #include "arbiter/core_parts.h"
 #include "arbiter/turns.h"
-#include "paths/feedrate_desk.h"
+#include "paths/pause_desk.h"
 
 namespace cobot_command::command {
 
 class FrontDesk {
  public:
   /// All have to live longer.
-  FrontDesk(const CoreParts& parts, const Turns::Desks& desks, Turns& turns, FeedrateDesk& feedrate)
-      : parts_(parts), desks_(desks), turns_(turns), feedrate_(feedrate) {}
+  FrontDesk(const CoreParts& parts, const Turns::Desks& desks, Turns& turns, PauseDesk& pause)
+      : parts_(parts), desks_(desks), turns_(turns), pause_(pause) {}
 
   /// Executes it, has it wait, or ends it.
   void take(blocks::GoalId id, const blocks::Goal& goal, Instant now);
@@ -34,7 +34,7 @@ class FrontDesk {
   CoreParts parts_;
   Turns::Desks desks_;
   Turns& turns_;
-  FeedrateDesk& feedrate_;
+  PauseDesk& pause_;
 };
 
 }  // namespace cobot_command::command

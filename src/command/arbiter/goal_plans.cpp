@@ -36,7 +36,7 @@ void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, const blocks:
 blocks::PlanningScene GoalPlans::sceneOf(const blocks::Goal& goal) const {
   blocks::PlanningScene scene;
   scene.number = parts_.board.accepted(blockOf(goal)) + 1;
-  scene.feedrate = parts_.paths.controls().feedrate;
+  scene.feedrate = parts_.paths.served().feedrate;
   scene.is_pvt_refused = parts_.paths.isPvtRefused();
   scene.angle_tolerance = parts_.settings.angle_tolerance;
   scene.path = parts_.settings.path;

@@ -56,6 +56,10 @@ void GoalQueue::forgetTurn() {
   front().turn = Waiting::Turn::NotYet;
 }
 
+void GoalQueue::forgetWholePlan() {
+  if (!empty() && front().turn == Waiting::Turn::PlansWhole) forgetTurn();
+}
+
 bool GoalQueue::drop(blocks::GoalId id, const std::string& why) {
   const auto found = at(id);
   if (found == waiting_.end()) return false;

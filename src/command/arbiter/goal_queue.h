@@ -76,6 +76,8 @@ class GoalQueue {
   [[nodiscard]] Waiting take();
   /// What was planned of the first one, as its turn seemed to have come, does not hold any more.
   void forgetTurn();
+  /// The same, but for one that is a single command: whose plan that is, is asked for each time.
+  void forgetWholePlan();
   /// One that was taken is the first again.
   void putBack(Waiting waiting) { waiting_.push_front(std::move(waiting)); }
   /// When it waits: one goal, that was cancelled, and what was to join its chain behind it.

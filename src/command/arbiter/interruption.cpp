@@ -13,7 +13,7 @@ namespace {
 
 /// SRCI's number.
 constexpr int kMandatoryStopped = 0x8A02;
-/// Of a Pause() for no goal; those of the feedrate count up from 1.
+/// Of a Pause() for no goal; those of PauseDesk count up from 1.
 constexpr blocks::CommandKey kPause = std::numeric_limits<blocks::CommandKey>::max();
 
 blocks::Command pauseCommand() {
@@ -48,7 +48,7 @@ void Interruption::look(Instant now) {
 
 void Interruption::pause(Instant now) {
   desks_.window.sendBeside(pauseCommand(), 0, now);
-  feedrate_.pausedByOthers();
+  pause_.pausedByOthers();
 }
 
 void Interruption::stopWithout(Instant now) {

@@ -6,15 +6,15 @@
 
 #include "arbiter/core_parts.h"
 #include "arbiter/turns.h"
-#include "paths/feedrate_desk.h"
+#include "paths/pause_desk.h"
 
 namespace cobot_command::command {
 
 class Interruption {
  public:
   /// All have to live longer.
-  Interruption(const CoreParts& parts, const Turns::Desks& desks, Turns& turns, FeedrateDesk& feedrate)
-      : parts_(parts), desks_(desks), turns_(turns), feedrate_(feedrate) {}
+  Interruption(const CoreParts& parts, const Turns::Desks& desks, Turns& turns, PauseDesk& pause)
+      : parts_(parts), desks_(desks), turns_(turns), pause_(pause) {}
 
   /// Behind each event, before anything begins.
   void look(Instant now);
@@ -34,7 +34,7 @@ class Interruption {
   CoreParts parts_;
   Turns::Desks desks_;
   Turns& turns_;
-  FeedrateDesk& feedrate_;
+  PauseDesk& pause_;
   bool is_stopped_ = false;
 };
 

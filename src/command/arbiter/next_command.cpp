@@ -15,7 +15,8 @@ NextCommand::State NextCommand::look(const blocks::Command& command, blocks::Goa
   if (!asked_->answered) return State::Planning;
   if (!asked_->planned) return refuse({blocks::own_error::kPlanningBudget, "", ""});
   const Origin origin = origin_(now);
-  if (isStillGood(*asked_->planned, origin)) return take(*asked_->planned, origin);
+  const bool has_its_speed = asked_->speed_share == forecast_.speedShare();
+  if (has_its_speed && isStillGood(*asked_->planned, origin)) return take(*asked_->planned, origin);
   if (now - asked_->first < settings_.planning_budget) return make(command, goal, asked_->first, now);
   return refuse({blocks::own_error::kPlanningBudget,
                  "what it starts from changed each time before its plan was made", ""});
@@ -30,7 +31,7 @@ NextCommand::State NextCommand::make(const blocks::Command& command, blocks::Goa
   if (!order_.commands) return State::Ready;
   const Origin origin = origin_(now);
   if (forecast_.isPlannedAtOnce(order_)) return take(*forecast_.plan(order_, origin), origin);
-  ask({goal, order_.key, first}, origin, now);
+  ask({goal, order_.key, first, forecast_.speedShare()}, origin, now);
   return asked_->answered ? take(*asked_->planned, origin) : State::Planning;
 }
 

@@ -44,7 +44,8 @@ class NextCommand {
   struct Asked {
     blocks::GoalId goal = 0;
     blocks::CommandKey key = 0;
-    Instant first;  ///< when a plan of it was asked for first
+    Instant first;         ///< when a plan of it was asked for first
+    double speed_share{};  ///< that it is planned with
     bool answered = false;
     std::shared_ptr<PlannedCommand> planned = nullptr;  ///< nothing in the answer: it took too long
   };

@@ -110,6 +110,7 @@ bool Occupancy::robotStands() const {
 
 std::string Occupancy::textOfPlace(int place) const {
   if (parts_.permit.interrupts()) return parts_.permit.text();
+  if (parts_.speed.isZero()) return "waits until the speed override is above 0 %";
   if (parts_.hold.isHolding()) return "waits for the next motion";
   if (place > 1) return "waits for its turn, others are in front of it";
   if (run_) return "waits for its turn, one is in front of it";

@@ -34,7 +34,9 @@ Turns::Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder fra
 
 void Turns::dispatch(Instant now) {
   while (!desks_.stops.busy() && !desks_.stops.holdsBack()) {
-    const bool went_on = run_ ? continueRun(now) || joinNext(now) : beginNext(now);
+    const bool begins_none = parts_.speed.isZero();
+    const bool went_on =
+        run_ ? continueRun(now) || (!begins_none && joinNext(now)) : !begins_none && beginNext(now);
     if (!went_on) return;
     settle(now);
   }
@@ -155,6 +157,8 @@ bool Turns::continueRun(Instant now) {
   }
   const auto command = run_->next();
   if (!command) return false;
+  // What it sets back behind itself, say, still goes out.
+  if (parts_.speed.isZero() && command->order(arm::Pose::Identity()).moves) return false;
   if (command->leaves_only && !parts_.keeper.objectionsToCommands().empty()) {
     run_->commandEnded(command->key, {}, now);  // the flow has left the node by itself
     return true;

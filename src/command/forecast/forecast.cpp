@@ -31,7 +31,7 @@ PlanAnswer planGoal(const blocks::Goal& goal, const blocks::PlanningScene& scene
     return {std::move(*whole), {}, nullptr, std::move(preview)};
   }
   const blocks::Command command = *rules.command();
-  const Planned plan = planFor(arm, command, base, origin, scene.give_up);
+  const Planned plan = planFor(arm, command, base, scene.speed_share, origin, scene.give_up);
   PlanAnswer answer{outcomeOf(command.block, plan, arm != nullptr), {}};
   if (plan && *plan) answer.tool_path = toolPathOf(**plan, *arm);
   return answer;
@@ -48,10 +48,10 @@ std::shared_ptr<PlannedCommand> planCommand(const arm::ArmModel* arm,
 }
 
 std::shared_ptr<PlannedCommand> foresee(const arm::ArmModel* arm, const blocks::Command& command,
-                                        const std::optional<arm::Pose>& base,
+                                        const std::optional<arm::Pose>& base, double speed_share,
                                         const std::optional<Origin>& origin, const blocks::GiveUp& give_up) {
-  return std::shared_ptr<PlannedCommand>(
-      new PlannedCommand{origin.value_or(Origin()), planFor(arm, command, base, origin, give_up)});
+  return std::shared_ptr<PlannedCommand>(new PlannedCommand{
+      origin.value_or(Origin()), planFor(arm, command, base, speed_share, origin, give_up)});
 }
 
 /// Where blended motions leave the robot.
@@ -63,8 +63,19 @@ robot::LooseMotion::End endOf(const CommandOrder& order) {
 }  // namespace
 
 Forecast::Forecast(std::shared_ptr<const arm::ArmModel> arm, robot::RobotWatch& robot,
-                   const tables::TableStore& tables, std::vector<Action>& actions)
-    : arm_(std::move(arm)), robot_(robot), tables_(tables), actions_(actions) {}
+                   const tables::TableStore& tables, const SpeedOverride& speed, std::vector<Action>& actions)
+    : arm_(std::move(arm)),
+      limited_arm_(arm_),
+      robot_(robot),
+      tables_(tables),
+      speed_(speed),
+      actions_(actions) {}
+
+/// What was queued has been planned with others.
+void Forecast::useLimits(std::shared_ptr<const arm::ArmModel> limited_arm) {
+  limited_arm_ = std::move(limited_arm);
+  queue_.forget();
+}
 
 // --- Plans.
 
@@ -87,7 +98,7 @@ Origin Forecast::origin(Instant now) const {
 }
 
 Result<CommandOrder, blocks::Failure> Forecast::order(const blocks::Command& command) const {
-  auto lines = linesOf(command, frames().base);
+  auto lines = linesOf(command, frames().base, speed_.share());
   if (!lines) return refuse(lines.error());
   CommandOrder order;
   static_cast<blocks::Order&>(order) = std::move(*lines);
@@ -103,12 +114,12 @@ bool Forecast::isPlannedAtOnce(const CommandOrder& order) const {
 }
 
 std::shared_ptr<PlannedCommand> Forecast::plan(const CommandOrder& order, const Origin& origin) const {
-  return planCommand(arm(), *order.commands, origin, {});
+  return planCommand(limited_arm_.get(), *order.commands, origin, {});
 }
 
 PlanDesk::MakeWork Forecast::workFor(const CommandOrder& order, const Origin& origin) const {
-  return [=, commands = *order.commands, arm = arm_](const PlanDesk::Dropped& dropped,
-                                                     Instant /*now*/) -> PlanWork {
+  return [=, commands = *order.commands, arm = limited_arm_](const PlanDesk::Dropped& dropped,
+                                                             Instant /*now*/) -> PlanWork {
     return [=]() -> PlanAnswer {
       return {{}, {}, planCommand(arm.get(), commands, origin, [dropped] { return dropped->load(); })};
     };
@@ -118,8 +129,9 @@ PlanDesk::MakeWork Forecast::workFor(const CommandOrder& order, const Origin& or
 PlanDesk::MakeWork Forecast::workFor(const blocks::Command& command, const OriginAt& origin_at) const {
   return [=](const PlanDesk::Dropped& dropped, Instant now) -> PlanWork {
     const auto origin = origin_at(now);
-    return [command, origin, dropped, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
-      return {{}, {}, foresee(arm.get(), command, base, origin, [dropped] { return dropped->load(); })};
+    return [=, arm = limited_arm_, base = baseAt(origin), share = speed_.share()]() -> PlanAnswer {
+      return {
+          {}, {}, foresee(arm.get(), command, base, share, origin, [dropped] { return dropped->load(); })};
     };
   };
 }
@@ -129,11 +141,12 @@ PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const OriginAt& o
   return [=](const PlanDesk::Dropped& dropped, Instant now) -> PlanWork {
     const auto origin = origin_at(now);
     blocks::PlanningScene scene = given;
-    scene.arm = arm_.get();
+    scene.arm = limited_arm_.get();
+    scene.speed_share = speed_.share();
     if (origin) scene.start = origin->start;
     scene.give_up = [dropped] { return dropped->load(); };
     scene.tables = tables_.forPlans();
-    return [=, arm = arm_, base = baseAt(origin)]() -> PlanAnswer {
+    return [=, arm = limited_arm_, base = baseAt(origin)]() -> PlanAnswer {
       return planGoal(goal, scene, base, origin);
     };
   };
@@ -167,7 +180,7 @@ void Forecast::accepted(const CommandOrder& order, Instant now) {
 }
 
 void Forecast::arrived(const CommandOrder& order, Instant now) {
-  queue_.arrive(order.plan, arm(), now);
+  queue_.arrive(order.plan, limited_arm_.get(), now);
   loose_.end();  // tags complete in the order of the queue
   if (!order.stands_at_end) loose_.begin(std::nullopt, robot::LooseMotion::End::Unknown, now);
 }

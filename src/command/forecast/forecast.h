@@ -18,6 +18,7 @@
 
 #include "cobot_command/blocks/goal.h"
 #include "cobot_command/command/actions.h"
+#include "cobot_command/command/speed_override.h"
 #include "cobot_command/robot/burden.h"
 #include "cobot_command/robot/frame_watch.h"
 #include "cobot_command/robot/loose_motion.h"
@@ -30,9 +31,16 @@ class Forecast {
  public:
   /// `arm`: nothing without a model; then nothing is planned. The others have to live longer.
   Forecast(std::shared_ptr<const arm::ArmModel> arm, robot::RobotWatch& robot,
-           const tables::TableStore& tables, std::vector<Action>& actions);
+           const tables::TableStore& tables, const SpeedOverride& speed, std::vector<Action>& actions);
 
+  /// As it was given: its geometry, for as long as this lives.
   [[nodiscard]] const arm::ArmModel* arm() const { return arm_.get(); }
+  /// With the limits that rule, which every plan is made with; nothing without a model.
+  [[nodiscard]] const std::shared_ptr<const arm::ArmModel>& limitedArm() const { return limited_arm_; }
+  /// From now on. Precondition: there is a model, and nothing is under way.
+  void useLimits(std::shared_ptr<const arm::ArmModel> limited_arm);
+  /// Of the speeds of what is planned now.
+  [[nodiscard]] double speedShare() const { return speed_.share(); }
   /// That the next command will be taken in.
   [[nodiscard]] robot::ActiveFrames frames() const { return frames_.frames(); }
   /// Motions that no goal waits for.
@@ -87,8 +95,10 @@ class Forecast {
   [[nodiscard]] std::optional<arm::Pose> baseAt(const std::optional<Origin>& origin) const;
 
   std::shared_ptr<const arm::ArmModel> arm_;
+  std::shared_ptr<const arm::ArmModel> limited_arm_;
   robot::RobotWatch& robot_;
   const tables::TableStore& tables_;
+  const SpeedOverride& speed_;
   std::vector<Action>& actions_;
   PlannedQueue queue_;
   robot::FrameWatch frames_;

@@ -88,17 +88,17 @@ Planned planFor(const arm::ArmModel* arm, const std::vector<script::ScriptComman
 }
 
 Result<blocks::Order, blocks::Failure> linesOf(const blocks::Command& command,
-                                               const std::optional<arm::Pose>& base) {
+                                               const std::optional<arm::Pose>& base, double speed_share) {
   if (command.traits.needs_base && !base) {
     return refuse(blocks::Failure{blocks::own_error::kBaseUnknown, "", ""});
   }
-  return command.order(base.value_or(arm::Pose::Identity()));
+  return slowed(command.order(base.value_or(arm::Pose::Identity())), speed_share);
 }
 
 Planned planFor(const arm::ArmModel* arm, const blocks::Command& command,
-                const std::optional<arm::Pose>& base, const std::optional<Origin>& origin,
+                const std::optional<arm::Pose>& base, double speed_share, const std::optional<Origin>& origin,
                 const blocks::GiveUp& give_up) {
-  const auto order = linesOf(command, base);
+  const auto order = linesOf(command, base, speed_share);
   if (!order) return refuse(order.error());
   if (!origin || !order->commands) return std::optional<Plan>();
   return planFor(arm, *order->commands, *origin, give_up);

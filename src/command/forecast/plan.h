@@ -57,14 +57,16 @@ struct PlannedCommand {
 [[nodiscard]] Planned planFor(const arm::ArmModel* arm, const std::vector<script::ScriptCommand>& commands,
                               const Origin& origin, const blocks::GiveUp& give_up = {});
 
-/// The lines of a command in that base; refused when it needs one that is not known.
+/// The lines of a command in that base, with so much of its speeds; refused when it needs one that is not
+/// known.
 [[nodiscard]] Result<blocks::Order, blocks::Failure> linesOf(const blocks::Command& command,
-                                                             const std::optional<arm::Pose>& base);
+                                                             const std::optional<arm::Pose>& base,
+                                                             double speed_share);
 
 /// Of a command that begins at `origin`; refused when its lines are.
 [[nodiscard]] Planned planFor(const arm::ArmModel* arm, const blocks::Command& command,
-                              const std::optional<arm::Pose>& base, const std::optional<Origin>& origin,
-                              const blocks::GiveUp& give_up);
+                              const std::optional<arm::Pose>& base, double speed_share,
+                              const std::optional<Origin>& origin, const blocks::GiveUp& give_up);
 
 /// Of its motions: poses of the TCP in the robot base, for people.
 [[nodiscard]] std::vector<arm::Pose> toolPathOf(const Plan& plan, const arm::ArmModel& arm);

@@ -33,12 +33,18 @@ void PathDesk::hold(bool held) {
   use(changed);
 }
 
+path::PathControls PathDesk::served() const {
+  path::PathControls controls = controls_;
+  controls.feedrate *= speed_.share();
+  return controls;
+}
+
 void PathDesk::serve(blocks::PathControlled& run, Instant now) {
-  run.use(controls_, now);
+  run.use(served(), now);
   pvt_refused_ = pvt_refused_ || run.isPvtRefused();
   if (const auto wanted = run.wantedTracking()) {
     switchAutomatic(*wanted);
-    run.use(controls_, now);
+    run.use(served(), now);
   }
 }
 

@@ -8,16 +8,20 @@
 #include "cobot_command/blocks/shared/path_controlled.h"
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/path_requests.h"
+#include "cobot_command/command/speed_override.h"
 #include "cobot_command/path/path_controls.h"
 
 namespace cobot_command::command {
 
 class PathDesk {
  public:
-  /// `actions` has to live longer.
-  explicit PathDesk(std::vector<Action>& actions) : actions_(actions) {}
+  /// Both have to live longer.
+  PathDesk(const SpeedOverride& speed, std::vector<Action>& actions) : speed_(speed), actions_(actions) {}
 
+  /// As they were set.
   [[nodiscard]] const path::PathControls& controls() const { return controls_; }
+  /// As paths are planned and sent: the speed override counts for them, too.
+  [[nodiscard]] path::PathControls served() const;
   /// Nothing: it is so now; else why not.
   [[nodiscard]] std::optional<std::string> switchTracking(const TrackingSwitch& request);
   void setFeedrate(double feedrate);
@@ -33,6 +37,7 @@ class PathDesk {
   void switchAutomatic(const path::TrackingFlags& wanted);
   void use(const path::PathControls& controls);
 
+  const SpeedOverride& speed_;
   std::vector<Action>& actions_;
   path::PathControls controls_;
   bool pvt_refused_ = false;

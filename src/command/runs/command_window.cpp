@@ -131,6 +131,12 @@ bool CommandWindow::moves() const {
                      [](const Sent& sent) { return sent.run.order().moves; });
 }
 
+std::optional<double> CommandWindow::speedShare() const {
+  const auto first =
+      std::find_if(ordered_.begin(), ordered_.end(), [](const Sent& sent) { return sent.run.order().moves; });
+  return first == ordered_.end() ? std::nullopt : std::optional(first->run.order().speed_share);
+}
+
 bool CommandWindow::stopsWithACancel() const {
   return std::any_of(ordered_.begin(), ordered_.end(),
                      [](const Sent& sent) { return sent.run.order().moves && sent.run.mayBeCancelled(); });

@@ -62,6 +62,8 @@ class CommandWindow {
   /// Of the last one that moves; nothing: none does, or it is not known.
   [[nodiscard]] std::optional<robot::Target> target() const;
   [[nodiscard]] bool moves() const;
+  /// So much of its goal's speeds has what moves the robot now; nothing: none of them does.
+  [[nodiscard]] std::optional<double> speedShare() const;
 
   // --- Events.
   void cancel(const std::string& why, Instant now);

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "command/action_servers.h"
+#include "dynamics/arm_of_now.h"
+#include "dynamics/dynamics_services.h"
 #include "exchange/exchange_services.h"
 #include "kinematics/kinematics_services.h"
 #include "messages/message_services.h"
@@ -68,6 +70,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
                          CommandParameters parameters)
     : default_host_(parameters.robot_ip),
       default_port_(parameters.script_port),
+      arm_(std::make_unique<ArmOfNow>(parameters.arm)),
       publisher_(node, jointNames(parameters.prefix), parameters.prefix),
       paths_(std::make_unique<PathPublisher>(node, parameters.prefix + "base")),
       diagnostics_(node, self, parameters.diagnostic_period, parameters.link.status_port != 0),
@@ -93,11 +96,11 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   messages_ = messageServices(node);
   exchange_ = std::make_unique<ExchangeServices>(
       node, [this](const blocks::ExchangeSettings& settings) { return runtime_->updateExchange(settings); });
-  const auto arm = [model = parameters.arm ? std::make_shared<const arm::ArmModel>(*parameters.arm)
-                                           : nullptr] { return model; };
+  const auto arm = [this] { return arm_->get(); };
   kinematics_ = std::make_unique<KinematicsServices>(
       node, KinematicsServices::Sources{arm, [this] { return tables_->tables(); }});
   robot_data_ = std::make_unique<RobotDataPublisher>(node, joint_names, arm);
+  dynamics_ = dynamicsServices(node);
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
@@ -133,6 +136,19 @@ std::unique_ptr<MessageServices> CommandNode::messageServices(const ros::NodeHan
     return runtime_->messages(least, after_id);
   };
   return std::make_unique<MessageServices>(node, std::move(core));
+}
+
+std::unique_ptr<DynamicsServices> CommandNode::dynamicsServices(const ros::NodeHandle& node) {
+  DynamicsServices::Core core;
+  core.set_override = [this](double percent) { return runtime_->setSpeedOverride(percent); };
+  core.reference = [this] { return runtime_->referenceDynamics(); };
+  core.defaults = [this] { return runtime_->defaults(); };
+  core.write_defaults = [this](const blocks::DefaultDynamics& defaults) {
+    return runtime_->writeDefaults(defaults);
+  };
+  core.limits = [this] { return runtime_->limits(); };
+  core.write_limits = [this](const command::SoftwareLimits& limits) { return runtime_->writeLimits(limits); };
+  return std::make_unique<DynamicsServices>(node, std::move(core));
 }
 
 CommandNode::~CommandNode() {
@@ -269,6 +285,10 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                  },
                  [&](const command::ActiveFramesChanged& a) { publisher_.publish(a.frames); },
                  [&](const command::TablesChanged& a) { tables_->take(a.tables); },
+                 [&](const command::SoftwareLimitsChanged& a) {
+                   arm_->take(a.arm);
+                   robot_data_->armChanged();
+                 },
                  [&](const command::PathControlsChanged& a) {
                    path_services_->take(a.controls);
                    paths_->take(a);

@@ -104,6 +104,8 @@ cobot_command::GroupState toMessage(const command::GroupState& state, const ros:
   message.queue_usage = state.queue_usage;
   message.pending_errors = static_cast<std::uint32_t>(state.pending_errors);
   message.pending_warnings = static_cast<std::uint32_t>(state.pending_warnings);
+  message.speed_override = state.speed_override;
+  message.effective_speed = state.effective_speed;
   message.motion_state_known = state.trend.has_value();
   message.accelerating = state.trend == robot::Trend::Accelerating;
   message.decelerating = state.trend == robot::Trend::Decelerating;

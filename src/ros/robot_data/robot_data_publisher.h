@@ -23,6 +23,8 @@ class RobotDataPublisher {
 
   /// Told again where the controller says something else of itself than before.
   void take(const link::RobotStatus& status);
+  /// Its joints have other limits.
+  void armChanged() { publish(); }
 
  private:
   void publish();

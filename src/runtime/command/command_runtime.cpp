@@ -266,6 +266,38 @@ std::optional<std::future<command::ExchangeAnswer>> CommandRuntime::updateExchan
       [settings](auto& core, const auto& reply, Instant now) { reply(core.updateExchange(settings, now)); });
 }
 
+std::optional<std::future<command::OverrideAnswer>> CommandRuntime::setSpeedOverride(double percent) {
+  return ask<command::OverrideAnswer>(
+      [percent](auto& core, const auto& reply, Instant now) { core.setSpeedOverride(percent, reply, now); });
+}
+
+std::optional<std::future<command::DynamicsAnswer>> CommandRuntime::writeDefaults(
+    blocks::DefaultDynamics defaults) {
+  return ask<command::DynamicsAnswer>(
+      [defaults](auto& core, const auto& reply, Instant /*now*/) { reply(core.writeDefaults(defaults)); });
+}
+
+std::optional<std::future<blocks::DefaultDynamics>> CommandRuntime::defaults() {
+  return ask<blocks::DefaultDynamics>(
+      [](auto& core, const auto& reply, Instant /*now*/) { reply(core.defaults()); });
+}
+
+std::optional<std::future<std::optional<command::ReferenceDynamics>>> CommandRuntime::referenceDynamics() {
+  return ask<std::optional<command::ReferenceDynamics>>(
+      [](auto& core, const auto& reply, Instant /*now*/) { reply(core.referenceDynamics()); });
+}
+
+std::optional<std::future<command::DynamicsAnswer>> CommandRuntime::writeLimits(
+    command::SoftwareLimits limits) {
+  return ask<command::DynamicsAnswer>(
+      [limits](auto& core, const auto& reply, Instant now) { reply(core.writeLimits(limits, now)); });
+}
+
+std::optional<std::future<std::optional<command::LimitsReport>>> CommandRuntime::limits() {
+  return ask<std::optional<command::LimitsReport>>(
+      [](auto& core, const auto& reply, Instant /*now*/) { reply(core.limits()); });
+}
+
 std::optional<std::future<command::ResetAnswer>> CommandRuntime::reset() {
   return ask<command::ResetAnswer>(
       [](auto& core, const auto& reply, Instant now) { reply(core.reset(now)); });

@@ -54,7 +54,8 @@ class Chaos {
         &Chaos::complain,      &Chaos::noise,         &Chaos::statusFrame,   &Chaos::statusFrame,
         &Chaos::statusFrame,   &Chaos::shortTime,     &Chaos::shortTime,     &Chaos::longTime,
         &Chaos::reportEarly,   &Chaos::reportEarly,   &Chaos::submitPath,    &Chaos::submitPath,
-        &Chaos::submitPath,    &Chaos::setFeedrate,   &Chaos::track,         &Chaos::finishAny};
+        &Chaos::submitPath,    &Chaos::setFeedrate,   &Chaos::track,         &Chaos::finishAny,
+        &Chaos::setOverride};
     (this->*kEvents[pick(kEvents.size())])();
     answerPlans(pick(3));
     collect();
@@ -71,9 +72,13 @@ class Chaos {
     collect();
     for (GoalId id = 1; id <= last_; ++id) EXPECT_NE(rig_.outcome(id), nullptr) << "goal " << id;
     for (const auto& replies : feedrates_) EXPECT_EQ(*replies, 1) << "a feedrate is answered once";
+    for (const auto& replies : overrides_) EXPECT_EQ(*replies, 1) << "an override is answered once";
     rig_.discardSent();
     rig_.connect();
     rig_.status(StatusFrames());
+    rig_.core.setSpeedOverride(
+        100, [](const OverrideAnswer&) {}, rig_.now);
+    rig_.discardSent();
     const GoalId goal = rig_.submit(moveTo(0));
     answerPlans();
     const auto script = rig_.takeScript();
@@ -186,6 +191,14 @@ class Chaos {
     const auto replies = feedrates_.emplace_back(std::make_shared<int>(0));
     rig_.core.setFeedrate(
         {percent, pick(2) == 0}, [replies](const FeedrateAnswer&) { ++*replies; }, rig_.now);
+    rig_.pass(0ms);
+  }
+  /// Seldom 0, which keeps everything back until the next one.
+  void setOverride() {
+    constexpr double kPercents[] = {0, 20, 50, 100, 100, 100, 101};
+    const auto replies = overrides_.emplace_back(std::make_shared<int>(0));
+    rig_.core.setSpeedOverride(
+        kPercents[pick(std::size(kPercents))], [replies](const OverrideAnswer&) { ++*replies; }, rig_.now);
     rig_.pass(0ms);
   }
   void track() {
@@ -350,6 +363,7 @@ class Chaos {
   std::set<std::string> script_ids_;
   std::map<GoalId, Motion> motions_;
   std::vector<std::shared_ptr<int>> feedrates_;  ///< how often each was answered
+  std::vector<std::shared_ptr<int>> overrides_;  ///< the same
 };
 
 /// The ends of all motions, by error id or minus the ending.

@@ -29,6 +29,22 @@ enum class BufferMode : int {
 
 enum class Movement : int { Line = 0, Ptp = 1 };  ///< Table 5.3.2.4
 
+/// What moves have whose own value is negative (SRCI: DefaultDynamics); absent: there is none, and a negative
+/// value is refused. Each within the range that the field of a goal has.
+struct DefaultDynamics {
+  std::optional<double> speed_percent;
+  std::optional<double> speed_mm_s;  ///< of formats with an absolute speed
+  std::optional<double> accel_time;  ///< [ms]
+  std::optional<double> blending_percent;
+  std::optional<double> blending_mm;  ///< of formats with a radius
+
+  friend bool operator==(const DefaultDynamics& a, const DefaultDynamics& b) {
+    return a.speed_percent == b.speed_percent && a.speed_mm_s == b.speed_mm_s &&
+           a.accel_time == b.accel_time && a.blending_percent == b.blending_percent &&
+           a.blending_mm == b.blending_mm;
+  }
+};
+
 /// A pose in any frame, in place of the numbers of a function block; as it came from outside.
 struct FramedPose {
   std::string frame;                   ///< as the caller named it

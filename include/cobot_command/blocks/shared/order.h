@@ -25,6 +25,8 @@ struct Order {
   bool is_previewed = false;  ///< people see the path of its goal as a whole
   /// Nobody knows what the robot does when it goes unanswered: it is stopped then.
   bool stops_unanswered = false;
+  bool takes_override = false;  ///< its speeds are those of its goal: slowed() counts for them
+  double speed_share = 1.0;     ///< so much of these its lines have, (0, 1]
 };
 
 /// A line for each command, in this order; the arm moves.
@@ -33,5 +35,11 @@ struct Order {
 /// The same; the arm does not move.
 [[nodiscard]] Order settingOrder(script::ScriptCommand command);
 [[nodiscard]] Order settingOrder(std::vector<script::ScriptCommand> commands);
+/// As motionOrder(), of a goal that gives its speed, in % or mm/s: that may be slowed().
+[[nodiscard]] Order moveOrder(script::ScriptCommand command);
+
+/// With `share` of its speeds, (0, 1], where it takes that; the times to top speed stay. Scripts have whole
+/// numbers: rounded down, so that nothing is faster than asked for, but not below 1.
+[[nodiscard]] Order slowed(Order order, double share);
 
 }  // namespace cobot_command::blocks

@@ -21,9 +21,10 @@ struct PlanningScene {
   std::optional<planning::ScriptPlanner::Start> start;
   GiveUp give_up;                  ///< may be empty: never
   tables::DataTables tables = {};  ///< as they are when the planning begins
-  Detail chain = {};       ///< of the run that the goal is to join (GoalChain::end); none: it is the first
-  PathSettings path = {};  ///< how paths are loaded
-  double feedrate = 1.0;   ///< of paths
+  Detail chain = {};         ///< of the run that the goal is to join (GoalChain::end); none: it is the first
+  PathSettings path = {};    ///< how paths are loaded
+  double feedrate = 1.0;     ///< of paths
+  double speed_share = 1.0;  ///< of the speeds that moves give, (0, 1]: the speed override
   bool is_pvt_refused = false;         ///< the controller has refused to enter one
   double angle_tolerance = 0.0017453;  ///< within this of a target a joint is there [rad]
   int number = 1;                      ///< the goal would be so many-th of its block that is accepted

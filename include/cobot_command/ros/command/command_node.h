@@ -27,6 +27,8 @@
 
 namespace cobot_command::ros_adapter {
 
+class ArmOfNow;
+class DynamicsServices;
 class ExchangeServices;
 class KinematicsServices;
 class MessageServices;
@@ -60,6 +62,7 @@ class CommandNode {
                                                              const TableParameters& parameters);
   [[nodiscard]] std::unique_ptr<PathServices> pathServices(const ros::NodeHandle& node);
   [[nodiscard]] std::unique_ptr<MessageServices> messageServices(const ros::NodeHandle& node);
+  [[nodiscard]] std::unique_ptr<DynamicsServices> dynamicsServices(const ros::NodeHandle& node);
   [[nodiscard]] GoalListener& of(blocks::Block block) const {
     return *servers_[static_cast<std::size_t>(block)];
   }
@@ -75,6 +78,7 @@ class CommandNode {
   std::atomic<blocks::GoalId> last_goal_{0};  ///< counted by the spinner, asked for by the core's thread
   std::mutex fell_mutex_;
   std::vector<command::CommandsFell> fell_;  ///< told by the core, not to the intake yet
+  std::unique_ptr<ArmOfNow> arm_;            ///< for services that calculate beside the core
   StatusPublisher publisher_;
   std::unique_ptr<PathPublisher> paths_;
   Diagnostics diagnostics_;
@@ -89,6 +93,7 @@ class CommandNode {
   std::unique_ptr<ExchangeServices> exchange_;
   std::unique_ptr<KinematicsServices> kinematics_;
   std::unique_ptr<RobotDataPublisher> robot_data_;
+  std::unique_ptr<DynamicsServices> dynamics_;
   ros::SteadyTimer retry_;
   ros::ServiceServer finish_;
   bool stopped_ = false;

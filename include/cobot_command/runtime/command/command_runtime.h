@@ -64,6 +64,13 @@ class CommandRuntime {
   std::optional<std::future<command::ResetAnswer>> reset();
   std::optional<std::future<std::vector<command::Message>>> messages(command::Severity least,
                                                                      std::uint32_t after_id);
+  /// See CommandCore; the answers as with setFeedrate(), and finish().
+  std::optional<std::future<command::OverrideAnswer>> setSpeedOverride(double percent);
+  std::optional<std::future<command::DynamicsAnswer>> writeDefaults(blocks::DefaultDynamics defaults);
+  std::optional<std::future<blocks::DefaultDynamics>> defaults();
+  std::optional<std::future<std::optional<command::ReferenceDynamics>>> referenceDynamics();
+  std::optional<std::future<command::DynamicsAnswer>> writeLimits(command::SoftwareLimits limits);
+  std::optional<std::future<std::optional<command::LimitsReport>>> limits();
   /// See CommandCore.
   void tellEnd(blocks::Block block, blocks::Outcome outcome);
   void keepConnected(blocks::ConnectGoal target);

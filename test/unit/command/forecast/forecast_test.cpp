@@ -63,7 +63,8 @@ class ForecastTest : public ::testing::Test {
   robot::RobotWatch robot_;
   std::vector<Action> actions_;
   tables::TableStore tables_;
-  Forecast forecast_{arm_, robot_, tables_, actions_};
+  SpeedOverride speed_;
+  Forecast forecast_{arm_, robot_, tables_, speed_, actions_};
   Instant now_{};
 };
 

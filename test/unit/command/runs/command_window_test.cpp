@@ -71,7 +71,8 @@ class CommandWindowTest : public ::testing::Test {
   std::vector<Action> actions_;
   std::shared_ptr<const arm::ArmModel> arm_;  ///< nothing is planned
   tables::TableStore tables_;
-  Forecast forecast_{arm_, robot_, tables_, actions_};
+  SpeedOverride speed_;
+  Forecast forecast_{arm_, robot_, tables_, speed_, actions_};
   StopRun stop_{settings_, link_, tags_, robot_, nullptr};
   CommandWindow window_{{settings_, link_, tags_, robot_, stop_, nullptr}, forecast_, {}};
   Instant now_{};

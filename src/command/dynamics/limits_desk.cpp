@@ -1,0 +1,93 @@
+#include "dynamics/limits_desk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::command {
+namespace {
+
+/// Of degrees that were made radians and back [rad].
+constexpr double kRounding = 1e-6;
+
+SoftwareLimits limitsOf(const arm::ArmModel& arm) {
+  SoftwareLimits limits;
+  for (std::size_t i = 0; i < arm::kJointCount; ++i) {
+    limits.lower[static_cast<Eigen::Index>(i)] = arm.limits()[i].lower;
+    limits.upper[static_cast<Eigen::Index>(i)] = arm.limits()[i].upper;
+  }
+  return limits;
+}
+
+/// Of the first joint that is wrong; empty: they may be.
+std::string faultIn(const SoftwareLimits& limits, const SoftwareLimits& model) {
+  for (Eigen::Index i = 0; i < limits.lower.size(); ++i) {
+    const double lower = limits.lower[i];
+    const double upper = limits.upper[i];
+    const bool is_within = lower >= model.lower[i] - kRounding && upper <= model.upper[i] + kRounding;
+    if (is_within && upper - lower > 2 * kRounding) continue;  // false for NaN too
+    return fmt::format(
+        "J{} is to stay between {:.6g} and {:.6g} deg, allowed: the lower one below the upper "
+        "one, and both within those of the model, {:.6g} to {:.6g} deg",
+        i + 1, radToDeg(lower), radToDeg(upper), radToDeg(model.lower[i]), radToDeg(model.upper[i]));
+  }
+  return "";
+}
+
+}  // namespace
+
+std::optional<LimitsReport> LimitsDesk::limits() const {
+  if (forecast_.arm() == nullptr) return std::nullopt;
+  return LimitsReport{limitsOf(*forecast_.limitedArm()), limitsOf(*forecast_.arm())};
+}
+
+DynamicsAnswer LimitsDesk::write(const SoftwareLimits& limits, bool under_way) {
+  const arm::ArmModel* const arm = forecast_.arm();
+  if (arm == nullptr) {
+    return {false, blocks::own_error::kNoModel,
+            "no model of the arm is known: nothing is planned, and nothing "
+            "can be limited"};
+  }
+  const SoftwareLimits model = limitsOf(*arm);
+  if (const std::string fault = faultIn(limits, model); !fault.empty()) {
+    return {false, dynamics_error::kLimitsInvalid, fault + "; the limits before rule on"};
+  }
+  if (under_way || robot_.moving().value_or(false)) {
+    return {false, dynamics_error::kLimitsWhileMoving,
+            "a goal is under way or waits, or the robot moves: set them when it stands, and nothing waits"};
+  }
+  auto limited = std::make_shared<const arm::ArmModel>(
+      arm->limitedTo(limits.lower.cwiseMax(model.lower), limits.upper.cwiseMin(model.upper)));
+  const auto joints = robot_.joints();
+  if (const int joint = joints ? limited->firstJointOutsideLimits(*joints) : -1; joint >= 0) {
+    return {false, dynamics_error::kOutsideLimits,
+            fmt::format("J{} is at {:.3f} deg, outside of {:.6g} to {:.6g} deg: move it there first",
+                        joint + 1, radToDeg((*joints)[joint]), radToDeg(limits.lower[joint]),
+                        radToDeg(limits.upper[joint]))};
+  }
+  forecast_.useLimits(limited);
+  actions_.emplace_back(SoftwareLimitsChanged{std::move(limited)});
+  return {true, 0,
+          joints ? "every plan is made with them from now on"
+                 : "every plan is made with them from now on; where the robot stands nobody knows"};
+}
+
+std::optional<ReferenceDynamics> LimitsDesk::reference() const {
+  const arm::ArmModel* const arm = forecast_.arm();
+  if (arm == nullptr) return std::nullopt;
+  ReferenceDynamics reference;
+  for (std::size_t i = 0; i < arm::kJointCount; ++i) {
+    reference.joint_speeds[static_cast<Eigen::Index>(i)] = arm->limits()[i].max_velocity;
+  }
+  reference.tcp_speed = arm->ratings().max_tcp_speed;
+  reference.turn_speed = arm->ratings().turn_speed;
+  return reference;
+}
+
+}  // namespace cobot_command::command

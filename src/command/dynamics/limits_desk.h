@@ -1,0 +1,35 @@
+// The software limits: between which angles of the joints every motion is planned, at most those of the
+// model. And what 100 % of speeds are of.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "forecast/forecast.h"
+
+#include "cobot_command/command/actions.h"
+#include "cobot_command/command/dynamics.h"
+#include "cobot_command/robot/robot_watch.h"
+
+namespace cobot_command::command {
+
+class LimitsDesk {
+ public:
+  /// All have to live longer.
+  LimitsDesk(Forecast& forecast, const robot::RobotWatch& robot, std::vector<Action>& actions)
+      : forecast_(forecast), robot_(robot), actions_(actions) {}
+
+  /// Nothing without a model.
+  [[nodiscard]] std::optional<LimitsReport> limits() const;
+  /// `under_way`: a goal is, or waits, or something of this layer may move the robot.
+  [[nodiscard]] DynamicsAnswer write(const SoftwareLimits& limits, bool under_way);
+  /// Nothing without a model.
+  [[nodiscard]] std::optional<ReferenceDynamics> reference() const;
+
+ private:
+  Forecast& forecast_;
+  const robot::RobotWatch& robot_;
+  std::vector<Action>& actions_;
+};
+
+}  // namespace cobot_command::command

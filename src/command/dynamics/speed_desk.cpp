@@ -1,0 +1,83 @@
+#include "dynamics/speed_desk.h"
+
+#include <fmt/format.h>
+
+namespace cobot_command::command {
+namespace {
+
+constexpr double kPercent = 100;
+using Holder = PauseDesk::Holder;
+
+}  // namespace
+
+void SpeedDesk::set(double percent, const OverrideReply& reply, Instant now) {
+  if (!(percent >= 0 && percent <= kPercent)) {
+    OverrideAnswer refusal;
+    refusal.error_id = kSpeedOverrideRange;
+    refusal.message = fmt::format(
+        "the speed override is {} %, allowed: 0 to {}: choose one in this range; "
+        "{:.6g} % rules on",
+        percent, kPercent, core_.speed.percent());
+    refusal.effective = effective();
+    reply(refusal);
+    return;
+  }
+  const double share = core_.speed.share();
+  core_.speed.set(percent);
+  if (core_.speed.share() != share) core_.speeds_changed();
+  if (core_.speed.isZero()) {
+    hold(reply, now);
+  } else {
+    letGo(reply, now);
+  }
+}
+
+/// A robot that stands needs no pause: nothing is sent to it.
+void SpeedDesk::hold(const OverrideReply& reply, Instant now) {
+  if (!core_.pause.isHeldBy(Holder::Override) && !core_.may_move()) {
+    answerWith(reply, {true, 0, ""}, "nothing moves, and nothing is sent until it is above 0");
+    return;
+  }
+  const auto done = [this, reply](const PauseDesk::Answer& answer) {
+    answerWith(reply, answer, "the robot is held, and nothing is sent until it is above 0");
+  };
+  core_.pause.hold(Holder::Override, done, now);
+}
+
+void SpeedDesk::letGo(const OverrideReply& reply, Instant now) {
+  const auto done = [this, reply](const PauseDesk::Answer& answer) {
+    answerWith(reply, answer, textOfNow());
+  };
+  if (core_.pause.isHeldBy(Holder::Override)) {
+    core_.pause.letGo(Holder::Override, done, now);
+  } else {
+    done({true, 0, core_.pause.heldByOthers()});
+  }
+}
+
+std::string SpeedDesk::textOfNow() const {
+  const auto share = core_.window.speedShare();
+  if (!share && !core_.may_move()) return "it counts from the next motion on";
+  return "what the controller has goes on as it was sent; it counts from the next motion on";
+}
+
+void SpeedDesk::answerWith(const OverrideReply& reply, const PauseDesk::Answer& answer,
+                           const std::string& text) const {
+  OverrideAnswer given;
+  given.success = answer.done;
+  given.error_id = answer.error_id;
+  given.message = answer.message.empty() ? text : answer.message;
+  if (answer.done && !answer.message.empty()) given.message = text + "; " + answer.message;
+  given.effective = effective();
+  reply(given);
+}
+
+double SpeedDesk::effective() const {
+  const bool is_held = core_.robot.held() || core_.pause.stands();
+  const auto moving = core_.window.speedShare();
+  if (is_held || (core_.speed.isZero() && !moving)) return 0;
+  const auto of_path = core_.turn.pace().running;
+  return kPercent * core_.robot.speedOverride() * of_path.value_or(moving.value_or(core_.speed.share()));
+}
+
+}  // namespace cobot_command::command

@@ -1,0 +1,151 @@
+#include "paths/pause_desk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cobot_command/blocks/goal.h"
+
+namespace cobot_command::command {
+namespace {
+
+constexpr const char* nameOf(PauseDesk::Holder holder) {
+  return holder == PauseDesk::Holder::Path ? "a path that is stopped on its way holds the robot"
+                                           : "the speed override of 0 % holds the robot";
+}
+
+}  // namespace
+
+/// A project that somebody else has paused is left to him: what stands needs no pause, and would be let go
+/// with it.
+void PauseDesk::hold(Holder holder, const Reply& reply, Instant now) {
+  if (isPausedByOthers()) {
+    reply({true, 0, heldByOthers()});
+    return;
+  }
+  if (leaving_ && *leaving_ != holder) holders_.erase(*leaving_);
+  leaving_.reset();
+  const State before = state_;
+  holders_.insert(holder);
+  if (before == State::Pausing) {
+    join(reply);
+  } else if (before == State::Paused) {
+    tellStanding();
+    reply({true, 0, ""});
+  } else {
+    send(State::Pausing, reply, now);
+  }
+}
+
+void PauseDesk::letGo(Holder holder, const Reply& reply, Instant now) {
+  const bool is_last = std::none_of(holders_.begin(), holders_.end(), [&](Holder h) { return h != holder; });
+  if (!is_last) {
+    holders_.erase(holder);
+    tellStanding();
+    reply({true, 0, nameOf(*holders_.begin())});
+  } else if (state_ == State::Resuming) {
+    join(reply);
+  } else if (state_ == State::None || others_pause_) {
+    changeTo(State::None);
+    reply({true, 0, heldByOthers()});
+  } else {
+    leaving_ = holder;
+    send(State::Resuming, reply, now);
+  }
+}
+
+void PauseDesk::send(State state, const Reply& reply, Instant now) {
+  if (const auto failures = core_.objections(); !failures.empty()) {
+    if (state_ == State::None) holders_.clear();
+    leaving_.reset();
+    reply({false, failures.front().error_id, "there is no connection over which the robot could be told"});
+    return;
+  }
+  changeTo(state);
+  ++last_;
+  join(reply);
+  const bool pauses = state == State::Pausing;
+  blocks::Order order =
+      blocks::settingOrder(pauses ? script::ScriptCommand(script::Pause{}) : script::Resume{});
+  order.stops_unanswered = pauses;
+  blocks::Command sent;
+  sent.key = last_;
+  sent.block = blocks::kBlock<blocks::ProgramControlGoal>;
+  sent.order = [order](const arm::Pose& /*base*/) { return order; };
+  core_.window.sendBeside(sent, 0, now);
+}
+
+void PauseDesk::ended(const CommandWindow::Ended& ended) {
+  const bool is_done = ended.outcome.ending == blocks::Ending::Done;
+  if (ended.key == last_ && state_ == State::Pausing) {
+    changeTo(is_done ? State::Paused : State::None);
+  } else if (ended.key == last_ && state_ == State::Resuming) {
+    changeTo(is_done ? State::None : State::Paused);
+  }
+  const auto mine = std::stable_partition(waiting_.begin(), waiting_.end(),
+                                          [&](const Waiting& waiting) { return waiting.key != ended.key; });
+  const std::vector<Waiting> answered(mine, waiting_.end());
+  waiting_.erase(mine, waiting_.end());
+  Answer answer{is_done, 0, ""};
+  if (!is_done) {
+    answer = {false, ended.outcome.error_id,
+              "the controller has not taken it: " + ended.outcome.error_description};
+  }
+  for (const Waiting& waiting : answered) waiting.reply(answer);
+}
+
+void PauseDesk::changeTo(State state) {
+  if (state == State::Pausing) seen_ = false;
+  if (state == State::Pausing || state == State::None) others_pause_ = false;
+  if (state != State::Resuming) leaving_.reset();
+  if (state == State::None) holders_.clear();
+  state_ = state;
+  core_.robot.pausedByUs(stands());
+  tellStanding();
+}
+
+void PauseDesk::tellStanding() {
+  core_.paths.hold(stands() && isHeldBy(Holder::Path));
+}
+
+bool PauseDesk::isPausedByOthers() const {
+  return state_ == State::None && core_.robot.tellsPause() && core_.robot.paused();
+}
+
+std::string PauseDesk::heldByOthers() const {
+  if (!core_.robot.held()) return "";
+  if (!core_.robot.paused()) return "a safeguard holds the robot: it goes on when that is released";
+  return "the project is paused, and not from here on this link: program_control with RESUME, or the "
+         "pendant, "
+         "lets it go on";
+}
+
+/// An emergency stop, and a project that is stopped, end a pause, too; what was to be held stays so.
+void PauseDesk::robotChanged() {
+  if (state_ == State::None || !core_.robot.tellsPause()) return;
+  if (core_.robot.emergencyStop() || core_.robot.projectStopped()) {
+    forget();
+  } else if (core_.robot.paused()) {
+    seen_ = true;
+  } else if (seen_ && stands()) {
+    letGoByOthers();
+  }
+}
+
+void PauseDesk::letGoByOthers() {
+  const bool was_path = isHeldBy(Holder::Path);
+  if (state_ == State::Paused) {
+    core_.actions.emplace_back(LogMessage{
+        Severity::Warning, was_path ? "the project goes on, though the path was stopped: somebody let it go"
+                                    : "the project goes on, though the speed override is 0 %: somebody "
+                                      "let it go; nothing more is sent"});
+  }
+  changeTo(State::None);
+  if (was_path) core_.paths.stop(false);
+}
+
+void PauseDesk::forget() {
+  changeTo(State::None);
+  ++last_;  // no answer that is still to come counts
+}
+
+}  // namespace cobot_command::command
