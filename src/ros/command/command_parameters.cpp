@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "dynamics/limit_parameters.h"
 #include <fmt/format.h>
 #include <ros/console.h>
 #include <ros/names.h>
@@ -177,8 +178,12 @@ SettingTable behaviourTable(CommandParameters& p) {
 }  // namespace
 
 SettingTable settingsTable(CommandParameters& parameters) {
-  return joined({robotTable(parameters), deadlineTable(parameters.link), pathTable(parameters.link),
-                 behaviourTable(parameters), tableRows(parameters.tables)});
+  return joined({robotTable(parameters),
+                 deadlineTable(parameters.link),
+                 pathTable(parameters.link),
+                 behaviourTable(parameters),
+                 tableRows(parameters.tables),
+                 {limitsRow(parameters.limit_texts)}});
 }
 
 Result<CommandParameters, ParameterError> readCommandParameters(const GivenParameters& given) {
@@ -192,6 +197,8 @@ Result<CommandParameters, ParameterError> readCommandParameters(const GivenParam
   if (!arm) return refuse(parameterError(given, arm.error()));
   if (*arm) parameters.arm = (*arm)->turning(parameters.turn_speed);
   fault = readTables(parameters.tables, parameters.arm ? &*parameters.arm : nullptr, parameters.warnings);
+  const arm::ArmModel* const model = parameters.arm ? &*parameters.arm : nullptr;
+  if (!fault) fault = readLimits(parameters.limit_texts, model, parameters.limits);
   if (fault) return refuse(parameterError(given, *fault));
   return parameters;
 }

@@ -9,6 +9,7 @@
 #include <ros/node_handle.h>
 
 #include "cobot_command/arm/arm_model.h"
+#include "cobot_command/command/dynamics.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/link/connection.h"
 #include "cobot_command/ros/shared/given_parameters.h"
@@ -30,6 +31,8 @@ struct CommandParameters {
   double diagnostic_period = 1.0;            ///< [s]
   link::LinkSettings link;
   TableParameters tables;
+  std::vector<std::string> limit_texts;           ///< ~software_limits
+  std::optional<command::SoftwareLimits> limits;  ///< what these come to; nothing: those of the model
 
   std::optional<arm::ArmModel> arm;   ///< absent: moves are sent without planning them first
   std::vector<std::string> warnings;  ///< of what can be used, but was hardly meant so
