@@ -76,8 +76,9 @@ double SpeedDesk::effective() const {
   const bool is_held = core_.robot.held() || core_.pause.stands();
   const auto moving = core_.window.speedShare();
   if (is_held || (core_.speed.isZero() && !moving)) return 0;
-  const auto of_path = core_.turn.pace().running;
-  return kPercent * core_.robot.speedOverride() * of_path.value_or(moving.value_or(core_.speed.share()));
+  const double project = kPercent * core_.robot.speedOverride();
+  if (!moving) return project * core_.speed.share();
+  return project * core_.turn.pace().running.value_or(*moving);
 }
 
 }  // namespace cobot_command::command

@@ -111,6 +111,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
                          [this](link::Channel channel) { return publisher_.isHeard(channel); }});
   runtime_->useTables(parameters.tables.tables);
   runtime_->useExchangeRules(parameters.exchange);
+  if (parameters.limits) static_cast<void>(runtime_->writeLimits(*parameters.limits));  // they were tried
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "dynamics/limit_parameters.h"
 #include <fmt/format.h>
 #include <ros/console.h>
 #include <ros/names.h>
@@ -201,9 +202,13 @@ SettingTable exchangeTable(command::ExchangeRules& rules) {
 }  // namespace
 
 SettingTable settingsTable(CommandParameters& parameters) {
-  return joined({robotTable(parameters), deadlineTable(parameters.link), pathTable(parameters.link),
-                 behaviourTable(parameters), exchangeTable(parameters.exchange),
-                 tableRows(parameters.tables)});
+  return joined({robotTable(parameters),
+                 deadlineTable(parameters.link),
+                 pathTable(parameters.link),
+                 behaviourTable(parameters),
+                 exchangeTable(parameters.exchange),
+                 tableRows(parameters.tables),
+                 {limitsRow(parameters.limit_texts)}});
 }
 
 Result<CommandParameters, ParameterError> readCommandParameters(const GivenParameters& given) {
@@ -217,6 +222,8 @@ Result<CommandParameters, ParameterError> readCommandParameters(const GivenParam
   if (!arm) return refuse(parameterError(given, arm.error()));
   if (*arm) parameters.arm = (*arm)->turning(parameters.turn_speed);
   fault = readTables(parameters.tables, parameters.arm ? &*parameters.arm : nullptr, parameters.warnings);
+  const arm::ArmModel* const model = parameters.arm ? &*parameters.arm : nullptr;
+  if (!fault) fault = readLimits(parameters.limit_texts, model, parameters.limits);
   if (fault) return refuse(parameterError(given, *fault));
   return parameters;
 }

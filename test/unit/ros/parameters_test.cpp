@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "cobot_command/arm/urdf_prefix.h"
+#include "cobot_command/common/units.h"
 #include "cobot_command/ros/command/command_parameters.h"
 #include "cobot_command/ros/simulation/simulator_parameters.h"
 
@@ -310,6 +311,31 @@ TEST(ParameterServer, hasValuesOfAllTypes) {
   EXPECT_EQ(describe(toGiven(XmlRpc::XmlRpcValue(&date))), "a date");
   EXPECT_EQ(describe(toGiven(XmlRpc::XmlRpcValue(static_cast<void*>(bytes), 2))), "binary data");
   EXPECT_EQ(describe(toGiven(XmlRpc::XmlRpcValue())), "nothing");
+}
+
+TEST(ParametersOfTheCommandNode, haveSoftwareLimitsOfSomeJoints) {
+  const auto limited = [](GivenList texts) {
+    return readCommandParameters(
+        ofNode({{"robot_model", {"tm5-900"}}, {"software_limits", {std::move(texts)}}}));
+  };
+  const auto parameters = limited({{"1=-90,90"}, {"3=-100.5,100"}});
+  ASSERT_TRUE(parameters) << parameters.error().message;
+  ASSERT_TRUE(parameters->limits);
+  EXPECT_DOUBLE_EQ(parameters->limits->lower[0], degToRad(-90));
+  EXPECT_DOUBLE_EQ(parameters->limits->lower[2], degToRad(-100.5));
+  EXPECT_EQ(parameters->limits->upper[1], parameters->arm->limits()[1].upper);
+  EXPECT_FALSE(limited({})->limits);
+  for (const char* text : {"", "1", "0=1,2", "7=1,2", "1=1", "1=1,2,3", "1=a,2", "x=1,2", "1=1, 2"}) {
+    const auto refused = limited({{text}});
+    ASSERT_FALSE(refused) << text;
+    EXPECT_THAT(refused.error().message, HasSubstr("software_limits holds")) << text;
+  }
+  for (const char* text : {"1=90,-90", "1=-271,0", "1=0,0"}) {
+    const auto refused = limited({{text}});
+    ASSERT_FALSE(refused) << text;
+    EXPECT_THAT(refused.error().message, HasSubstr("J1 is to stay between")) << text;
+  }
+  EXPECT_FALSE(readCommandParameters(ofNode({{"software_limits", {GivenList{{"1=-90,90"}}}}})));
 }
 
 TEST(ParametersOfTheCommandNode, areTheTableOfThePage) {

@@ -9,6 +9,7 @@
 #include <ros/node_handle.h>
 
 #include "cobot_command/arm/arm_model.h"
+#include "cobot_command/command/dynamics.h"
 #include "cobot_command/command/exchange_rules.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/link/connection.h"
@@ -32,6 +33,8 @@ struct CommandParameters {
   link::LinkSettings link;
   TableParameters tables;
   command::ExchangeRules exchange;
+  std::vector<std::string> limit_texts;           ///< ~software_limits
+  std::optional<command::SoftwareLimits> limits;  ///< what these come to; nothing: those of the model
 
   std::optional<arm::ArmModel> arm;   ///< absent: moves are sent without planning them first
   std::vector<std::string> warnings;  ///< of what can be used, but was hardly meant so

@@ -1,0 +1,85 @@
+#include "dynamics/limit_parameters.h"
+
+#include <charconv>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cobot_command/command/command_core.h"
+#include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/setting_kinds.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+constexpr const char* kName = "software_limits";
+constexpr const char* kAllowed = "a list of texts N=LOWER,UPPER [deg], N the joint, 1 to 6";
+
+/// The number in front of `text`, which is shorter then; nothing: there is none.
+template <class Number>
+std::optional<Number> take(std::string_view& text) {
+  Number number{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+  return number;
+}
+
+bool takeMark(std::string_view& text, char mark) {
+  if (text.empty() || text.front() != mark) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+/// False: it is none of these texts.
+bool takeLimits(std::string_view text, command::SoftwareLimits& limits) {
+  const auto joint = take<int>(text);
+  if (!joint || *joint < 1 || *joint > static_cast<int>(arm::kJointCount) || !takeMark(text, '='))
+    return false;
+  const auto lower = take<double>(text);
+  if (!lower || !takeMark(text, ',')) return false;
+  const auto upper = take<double>(text);
+  if (!upper || !text.empty()) return false;
+  limits.lower[*joint - 1] = degToRad(*lower);
+  limits.upper[*joint - 1] = degToRad(*upper);
+  return true;
+}
+
+}  // namespace
+
+Setting limitsRow(std::vector<std::string>& texts) {
+  SettingKind kind;
+  kind.form = SettingKind::Form::Texts;
+  kind.type = kAllowed;
+  kind.take = [&texts](const Given& given) -> std::optional<std::string> {
+    auto found = setting_kinds::textsIn(given);
+    if (!found) return found.error();
+    texts = *std::move(found);
+    return std::nullopt;
+  };
+  kind.show = [] { return std::string("none"); };
+  return {kName, kind,
+          "narrower limits of joints, with which everything is planned from the start on; see "
+          "doc/dynamics.md"};
+}
+
+/// What limits may be the core says: one that lives for this question.
+std::optional<SettingFault> readLimits(const std::vector<std::string>& texts, const arm::ArmModel* arm,
+                                       std::optional<command::SoftwareLimits>& limits) {
+  if (texts.empty()) return std::nullopt;
+  if (arm == nullptr)
+    return SettingFault{kName, "is given, and there is no model of the arm", "none without a model"};
+  command::CommandCore core(*arm, {});
+  command::SoftwareLimits wanted = core.limits()->model;
+  for (const std::string& text : texts) {
+    if (!takeLimits(text, wanted)) return SettingFault{kName, "holds " + quoted(text), kAllowed};
+  }
+  if (const auto answer = core.writeLimits(wanted, Instant()); !answer.success) {
+    return SettingFault{kName, "does not do: " + answer.message, kAllowed};
+  }
+  limits = wanted;
+  return std::nullopt;
+}
+
+}  // namespace cobot_command::ros_adapter
