@@ -113,9 +113,9 @@ double timeTo(const arm::ArmModel& arm, const arm::JointVector& from, const Post
 
 Refusal allOutside(const std::vector<Branch>& branches) {
   std::vector<std::string> reasons;
-  for (const Branch& branch : branches) {
-    reasons.push_back(fmt::format("{}: joint {}", toString(branch.posture.bits), *branch.outside + 1));
-  }
+  std::transform(branches.begin(), branches.end(), std::back_inserter(reasons), [](const Branch& branch) {
+    return fmt::format("{}: joint {}", toString(branch.posture.bits), *branch.outside + 1);
+  });
   return {
       kinematics_error::kOutsideLimits,
       fmt::format("Each posture that reaches the pose has a joint outside its limits ({}). Choose another "

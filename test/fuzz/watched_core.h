@@ -93,7 +93,10 @@ class WatchedCore {
     connections_[open.channel] = open.id;
   }
   void take(const command::CloseConnection& /*close*/) {}
-  void take(const command::SendBytes& send) { sent_ += send.bytes; }
+  /// Of the script port: who asks the status port who the controller is, is not answered.
+  void take(const command::SendBytes& send) {
+    if (send.id == connections_[link::Channel::Script]) sent_ += send.bytes;
+  }
   void take(const command::GoalAccepted& accepted) {
     REQUIRE(accepted_.insert(accepted.goal).second);
     REQUIRE(ended_.count(accepted.goal) == 0);

@@ -77,6 +77,7 @@ class Story {
 
   void take(const command::OpenConnection& open) { connections_[open.channel] = open.id; }
   void take(const command::SendBytes& send) {
+    if (send.id != connections_[link::Channel::Script]) return;  // who the controller is: nobody answers
     sent_.feed(send.bytes);
     while (const auto event = sent_.next()) {
       const auto message = protocol::parseClientMessage(std::get<protocol::Frame>(*event));

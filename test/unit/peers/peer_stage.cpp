@@ -102,6 +102,7 @@ void PeerStage::hear(Connection& connection, std::string_view bytes) {
   while (const auto event = connection.decoder.next()) {
     const auto* const frame = std::get_if<protocol::Frame>(&*event);
     ASSERT_NE(frame, nullptr) << "the layer sent what is no frame";
+    if (frame->header == protocol::header::kItems) continue;  // asks who the controller is: nobody tells
     const auto message = protocol::parseClientMessage(*frame);
     ASSERT_TRUE(message.has_value()) << "the layer sent what means nothing: " << frame->data;
     sayings_.push_back({connection.id, connection.peer.answers(*message)});
