@@ -13,9 +13,6 @@
 namespace cobot_command::command {
 namespace {
 
-/// SRCI's number.
-constexpr int kConnectionLost = 0x8AAD;
-
 constexpr const char* kShuttingDown = "the command layer is shutting down";
 
 }  // namespace
@@ -31,16 +28,16 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       board_(actions_),
       keeper_(settings_, links_, robot_, board_),
       sync_({links_.script(), settings_, tables_, messages_, actions_}),
-      exchange_({settings_, links_, robot_, keeper_, board_, messages_, hold_, sync_, reaction_}),
-      permit_(exchange_, sync_, reaction_),
+      exchange_({settings_, links_, robot_, keeper_, board_, messages_, hold_, sync_, guard_}),
+      permit_(exchange_, sync_, guard_),
       forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_,
                 tables_.store(), speed_, actions_),
       limits_(forecast_, robot_, actions_),
       arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), speed_, paths_, keeper_,
-                exchange_, sync_, reaction_, permit_, hold_, forecast_, board_, actions_},
+                exchange_, sync_, guard_, permit_, hold_, forecast_, board_, actions_},
                std::move(ports), planning),
       status_({links_, tags_, robot_, strangers_, board_, keeper_, forecast_, arbiter_}, actions_),
-      group_({robot_, keeper_, exchange_, sync_, reaction_, arbiter_, messages_}, actions_) {}
+      group_({robot_, keeper_, exchange_, sync_, guard_, arbiter_, messages_}, actions_) {}
 
 // --- Goals.
 
@@ -77,6 +74,8 @@ void CommandCore::Impl::keepConnected(const blocks::ConnectGoal& target, Instant
 void CommandCore::Impl::retire(Instant now) {
   if (life_ != Life::Working) return;
   life_ = Life::Retiring;
+  sync_.end();
+  guard_.end();
   keeper_.keepNoMore();
   arbiter_.retire(kShuttingDown, now);
   settle(now);
@@ -169,6 +168,7 @@ void CommandCore::Impl::settle(Instant now) {
   } while (changeConnection(now));
   arbiter_.proceed(now);
   status_.tell();
+  exchange_.seeQueue(status_.queueDepth());
   messages_.look(now);
   group_.tell();
 }
@@ -213,7 +213,7 @@ void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) 
 
 void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   actions_.emplace_back(
-      LogMessage{Severity::Error, "link lost: " + event.reason, kConnectionLost,
+      LogMessage{Severity::Error, "link lost: " + event.reason, blocks::exchange_error::kConnectionLost,
                  "see command_status; where the robot still moves, stop it, then connect again"});
   const bool moved = arbiter_.mayMove();
   if (moved) keeper_.leftMoving();

@@ -20,7 +20,7 @@
 #include "status_desk.h"
 #include "exchange/motion_permit.h"
 #include "sync/sync_desk.h"
-#include "sync/sync_reaction.h"
+#include "sync/sync_guard.h"
 #include "tables/table_desk.h"
 
 #include "cobot_command/command/command_core.h"
@@ -95,7 +95,7 @@ class CommandCore::Impl {
   LinkKeeper keeper_;
   MotionHold hold_;
   SyncDesk sync_;
-  SyncReaction reaction_;
+  SyncGuard guard_;
   ExchangeDesk exchange_;
   MotionPermit permit_;
   Forecast forecast_;

@@ -28,7 +28,7 @@ void GroupDesk::tell() {
   GroupState state;
   state.ri_state = parts_.exchange.riState();
   state.out_of_sync = parts_.sync.whyNot();
-  state.enabled = parts_.keeper.run().ready() && !parts_.robot.emergencyStop() && !parts_.robot.showsError();
+  state.enabled = parts_.keeper.isRobotEnabled(parts_.robot);
   state.sequence = sequence();
   state.in_primary_position = isInPrimaryPosition(state.sequence);
   const std::size_t held = parts_.arbiter.queue().size() + (parts_.arbiter.turns().run() != nullptr ? 1 : 0);
@@ -46,7 +46,7 @@ void GroupDesk::tell() {
 Sequence GroupDesk::sequence() const {
   const bool is_there =
       parts_.arbiter.turns().run() != nullptr || !parts_.arbiter.queue().empty() || parts_.arbiter.mayMove();
-  if (parts_.reaction.interrupts()) return Sequence::Interrupted;
+  if (parts_.guard.interrupts()) return Sequence::Interrupted;
   if (!is_there) return Sequence::Idle;
   return parts_.robot.held() ? Sequence::Interrupted : Sequence::Executing;
 }

@@ -9,7 +9,7 @@
 #include "exchange/exchange_desk.h"
 #include "messages/message_desk.h"
 #include "sync/sync_desk.h"
-#include "sync/sync_reaction.h"
+#include "sync/sync_guard.h"
 
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/group_state.h"
@@ -25,7 +25,7 @@ class GroupDesk {
     const LinkKeeper& keeper;
     const ExchangeDesk& exchange;
     const SyncDesk& sync;
-    const SyncReaction& reaction;
+    const SyncGuard& guard;
     const Arbiter& arbiter;
     const MessageDesk& messages;
   };

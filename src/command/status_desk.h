@@ -36,6 +36,8 @@ class StatusDesk {
 
   /// To be called behind each event.
   void tell();
+  /// As told last.
+  [[nodiscard]] int queueDepth() const { return told_.queue_depth; }
 
  private:
   [[nodiscard]] std::string diagnosis() const;

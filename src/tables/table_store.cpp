@@ -21,6 +21,11 @@ int inUseError(Kind kind) {
 TableStore::TableStore(DataTables tables, Payload payload)
     : tables_(std::move(tables)), payload_(std::move(payload)) {}
 
+void TableStore::replace(DataTables tables) {
+  tables.stamp(tables_.revision() + 1);
+  tables_ = std::move(tables);
+}
+
 DataTables TableStore::forPlans() const {
   DataTables tables = tables_;
   for (const auto& [name, pose] : project_.tools) tables.learnTool(name, pose);
@@ -104,7 +109,7 @@ Result<DataTables, Refusal> TableStore::withLoad(int index, std::optional<Load> 
 
 std::optional<Refusal> TableStore::take(Result<DataTables, Refusal> changed) {
   if (!changed) return changed.error();
-  tables_ = *std::move(changed);
+  replace(*std::move(changed));
   return std::nullopt;
 }
 

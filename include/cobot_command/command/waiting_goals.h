@@ -13,6 +13,9 @@ namespace cobot_command::command {
 /// In each of the places where they wait.
 inline constexpr std::size_t kMostWaiting = 64;
 
+/// 80 % of those that can wait, and of the one under way: time to send no more.
+inline constexpr int kManyCommands = (static_cast<int>(kMostWaiting) + 1) * 4 / 5;
+
 /// The newest goal that has come anywhere, also where goals wait before they are submitted. Goals count up
 /// in the order in which they came.
 using NewestGoal = std::function<blocks::GoalId()>;

@@ -1,6 +1,7 @@
 // The tables of tools, frames and loads as one value: checked, and cheap to copy, also into another thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,11 @@ class DataTables {
 
   [[nodiscard]] const Entries& entries() const { return *entries_; }
 
+  /// Higher with each change of the tables that this is a copy of (TableStore); who gets them on several ways
+  /// sees by it which are newer.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  void stamp(std::uint64_t revision) { revision_ = revision; }
+
   [[nodiscard]] Result<arm::Pose, Gap> toolInFlange(int index) const;
   [[nodiscard]] Result<arm::Pose, Gap> frameInRobotBase(int index) const;
   [[nodiscard]] Result<Load, Gap> load(int index) const;
@@ -74,6 +80,7 @@ class DataTables {
                                const Payload& payload);
 
   std::shared_ptr<const Entries> entries_;  ///< never changed, only replaced
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace cobot_command::tables

@@ -40,7 +40,7 @@ class TableStore {
   void know(ProjectPoses project) { project_ = std::move(project); }
   [[nodiscard]] const Payload& payload() const { return payload_; }
   /// All at once, whoever uses what: for what is read at the start.
-  void replace(DataTables tables) { tables_ = std::move(tables); }
+  void replace(DataTables tables);
 
   [[nodiscard]] Hold hold(Use use);
   /// The first of them; nothing when nobody does.

@@ -117,13 +117,13 @@ void Arbiter::linkLost(const std::string& reason, Instant now) {
   turns_.linkLost(reason, now);
   stop_.linkLost(reason);
   pause_.linkLost();
-  parts_.reaction.linkLost();
+  parts_.guard.linkLost();
   parts_.paths.linkLost();
 }
 
 void Arbiter::disconnected(const std::string& reason, Instant now) {
   pause_.linkLost();
-  parts_.reaction.linkLost();
+  parts_.guard.linkLost();
   stop_.linkLost(reason);
   window_.besideLinkLost(reason, now);
   settle(now);
@@ -149,7 +149,7 @@ void Arbiter::advance(Instant now) {
 
 std::optional<Instant> Arbiter::nextDeadline() const {
   const auto held = earlier(parts_.hold.nextDeadline(), desk_.nextDeadline());
-  const auto due = earlier(held, parts_.reaction.nextDeadline());
+  const auto due = earlier(held, parts_.guard.nextDeadline());
   return earlier(turns_.nextDeadline(), earlier(stop_.nextDeadline(), due));
 }
 
@@ -179,12 +179,9 @@ void Arbiter::settleBeside(Instant now) {
     const bool got_no_reply =
         isError(ended.block, ended.outcome.error_id, blocks::motion_error::kReceiveReply);
     if (got_no_reply && ended.stops_unanswered) unanswered = toString(ended.block);
+    pause_.ended(ended);
     interruption_.ended(ended);
-    if (ended.goal == 0) {
-      pause_.ended(ended);
-    } else {
-      parts_.board.end(ended.block, ended.goal, ended.outcome);
-    }
+    if (ended.goal != 0) parts_.board.end(ended.block, ended.goal, ended.outcome);
   }
   if (unanswered != nullptr) {
     turns_.stopAll(fmt::format("stopped, as {} got no reply", unanswered), queue_.newest(), now);

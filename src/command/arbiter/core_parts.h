@@ -10,7 +10,7 @@
 #include "exchange/motion_permit.h"
 #include "forecast/forecast.h"
 #include "paths/path_desk.h"
-#include "sync/sync_reaction.h"
+#include "sync/sync_guard.h"
 
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/speed_override.h"
@@ -33,7 +33,7 @@ struct CoreParts {
   LinkKeeper& keeper;
   ExchangeDesk& exchange;
   SyncDesk& sync;
-  SyncReaction& reaction;
+  SyncGuard& guard;
   MotionPermit& permit;
   MotionHold& hold;
   Forecast& forecast;

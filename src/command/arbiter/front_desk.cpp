@@ -92,7 +92,7 @@ void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant 
   parts_.board.accept(command.block, id, command.traits.command_id);
   if (traits.resumes) parts_.permit.resumes(id);
   desks_.window.sendBeside(command, id, now);
-  if (traits.halts) pause_.pausedByOthers();
+  if (traits.halts || traits.resumes) pause_.sentFor(id, traits.halts);
 }
 
 void FrontDesk::answerByPlan(blocks::GoalId id, const blocks::Goal& goal, Instant now) {

@@ -18,7 +18,7 @@ class Interruption {
 
   /// Behind each event, before anything begins.
   void look(Instant now);
-  /// A stop has taken what there was; or so it will be, when that has ended.
+  /// A stop has taken what there was.
   void stopConfirmed() { is_stopped_ = true; }
   /// What was sent beside has ended.
   void ended(const CommandWindow::Ended& ended);
@@ -26,7 +26,8 @@ class Interruption {
   void proceed();
 
  private:
-  void pause(Instant now);
+  /// Something of this layer may move the robot, as far as nothing holds it.
+  [[nodiscard]] bool moves() const;
   /// Whoever needs the interface for moving has disabled it.
   void stopWithout(Instant now);
   void warn(std::string text);
@@ -36,6 +37,7 @@ class Interruption {
   Turns& turns_;
   PauseDesk& pause_;
   bool is_stopped_ = false;
+  bool held_back_ = false;  ///< what waits, when it was looked at last
 };
 
 }  // namespace cobot_command::command

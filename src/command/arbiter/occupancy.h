@@ -46,7 +46,7 @@ class Occupancy {
   /// Of what goes out now, behind what is at the controller.
   [[nodiscard]] Origin originNow(Instant now) const;
 
-  /// The interface has something against a motion that begins now, or ends a blend.
+  /// It has to wait, though it would be its turn: by the speed override, or by the interface.
   [[nodiscard]] bool isHeldBack(const Waiting& next) const;
   /// As far as that is known: nothing of ours moves it, and nothing else that can be seen.
   [[nodiscard]] bool robotStands() const;

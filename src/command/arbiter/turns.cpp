@@ -34,17 +34,20 @@ Turns::Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder fra
 
 void Turns::dispatch(Instant now) {
   while (!desks_.stops.busy() && !desks_.stops.holdsBack()) {
-    const bool begins_none = parts_.speed.isZero();
-    const bool went_on =
-        run_ ? continueRun(now) || (!begins_none && joinNext(now)) : !begins_none && beginNext(now);
+    const bool went_on = run_ ? continueRun(now) || joinNext(now) : beginNext(now);
     if (!went_on) return;
     settle(now);
   }
 }
 
 bool Turns::beginNext(Instant now) {
-  if (!desks_.window.empty() || desks_.queue.empty() || occupancy_.isHeldBack(desks_.queue.front()))
+  if (!desks_.window.empty() || desks_.queue.empty()) return false;
+  if (occupancy_.isHeldBack(desks_.queue.front())) {
+    // What was planned of it is planned anew when it goes on, with all the time that a plan has.
+    if (desks_.queue.plansTheNext()) next_.forget();
+    desks_.queue.forgetTurn();
     return false;
+  }
   return !parts_.hold.holdsBack(desks_.queue.front().id, desks_.queue.motions()) && admitNext(now);
 }
 
@@ -158,7 +161,11 @@ bool Turns::continueRun(Instant now) {
   const auto command = run_->next();
   if (!command) return false;
   // What it sets back behind itself, say, still goes out.
-  if (parts_.speed.isZero() && command->order(arm::Pose::Identity()).moves) return false;
+  const bool is_held = parts_.speed.isZero() || parts_.permit.interrupts();
+  if (is_held && command->order(arm::Pose::Identity()).moves) {
+    next_.forget();  // its plan is made anew when it goes on, with all the time that a plan has
+    return false;
+  }
   if (command->leaves_only && !parts_.keeper.objectionsToCommands().empty()) {
     run_->commandEnded(command->key, {}, now);  // the flow has left the node by itself
     return true;

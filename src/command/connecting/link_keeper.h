@@ -25,6 +25,11 @@ class LinkKeeper {
   [[nodiscard]] ConnectRun& run() { return run_; }
   [[nodiscard]] const ConnectRun& run() const { return run_; }
 
+  /// It takes commands, and could carry them out: no emergency stop, and no error of the controller.
+  [[nodiscard]] bool isRobotEnabled(const robot::RobotWatch& robot) const {
+    return run_.ready() && !robot.emergencyStop() && !robot.showsError();
+  }
+
   // --- Why not; empty: nothing speaks against it.
   /// `user`: what uses the link that there is; `may_move`: its robot, though no goal waits for that.
   [[nodiscard]] std::vector<blocks::Failure> objectionsTo(const blocks::ConnectGoal& goal,

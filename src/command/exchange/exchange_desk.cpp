@@ -211,7 +211,7 @@ void ExchangeDesk::enable(Instant now) {
   out.length_acr = static_cast<int>(kMostWaiting) + 1;
   out.highest_tool_index = out.highest_frame_index = out.highest_load_index = tables::kEntryCount - 1;
   core_.sync.begin(rules_, goal_.settings, now);
-  core_.reaction.begin(milliseconds(goal_.settings.sync_delay), reactionOf(goal_.settings));
+  core_.guard.begin(milliseconds(goal_.settings.sync_delay), reactionOf(goal_.settings));
   noteSync();
   life_sign_.begin(milliseconds(goal_.settings.life_sign_time_out), now);
   rule(now);
@@ -221,7 +221,7 @@ void ExchangeDesk::enable(Instant now) {
 void ExchangeDesk::noteSync() {
   report_.ri_state = core_.sync.riState();
   report_.warning_id = core_.sync.warningId();
-  if (report_.warning_id == 0 && core_.messages.isQueueNearlyFull()) {
+  if (report_.warning_id == 0 && queue_is_nearly_full_) {
     report_.warning_id = blocks::exchange_note::kQueueUsage;
   }
   report_.info_id = core_.sync.infoId();
@@ -244,7 +244,7 @@ void ExchangeDesk::takeUpdate(Instant now) {
   goal_.settings = *std::exchange(update_, std::nullopt);
   life_sign_.change(milliseconds(goal_.settings.life_sign_time_out));
   core_.sync.change(goal_.settings);
-  core_.reaction.change(milliseconds(goal_.settings.sync_delay), reactionOf(goal_.settings));
+  core_.guard.change(milliseconds(goal_.settings.sync_delay), reactionOf(goal_.settings));
   noteSync();
   rule(now);
   report_.without_effect = withoutEffect(goal_);
@@ -271,7 +271,7 @@ void ExchangeDesk::restore(Instant now) {
   core_.messages.keepAsAtTheStart();
   core_.hold.end();
   core_.sync.end();
-  core_.reaction.end();
+  core_.guard.end();
   core_.links.script().settingsChanged(now);
 }
 

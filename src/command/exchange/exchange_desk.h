@@ -14,11 +14,12 @@
 #include "links/links.h"
 #include "messages/message_desk.h"
 #include "sync/sync_desk.h"
-#include "sync/sync_reaction.h"
+#include "sync/sync_guard.h"
 
 #include "cobot_command/blocks/exchange_configuration.h"
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/command/exchange_answer.h"
+#include "cobot_command/command/waiting_goals.h"
 #include "cobot_command/robot/robot_watch.h"
 
 namespace cobot_command::command {
@@ -35,7 +36,7 @@ class ExchangeDesk {
     MessageDesk& messages;
     MotionHold& hold;
     SyncDesk& sync;
-    SyncReaction& reaction;
+    SyncGuard& guard;
   };
   explicit ExchangeDesk(const Core& core) : core_(core), node_(core.settings) {}
 
@@ -66,6 +67,8 @@ class ExchangeDesk {
   // --- Events.
   /// What follows from an event, to be called behind it.
   void look(Instant now);
+  /// So many commands are held.
+  void seeQueue(int depth) { queue_is_nearly_full_ = depth >= kManyCommands; }
   /// As soon as that is known, before other parts forget it.
   void linkLost(const std::string& reason, Instant now);
   void advance(Instant now);
@@ -104,6 +107,7 @@ class ExchangeDesk {
   LifeSign life_sign_;
   bool life_sign_lost_ = false;
   bool disabled_ = false;
+  bool queue_is_nearly_full_ = false;
   std::string why_;  ///< it ends, when not by its client
   blocks::ExchangeReport report_;
   blocks::ExchangeReport told_;

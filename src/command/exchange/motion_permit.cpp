@@ -7,37 +7,34 @@ namespace cobot_command::command {
 using blocks::Failure;
 
 std::vector<Failure> MotionPermit::objectionsTo(const blocks::GoalTraits& traits) const {
-  if (traits.resumes && reaction_.deniesResume())
-    return {{blocks::interface_error::kInterrupted, text(), ""}};
+  if (traits.resumes && guard_.deniesResume()) return {{blocks::interface_error::kInterrupted, text(), ""}};
   if (!traits.may_move || traits.check_only) return {};
   std::vector<Failure> failures;
   if (exchange_.isRequired() && !exchange_.isEnabled()) {
     failures.push_back({blocks::interface_error::kNotEnabled, "", ""});
   }
-  if (reaction_.refuses()) {
+  if (guard_.refuses()) {
     failures.push_back({blocks::interface_error::kNotSynchronized, sync_.whyNot(), ""});
   }
-  if (reaction_.interrupts() && traits.buffer_mode != blocks::BufferMode::Buffered) {
+  if (guard_.interrupts() && traits.buffer_mode != blocks::BufferMode::Buffered) {
     failures.push_back({blocks::interface_error::kInterrupted, text(), ""});
   }
   return failures;
 }
 
 bool MotionPermit::holdsBack(const blocks::GoalTraits& traits, bool robot_stands) const {
-  if (traits.may_move && reaction_.interrupts()) return true;
+  if (traits.may_move && guard_.interrupts()) return true;
   return traits.ends_blend && !robot_stands && exchange_.endsBlends();
 }
 
 std::string MotionPermit::text() const {
-  const std::string why = reaction_.deniesResume() ? sync_.whyNot() : "";
+  const std::string why = guard_.deniesResume() ? sync_.whyNot() : "";
   return why.empty() ? "interrupted, as data were out of sync: program_control with RESUME lets it go on"
                      : "interrupted: " + why;
 }
 
 void MotionPermit::ended(blocks::GoalId goal, bool is_done) {
-  if (resuming_ != goal) return;
-  resuming_.reset();
-  if (is_done) reaction_.resumed();
+  if (resuming_.erase(goal) != 0 && is_done) guard_.resumed();
 }
 
 }  // namespace cobot_command::command

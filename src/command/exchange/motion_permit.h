@@ -2,13 +2,13 @@
 // sync.
 #pragma once
 
-#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "exchange/exchange_desk.h"
 #include "sync/sync_desk.h"
-#include "sync/sync_reaction.h"
+#include "sync/sync_guard.h"
 
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/blocks/shared/goal_traits.h"
@@ -18,26 +18,26 @@ namespace cobot_command::command {
 class MotionPermit {
  public:
   /// All have to live longer.
-  MotionPermit(const ExchangeDesk& exchange, const SyncDesk& sync, SyncReaction& reaction)
-      : exchange_(exchange), sync_(sync), reaction_(reaction) {}
+  MotionPermit(const ExchangeDesk& exchange, const SyncDesk& sync, SyncGuard& guard)
+      : exchange_(exchange), sync_(sync), guard_(guard) {}
 
   /// Against a goal as it comes.
   [[nodiscard]] std::vector<blocks::Failure> objectionsTo(const blocks::GoalTraits& traits) const;
   /// It waits, though it would be its turn. `robot_stands`: no blended motion is under way, as far as known.
   [[nodiscard]] bool holdsBack(const blocks::GoalTraits& traits, bool robot_stands) const;
-  [[nodiscard]] bool interrupts() const { return reaction_.interrupts(); }
+  [[nodiscard]] bool interrupts() const { return guard_.interrupts(); }
   /// Why motions that wait do not begin. Precondition: interrupts().
   [[nodiscard]] std::string text() const;
 
   // --- RESUME.
-  void resumes(blocks::GoalId goal) { resuming_ = goal; }
+  void resumes(blocks::GoalId goal) { resuming_.insert(goal); }
   void ended(blocks::GoalId goal, bool is_done);
 
  private:
   const ExchangeDesk& exchange_;
   const SyncDesk& sync_;
-  SyncReaction& reaction_;
-  std::optional<blocks::GoalId> resuming_;
+  SyncGuard& guard_;
+  std::set<blocks::GoalId> resuming_;  ///< that have no answer yet
 };
 
 }  // namespace cobot_command::command

@@ -13,9 +13,6 @@ namespace {
 constexpr const char* kRobot = "robot";
 constexpr const char* kQueue = "queue";
 
-/// 80 % of those that can wait, and of the one under way.
-constexpr int kManyCommands = (static_cast<int>(kMostWaiting) + 1) * 4 / 5;
-
 Message emergencyStop() {
   return {0,
           {},
@@ -88,10 +85,6 @@ void MessageDesk::take(const LogMessage& message) {
 
 void MessageDesk::take(const StatusChanged& changed) {
   show(changed.status.queue_depth >= kManyCommands, queueNearlyFull());
-}
-
-bool MessageDesk::isQueueNearlyFull() const {
-  return board_.isPending(queueNearlyFull());
 }
 
 void MessageDesk::take(const RobotStatusReceived& received) {

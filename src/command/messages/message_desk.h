@@ -40,7 +40,6 @@ class MessageDesk {
   [[nodiscard]] std::size_t pendingErrors() const {
     return board_.countPending(Severity::Error) + board_.countPending(Severity::Fatal);
   }
-  [[nodiscard]] bool isQueueNearlyFull() const;
   [[nodiscard]] std::size_t pendingWarnings() const { return board_.countPending(Severity::Warning); }
   [[nodiscard]] std::vector<Message> read(Severity least, std::uint32_t after_id) const {
     return board_.all(least, after_id);

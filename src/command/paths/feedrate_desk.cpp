@@ -64,6 +64,7 @@ void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& repl
 }
 
 void FeedrateDesk::stop(const blocks::PathPace& pace, Waiting waiting, Instant now) {
+  ++requests_;
   core_.desk.stop(true);
   waiting.answer.message =
       pace.running ? "the path is stopped on its way: resume_path lets it go on" : kWaits;
@@ -90,8 +91,9 @@ void FeedrateDesk::letGo(const blocks::PathPace& pace, double feedrate, Waiting 
     waiting.answer.message =
         fmt::format("what the controller has goes on at {:.6g} %", waiting.answer.effective);
   }
-  const auto done = [waiting, this](const PauseDesk::Answer& answer) {
-    if (answer.done) core_.desk.stop(false);
+  const auto done = [waiting, request = ++requests_, this](const PauseDesk::Answer& answer) {
+    const bool is_meant_still = request == requests_;
+    if (answer.done && is_meant_still) core_.desk.stop(false);
     answerTo(waiting, answer, /*replaces=*/true);
   };
   core_.pause.letGo(PauseDesk::Holder::Path, done, now);

@@ -1,6 +1,8 @@
 // The feedrate of paths: changed for what is not sent yet, and at 0 by a Pause() for what the controller has.
 #pragma once
 
+#include <cstdint>
+
 #include "forecast/forecast.h"
 #include "paths/path_desk.h"
 #include "paths/path_turn.h"
@@ -40,6 +42,7 @@ class FeedrateDesk {
   static void answerTo(const Waiting& waiting, const PauseDesk::Answer& answer, bool replaces);
 
   Core core_;
+  std::uint64_t requests_ = 0;  ///< to stop or to go on, whatever became of them
 };
 
 }  // namespace cobot_command::command

@@ -61,21 +61,57 @@ void PauseDesk::send(State state, const Reply& reply, Instant now) {
     return;
   }
   changeTo(state);
-  ++last_;
+  last_ = sendLine(state == State::Pausing, now);
   join(reply);
-  const bool pauses = state == State::Pausing;
+}
+
+blocks::CommandKey PauseDesk::sendLine(bool pauses, Instant now) {
   blocks::Order order =
       blocks::settingOrder(pauses ? script::ScriptCommand(script::Pause{}) : script::Resume{});
   order.stops_unanswered = pauses;
   blocks::Command sent;
-  sent.key = last_;
+  sent.key = ++sent_;
   sent.block = blocks::kBlock<blocks::ProgramControlGoal>;
   sent.order = [order](const arm::Pose& /*base*/) { return order; };
   core_.window.sendBeside(sent, 0, now);
+  return sent.key;
+}
+
+void PauseDesk::pauseForGood(Instant now) {
+  if (core_.objections().empty()) for_good_ = sendLine(true, now);
+}
+
+/// As the controller has taken it: until then nobody knows.
+void PauseDesk::goalEnded(bool pauses) {
+  others_pause_ = pauses;
+  others_seen_ = false;
+  if (!pauses && stands()) letGoByOthers();
+}
+
+void PauseDesk::endedForGood(const CommandWindow::Ended& ended) {
+  for_good_.reset();
+  if (ended.outcome.ending == blocks::Ending::Done) {
+    goalEnded(true);
+  } else {
+    core_.actions.emplace_back(LogMessage{
+        Severity::Warning, "the controller has not taken a pause: " + ended.outcome.error_description});
+  }
 }
 
 void PauseDesk::ended(const CommandWindow::Ended& ended) {
   const bool is_done = ended.outcome.ending == blocks::Ending::Done;
+  if (ended.goal != 0) {
+    const auto found = of_goals_.find(ended.goal);
+    if (found == of_goals_.end()) return;
+    const bool pauses = found->second;
+    of_goals_.erase(found);
+    if (is_done) goalEnded(pauses);
+    return;
+  }
+  if (for_good_ == ended.key) {
+    endedForGood(ended);
+    return;
+  }
   if (ended.key == last_ && state_ == State::Pausing) {
     changeTo(is_done ? State::Paused : State::None);
   } else if (ended.key == last_ && state_ == State::Resuming) {
@@ -95,7 +131,6 @@ void PauseDesk::ended(const CommandWindow::Ended& ended) {
 
 void PauseDesk::changeTo(State state) {
   if (state == State::Pausing) seen_ = false;
-  if (state == State::Pausing || state == State::None) others_pause_ = false;
   if (state != State::Resuming) leaving_.reset();
   if (state == State::None) holders_.clear();
   state_ = state;
@@ -108,12 +143,14 @@ void PauseDesk::tellStanding() {
 }
 
 bool PauseDesk::isPausedByOthers() const {
-  return state_ == State::None && core_.robot.tellsPause() && core_.robot.paused();
+  const bool is_seen = core_.robot.tellsPause() && core_.robot.paused();
+  return state_ == State::None && (others_pause_ || is_seen);
 }
 
 std::string PauseDesk::heldByOthers() const {
-  if (!core_.robot.held()) return "";
-  if (!core_.robot.paused()) return "a safeguard holds the robot: it goes on when that is released";
+  if (!core_.robot.held() && !others_pause_) return "";
+  if (!core_.robot.paused() && !others_pause_)
+    return "a safeguard holds the robot: it goes on when that is released";
   return "the project is paused, and not from here on this link: program_control with RESUME, or the "
          "pendant, "
          "lets it go on";
@@ -121,13 +158,15 @@ std::string PauseDesk::heldByOthers() const {
 
 /// An emergency stop, and a project that is stopped, end a pause, too; what was to be held stays so.
 void PauseDesk::robotChanged() {
-  if (state_ == State::None || !core_.robot.tellsPause()) return;
+  if (!core_.robot.tellsPause()) return;
   if (core_.robot.emergencyStop() || core_.robot.projectStopped()) {
-    forget();
+    if (state_ != State::None || others_pause_) forget();
   } else if (core_.robot.paused()) {
-    seen_ = true;
-  } else if (seen_ && stands()) {
-    letGoByOthers();
+    seen_ = state_ != State::None;
+    others_seen_ = others_pause_;
+  } else {
+    if (others_seen_) others_pause_ = others_seen_ = false;
+    if (seen_ && stands()) letGoByOthers();
   }
 }
 
@@ -145,7 +184,10 @@ void PauseDesk::letGoByOthers() {
 
 void PauseDesk::forget() {
   changeTo(State::None);
-  ++last_;  // no answer that is still to come counts
+  others_pause_ = others_seen_ = false;
+  of_goals_.clear();
+  for_good_.reset();
+  last_ = ++sent_;  // no answer that is still to come counts
 }
 
 }  // namespace cobot_command::command

@@ -1,9 +1,10 @@
 // The pause of the project that this layer makes by itself: for a path that is stopped on its way, and for a
 // speed override of 0. It is one pause, whoever wants it: made for the first, and taken back when nobody
-// wants it any more. A pause that somebody else has made is his to end.
+// wants it any more. A pause that somebody else has made is his to end; so is one that only RESUME may end.
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -51,9 +52,12 @@ class PauseDesk {
   /// Why the robot stands, apart from this desk; empty: nothing is known that holds it.
   [[nodiscard]] std::string heldByOthers() const;
 
-  /// Somebody else pauses the project, too: that is his to end.
-  void pausedByOthers() { others_pause_ = state_ != State::None; }
-  /// A Pause() or Resume() of this desk has ended: what was sent beside for no goal.
+  /// A goal that pauses or resumes the project was sent: what it does is its client's, also where nobody sees
+  /// that in the stream.
+  void sentFor(blocks::GoalId goal, bool pauses) { of_goals_[goal] = pauses; }
+  /// Paused until a client resumes it.
+  void pauseForGood(Instant now);
+  /// What was sent beside has ended.
   void ended(const CommandWindow::Ended& ended);
   /// The project may have been let go by others, or stopped.
   void robotChanged();
@@ -70,6 +74,9 @@ class PauseDesk {
 
   /// Pausing or Resuming from now on.
   void send(State state, const Reply& reply, Instant now);
+  [[nodiscard]] blocks::CommandKey sendLine(bool pauses, Instant now);
+  void goalEnded(bool pauses);
+  void endedForGood(const CommandWindow::Ended& ended);
   void join(const Reply& reply) { waiting_.push_back({last_, reply}); }
   void changeTo(State state);
   void tellStanding();
@@ -81,10 +88,14 @@ class PauseDesk {
   std::set<Holder> holders_;
   std::optional<Holder> leaving_;  ///< whose Resume() is under way: the last one's
   std::vector<Waiting> waiting_;
-  blocks::CommandKey last_ = 0;  ///< of what was sent last, whose answer counts
+  blocks::CommandKey sent_ = 0;  ///< counts up
+  blocks::CommandKey last_ = 0;  ///< of what was sent last for holders, whose answer counts
   State state_ = State::None;
-  bool seen_ = false;          ///< the status stream has shown that pause
-  bool others_pause_ = false;  ///< the same project, behind that
+  bool seen_ = false;                           ///< the status stream has shown that pause
+  bool others_pause_ = false;                   ///< the same project, by a client, or until one resumes it
+  bool others_seen_ = false;                    ///< the status stream has shown that one
+  std::map<blocks::GoalId, bool> of_goals_;     ///< not answered yet; true: it pauses
+  std::optional<blocks::CommandKey> for_good_;  ///< the same, of pauseForGood()
 };
 
 }  // namespace cobot_command::command

@@ -24,15 +24,6 @@ std::vector<double> numbersOf(const arm::Pose& pose) {
   return {six.begin(), six.end()};
 }
 
-/// The mass centres are told in the TCPs, whose places may come behind them.
-void putIntoTheFlange(ProjectValues& values) {
-  for (auto& [name, load] : values.burdens) {
-    if (const auto tcp = values.tcps.find(name); tcp != values.tcps.end()) {
-      load.centre = arm::Pose(tcp->second * load.centre);
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<AttributeRead> readsOf(const tables::Entries& entries) {
@@ -74,7 +65,6 @@ ProjectValues valuesOf(const std::vector<robot::ReadValue>& values) {
         break;
     }
   }
-  putIntoTheFlange(project);
   return project;
 }
 

@@ -17,9 +17,10 @@ namespace cobot_command::command {
 inline constexpr double kMm2PerM2 = 1e6;
 
 struct ProjectValues {
-  std::map<std::string, arm::Pose> tcps;        ///< in the flange
-  std::map<std::string, arm::Pose> bases;       ///< in the robot base
-  std::map<std::string, tables::Load> burdens;  ///< what TCPs weigh, centre in the flange
+  std::map<std::string, arm::Pose> tcps;   ///< in the flange
+  std::map<std::string, arm::Pose> bases;  ///< in the robot base
+  std::map<std::string, tables::Load>
+      burdens;  ///< what TCPs weigh, with the centre in the TCP, not the flange
 };
 
 /// What has to be read to compare all of them; a name that cannot stand in a script is left out.

@@ -118,7 +118,8 @@ void SyncDesk::look(Instant now) {
 
 void SyncDesk::ask(Instant now) {
   compared_ = core_.tables.store().tables();
-  if (++looks_ % kLooksUntilUnknownAgain == 0) unknown_.clear();
+  const bool is_of_the_period = !std::exchange(asks_again_, false);
+  if (is_of_the_period && ++looks_ % kLooksUntilUnknownAgain == 0) unknown_.clear();
   auto reads = readsOf(compared_.entries());
   const bool is_any_named = !reads.empty();
   reads.erase(
@@ -147,7 +148,7 @@ void SyncDesk::take(const ProjectLine::Result& result, Instant now) {
                         },
                         [&](const ProjectLine::NotWritten& not_written) {
                           for (const Kind kind : kKinds) {
-                            if (!look_.differences.of(kind).empty()) unwritten_.of(kind) = not_written.reason;
+                            if (look_.is_written.of(kind)) unwritten_.of(kind) = not_written.reason;
                           }
                         }},
              result);
@@ -187,6 +188,7 @@ void SyncDesk::takeFailure(const robot::ReadFailure& failure, Instant now) {
   if (failure.kind == Failure::Lost) return;
   if (failure.kind == Failure::Unknown) {
     unknown_.insert(unknown_.end(), failure.reads.begin(), failure.reads.end());
+    asks_again_ = true;
     ask_at_ = now;
     return;
   }

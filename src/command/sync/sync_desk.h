@@ -82,7 +82,8 @@ class SyncDesk {
   bool is_judged_ = false;
   bool is_verifying_ = false;  ///< ours were written, and are read back
   std::optional<Instant> ask_at_;
-  int looks_ = 0;
+  int looks_ = 0;                               ///< with each period
+  bool asks_again_ = false;                     ///< at once, without what the project does not have
   int unanswered_ = 0;                          ///< questions, one after the other
   tables::DataTables compared_;                 ///< our tables, as they were then
   std::vector<script::AttributeRead> unknown_;  ///< of names that the project does not have

@@ -57,19 +57,30 @@ std::optional<TableWrite> entryOf(const ComparedEntry& entry, const EntryValue& 
   return TableWrite{entry.index, std::move(frame)};
 }
 
-std::vector<script::AttributeWrite> writesOf(const ComparedEntry& entry, const NamedValue& named,
-                                             const ProjectValues& theirs) {
+std::vector<script::AttributeWrite> writesOf(const ComparedEntry& entry, const std::string& name,
+                                             const tables::DataTables& ours, const ProjectValues& theirs) {
   switch (entry.kind) {
     case Kind::Tool:
-      return {tcpWrite(named.name, std::get<arm::Pose>(*entry.ours))};
+      return {tcpWrite(name, std::get<arm::Pose>(*entry.ours))};
     case Kind::Frame:
-      return {baseWrite(named.name, std::get<arm::Pose>(*entry.ours))};
+      return {baseWrite(name, std::get<arm::Pose>(*entry.ours))};
     case Kind::Load:
       break;
   }
-  const auto tcp = theirs.tcps.find(named.name);
-  if (tcp == theirs.tcps.end()) return {};
-  return burdenWrites(named.name, std::get<tables::Load>(*entry.ours), tcp->second);
+  for (const auto& tool : ours.entries().tools) {
+    const auto tcp = tool && tool->name == name ? tcpOf(*tool, theirs) : std::nullopt;
+    if (tcp) return burdenWrites(name, std::get<tables::Load>(*entry.ours), *tcp);
+  }
+  return {};
+}
+
+/// So that what refers to it, and comes behind it, is seen from where it is then.
+void take(tables::DataTables& ours, const TableWrite& write) {
+  if (const auto* const frame = std::get_if<std::optional<tables::Frame>>(&write.entry)) {
+    static_cast<void>(ours.writeFrame(write.index, *frame, {}));
+  } else if (const auto* const tool = std::get_if<std::optional<tables::Tool>>(&write.entry)) {
+    static_cast<void>(ours.writeTool(write.index, *tool, {}));
+  }
 }
 
 }  // namespace
@@ -88,11 +99,13 @@ void SyncPolicy::begin(const ExchangeRules& rules) {
 SyncPolicy::Winner SyncPolicy::winnerOf(const ComparedEntry& entry, const Memory* before,
                                         bool theirs_changed) const {
   const SyncModes& modes = rules_.sync.of(entry.kind);
-  const auto mode = static_cast<SyncMode>(before == nullptr ? modes.start : modes.run);
+  const bool is_start = before == nullptr || !before->has_begun;
+  if (!entry.also_named.empty()) return Winner::Nobody;
+  const auto mode = static_cast<SyncMode>(is_start ? modes.start : modes.run);
   if (mode == SyncMode::ClientToServer) return Winner::Ours;
   if (mode == SyncMode::ServerToClient) return Winner::Theirs;
-  if (mode == SyncMode::None || before == nullptr) return Winner::Nobody;
-  const bool ours_changed = haveChanged(before->ours, entry.ours);
+  if (mode == SyncMode::None || is_start) return Winner::Nobody;
+  const bool ours_changed = haveChanged(before->own, entry.own);
   if (before->winner == Winner::Conflict) return ours_changed ? Winner::Ours : Winner::Conflict;
   if (ours_changed && theirs_changed) return Winner::Conflict;
   if (ours_changed) return Winner::Ours;
@@ -102,26 +115,40 @@ SyncPolicy::Winner SyncPolicy::winnerOf(const ComparedEntry& entry, const Memory
 SyncLook SyncPolicy::look(const tables::DataTables& ours, const ProjectValues& theirs,
                           const IsUsed& is_used) {
   SyncLook look;
-  std::map<std::pair<Kind, int>, Memory> seen;
-  for (const ComparedEntry& entry : compare(ours, theirs)) {
-    const auto found = memory_.find({entry.kind, entry.index});
-    const bool is_known = found != memory_.end() && found->second.names == namesOf(entry);
-    const Memory* const before = is_known ? &found->second : nullptr;
-    const bool theirs_changed = is_known && haveChanged(before->theirs, entry.theirs);
-    if (theirs_changed) look.changed.of(entry.kind) = entry.index;
-    Memory now{namesOf(entry), entry.ours, entry.theirs};
-    if (!entry.isInSync()) {
-      now.winner = winnerOf(entry, before, theirs_changed);
-      look.differences.of(entry.kind).push_back(entry.difference());
-      if (now.winner == Winner::Conflict) look.conflicts.of(entry.kind) = true;
-      const bool may_change = !is_used(entry.kind, entry.index);
-      now.is_asked_for = may_change && now.winner == Winner::Ours;
-      if (may_change) decide(entry, now.winner, ours, theirs, look);
-    }
-    seen[{entry.kind, entry.index}] = std::move(now);
+  seen_.clear();
+  tables::DataTables working = ours;
+  for (ComparedEntry& entry : compare(ours, theirs)) {
+    lookAt(std::move(entry), working, theirs, is_used, look);
   }
-  memory_ = std::move(seen);
+  memory_ = std::move(seen_);
   return look;
+}
+
+void SyncPolicy::lookAt(ComparedEntry entry, tables::DataTables& ours, const ProjectValues& theirs,
+                        const IsUsed& is_used, SyncLook& look) {
+  const auto found = memory_.find({entry.kind, entry.index});
+  const bool is_known = found != memory_.end() && found->second.names == namesOf(entry);
+  const Memory* const before = is_known ? &found->second : nullptr;
+  const bool theirs_changed = is_known && haveChanged(before->theirs, entry.theirs);
+  if (theirs_changed) look.changed.of(entry.kind) = entry.index;
+  Memory now{namesOf(entry), entry.own, entry.ours, entry.theirs};
+  now.has_begun = before != nullptr && before->has_begun;
+  if (entry.kind == Kind::Frame && entry.ours) {
+    if (const auto pose = ours.frameInRobotBase(entry.index)) entry.ours = *pose;
+    now.ours = entry.ours;
+  }
+  if (entry.isInSync()) {
+    now.has_begun = true;
+  } else {
+    now.winner = winnerOf(entry, before, theirs_changed);
+    look.differences.of(entry.kind).push_back(entry.difference());
+    if (now.winner == Winner::Conflict) look.conflicts.of(entry.kind) = true;
+    const bool may_change = !is_used(entry.kind, entry.index);
+    now.is_asked_for = may_change && now.winner == Winner::Ours;
+    now.has_begun = now.has_begun || (may_change && entry.isRead());
+    if (may_change) decide(entry, now.winner, ours, theirs, look);
+  }
+  seen_[{entry.kind, entry.index}] = std::move(now);
 }
 
 void SyncPolicy::written() {
@@ -131,16 +158,19 @@ void SyncPolicy::written() {
   }
 }
 
-void SyncPolicy::decide(const ComparedEntry& entry, Winner winner, const tables::DataTables& ours,
-                        const ProjectValues& theirs, SyncLook& look) const {
+void SyncPolicy::decide(const ComparedEntry& entry, Winner winner, tables::DataTables& ours,
+                        const ProjectValues& theirs, SyncLook& look) {
   if (winner == Winner::Theirs) {
     const auto value = entry.theirValue();
     auto write = value ? entryOf(entry, *value, ours) : std::nullopt;
-    if (write) look.for_tables.push_back(*std::move(write));
+    if (!write) return;
+    take(ours, *write);
+    look.for_tables.push_back(*std::move(write));
   } else if (winner == Winner::Ours && entry.ours) {
     for (const NamedValue& named : entry.theirs) {
       if (!named.value || isSame(*named.value, *entry.ours)) continue;
-      auto writes = writesOf(entry, named, theirs);
+      auto writes = writesOf(entry, named.name, ours, theirs);
+      look.is_written.of(entry.kind) = true;
       std::move(writes.begin(), writes.end(), std::back_inserter(look.for_project));
     }
   }

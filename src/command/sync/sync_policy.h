@@ -21,6 +21,7 @@ struct SyncLook {
   BySet<std::vector<std::string>> differences;      ///< in words; none: in sync
   BySet<bool> conflicts;                            ///< both sides have changed an entry: nobody wins
   BySet<int> changed;                               ///< an index that the controller's side changed; 0: none
+  BySet<bool> is_written;                           ///< of that set something is for_project
   std::vector<script::AttributeWrite> for_project;  ///< ours win
   std::vector<TableWrite> for_tables;               ///< theirs win
 };
@@ -42,18 +43,24 @@ class SyncPolicy {
   enum class Winner { Nobody, Ours, Theirs, Conflict };
   struct Memory {
     std::string names;  ///< in the project: with another one it is another entry
+    std::optional<EntryValue> own;
     std::optional<EntryValue> ours;
     std::vector<NamedValue> theirs;
     Winner winner = Winner::Nobody;  ///< until both are the same
     bool is_asked_for = false;       ///< the controller is to take ours
+    bool has_begun = false;          ///< the mode of the start has ruled, or had nothing to do
   };
 
   [[nodiscard]] Winner winnerOf(const ComparedEntry& entry, const Memory* before, bool theirs_changed) const;
-  void decide(const ComparedEntry& entry, Winner winner, const tables::DataTables& ours,
-              const ProjectValues& theirs, SyncLook& look) const;
+  /// What is ours now, of one entry behind the other: `ours` has what was taken in this look.
+  void lookAt(ComparedEntry entry, tables::DataTables& ours, const ProjectValues& theirs,
+              const IsUsed& is_used, SyncLook& look);
+  static void decide(const ComparedEntry& entry, Winner winner, tables::DataTables& ours,
+                     const ProjectValues& theirs, SyncLook& look);
 
   ExchangeRules rules_;
   std::map<std::pair<tables::Kind, int>, Memory> memory_;
+  std::map<std::pair<tables::Kind, int>, Memory> seen_;  ///< in this look
 };
 
 }  // namespace cobot_command::command

@@ -30,16 +30,24 @@ struct ComparedEntry {
   int index = 0;
   std::optional<EntryValue> ours;  ///< nothing: what the controller has counts
   std::vector<NamedValue> theirs;  ///< one; of a load, those of all tools that have it
+  std::string also_named = {};     ///< another entry with that name and another value; empty: there is none
+  std::optional<EntryValue> own = {};  ///< ours as it stands in the table: of a frame, in its reference
 
   /// All that was read, and has to be, is the same.
   [[nodiscard]] bool isInSync() const;
+  /// All of theirs is known.
+  [[nodiscard]] bool isRead() const;
   /// What they agree on; nothing: they do not, or it was not read.
   [[nodiscard]] std::optional<EntryValue> theirValue() const;
   /// "tool 3 "gripper" is ... on the controller, ... here".
   [[nodiscard]] std::string difference() const;
 };
 
-/// Those that the project knows by name, and the loads of such tools.
+/// Those that the project knows by name, and the loads of such tools. Tools first, then frames that stand in
+/// the robot base, those that refer to them, and loads.
 [[nodiscard]] std::vector<ComparedEntry> compare(const tables::DataTables& ours, const ProjectValues& theirs);
+
+/// Where that tool is, by our tables, or else by the project: what a centre of mass in its TCP is seen from.
+[[nodiscard]] std::optional<arm::Pose> tcpOf(const tables::Tool& tool, const ProjectValues& theirs);
 
 }  // namespace cobot_command::command

@@ -43,7 +43,8 @@ TableAnswer TableDesk::tried(const TableWrite& write) const {
 
 TableAnswer TableDesk::write(const TableWrite& write) {
   auto written = tried(write);
-  if (written && written->changed) use(written->tables);
+  if (written && written->changed) use(std::move(written->tables));
+  if (written) written->tables = store_.tables();
   return written;
 }
 

@@ -80,7 +80,9 @@ std::vector<std::string> warningsOfUnknown(const GivenParameters& given, const S
                                            const std::vector<std::string>& others) {
   std::vector<std::string> warnings;
   for (const UnknownSetting& unknown : unknownSettings(table, given.own)) {
-    if (isSpaceOf(table, unknown.name) || isBelowAnother(table, unknown.name)) continue;
+    const bool is_namespace = std::holds_alternative<OtherKind>(given.own.at(unknown.name).value);
+    if (is_namespace && isSpaceOf(table, unknown.name)) continue;
+    if (isBelowAnother(table, unknown.name)) continue;
     if (std::find(others.begin(), others.end(), unknown.name) != others.end()) continue;
     const std::string hint =
         unknown.meant.empty() ? "README.md lists those that it has" : "did you mean " + unknown.meant + "?";

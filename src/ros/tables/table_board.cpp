@@ -21,6 +21,7 @@ bool note(const tables::Table<Entry>& before, const tables::Table<Entry>& now, c
 
 bool TableBoard::take(const tables::DataTables& tables, const ros::Time& stamp) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (tables.revision() < tables_.revision()) return false;
   const tables::Entries& before = tables_.entries();
   const tables::Entries& now = tables.entries();
   bool any = note(before.tools, now.tools, stamp, changes_[0]);

@@ -15,7 +15,7 @@ class TableBoard {
  public:
   explicit TableBoard(tables::DataTables tables) : tables_(std::move(tables)) {}
 
-  /// True when an entry is another than before.
+  /// True when an entry is another than before; those that are older than what was taken are left alone.
   bool take(const tables::DataTables& tables, const ros::Time& stamp);
 
   [[nodiscard]] tables::DataTables tables() const;

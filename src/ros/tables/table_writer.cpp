@@ -77,15 +77,20 @@ class TableWriter::Desk {
     }
   }
 
-  /// The core is asked before this returns, or not at all.
+  /// The core is asked before this returns, or not at all. What it has changed last is kept still.
   void close() {
     const std::lock_guard<std::mutex> lock(mutex_);
     is_open_ = false;
+    std::optional<tables::DataTables> last;
     for (Job& job : jobs_) {
-      if (auto* const write = std::get_if<Write>(&job))
+      if (auto* const write = std::get_if<Write>(&job)) {
         write->answer.set_value(refuse(closing(write->write)));
+      } else {
+        last = std::get<tables::DataTables>(job);
+      }
     }
     jobs_.clear();
+    if (last) jobs_.emplace_back(*std::move(last));
     changed_.notify_all();
   }
 
@@ -121,11 +126,13 @@ class TableWriter::Desk {
   }
 
   void keep(const tables::DataTables& changed) {
-    if (toFile(changed) == toFile(kept_)) return;
-    kept_ = changed;
-    if (const auto why_not = keep_(changed)) {
+    if (changed.revision() < kept_.revision()) return;
+    const bool is_other = toFile(changed) != toFile(kept_);
+    if (const auto why_not = is_other ? keep_(changed) : std::nullopt) {
       ROS_ERROR_STREAM("the tables were changed, and ~tables_file does not have that: " << *why_not);
+      return;
     }
+    kept_ = changed;
   }
 
   TableAnswer ask(const Ask& core, const TableWrite& write) {

@@ -7,7 +7,7 @@
 #include "runs/pick_and_place_states.h"
 #include "runs/wait_for_input_states.h"
 #include "stops/stop_run_states.h"
-#include "sync/sync_reaction_states.h"
+#include "sync/sync_guard_states.h"
 #include "table_checks.h"
 #include <gtest/gtest.h>
 
@@ -31,19 +31,19 @@ TEST(ExchangeTable, isSound) {
   expectSoundTable<ExchangeTable>(ExchangeState::Disabling, ExchangeEvent::ShutDown, ExchangeState::Disabled);
 }
 
-TEST(SyncReactionTable, isSound) {
-  expectSoundTable<SyncReactionTable>(SyncReactionState::Resumable, SyncReactionEvent::LinkLost,
-                                      SyncReactionState::Free);
+TEST(SyncGuardTable, isSound) {
+  expectSoundTable<SyncGuardTable>(SyncGuardState::Resumable, SyncGuardEvent::LinkLost,
+                                      SyncGuardState::Free);
 }
 
 /// Nothing resumes by itself.
-TEST(SyncReactionTable, leavesAnInterruptionOnlyByItsClientOrWhereNothingIsLeft) {
-  for (const auto& row : SyncReactionTable::kRows) {
+TEST(SyncGuardTable, leavesAnInterruptionOnlyByItsClientOrWhereNothingIsLeft) {
+  for (const auto& row : SyncGuardTable::kRows) {
     const bool was_held =
-        row.from == SyncReactionState::Interrupted || row.from == SyncReactionState::Resumable;
-    if (was_held && row.to == SyncReactionState::Free) {
-      EXPECT_TRUE(row.event == SyncReactionEvent::Resumed || row.event == SyncReactionEvent::Emptied ||
-                  row.event == SyncReactionEvent::LinkLost);
+        row.from == SyncGuardState::Interrupted || row.from == SyncGuardState::Resumable;
+    if (was_held && row.to == SyncGuardState::Free) {
+      EXPECT_TRUE(row.event == SyncGuardEvent::Resumed || row.event == SyncGuardEvent::Emptied ||
+                  row.event == SyncGuardEvent::LinkLost);
     }
   }
 }

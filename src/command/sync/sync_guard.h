@@ -1,18 +1,17 @@
-// The clock and the states of what happens to motions while enabled data are out of sync.
+// What becomes of motions while enabled data are out of sync: the clock of the reaction, and its states.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <utility>
 
-#include "sync/sync_reaction_states.h"
+#include "sync/sync_guard_states.h"
 
 #include "cobot_command/blocks/exchange_configuration.h"
 #include "cobot_command/common/time.h"
 
 namespace cobot_command::command {
 
-class SyncReaction {
+class SyncGuard {
  public:
   /// How things are, behind an event.
   struct Seen {
@@ -20,6 +19,7 @@ class SyncReaction {
     bool in_sync = true;
     bool robot_enabled = false;   ///< no emergency stop, no error of the controller
     bool anything_there = false;  ///< a command is under way, or waits
+    bool goes_on = false;         ///< something may move, and no pause or safeguard holds it
   };
 
   /// From now on, with a robot that counts as not enabled until it was seen in sync.
@@ -27,15 +27,15 @@ class SyncReaction {
   /// Others for the same data.
   void change(Duration delay, blocks::SyncReaction reaction);
   /// Nothing is compared any more; what is interrupted waits to be resumed.
-  void end() { stop(SyncReactionEvent::Released); }
-  void linkLost() { stop(SyncReactionEvent::LinkLost); }
+  void end() { stop(SyncGuardEvent::Released); }
+  void linkLost() { stop(SyncGuardEvent::LinkLost); }
 
   void look(const Seen& seen, Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
   // Each is told when it happens.
-  void resumed() { fire(SyncReactionEvent::Resumed); }
-  void emptied() { fire(SyncReactionEvent::Emptied); }
-  void motionWaits() { fire(SyncReactionEvent::Waits); }
+  void resumed() { fire(SyncGuardEvent::Resumed); }
+  void emptied() { fire(SyncGuardEvent::Emptied); }
+  void motionWaits() { fire(SyncGuardEvent::Waits); }
 
   // --- What motions are to know.
   /// New ones are refused.
@@ -51,20 +51,22 @@ class SyncReaction {
   [[nodiscard]] bool takeTold() { return std::exchange(tells_, false); }
 
  private:
-  using State = SyncReactionState;
-  using Event = SyncReactionEvent;
+  using State = SyncGuardState;
+  using Event = SyncGuardEvent;
 
   void fire(Event event);
   void stop(Event event);
   void react(const Seen& seen);
+  [[nodiscard]] bool isDue(Instant now) const { return since_ && now >= *since_ + delay_; }
 
   State state_ = State::Free;
   bool is_active_ = false;
   Duration delay_{};
   blocks::SyncReaction reaction_ = blocks::SyncReaction::None;
-  bool operates_ = false;       ///< the robot is enabled, and was so while it was in sync
-  std::optional<Instant> due_;  ///< of the reaction: out of sync since a delay before
-  bool is_due_ = false;
+  bool operates_ = false;         ///< the robot is enabled, and was so while it was in sync
+  std::optional<Instant> since_;  ///< out of sync
+  bool is_due_ = false;           ///< for as long as the delay says
+  bool goes_on_ = false;          ///< as seen last
   bool pauses_ = false;
   bool tells_ = false;
 };
