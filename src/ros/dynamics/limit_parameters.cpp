@@ -35,8 +35,9 @@ bool takeMark(std::string_view& text, char mark) {
 /// False: it is none of these texts.
 bool takeLimits(std::string_view text, command::SoftwareLimits& limits) {
   const auto joint = take<int>(text);
-  if (!joint || *joint < 1 || *joint > static_cast<int>(arm::kJointCount) || !takeMark(text, '='))
+  if (!joint || *joint < 1 || *joint > static_cast<int>(arm::kJointCount) || !takeMark(text, '=')) {
     return false;
+  }
   const auto lower = take<double>(text);
   if (!lower || !takeMark(text, ',')) return false;
   const auto upper = take<double>(text);
@@ -68,8 +69,9 @@ Setting limitsRow(std::vector<std::string>& texts) {
 std::optional<SettingFault> readLimits(const std::vector<std::string>& texts, const arm::ArmModel* arm,
                                        std::optional<command::SoftwareLimits>& limits) {
   if (texts.empty()) return std::nullopt;
-  if (arm == nullptr)
+  if (arm == nullptr) {
     return SettingFault{kName, "is given, and there is no model of the arm", "none without a model"};
+  }
   command::CommandCore core(*arm, {});
   command::SoftwareLimits wanted = core.limits()->model;
   for (const std::string& text : texts) {
