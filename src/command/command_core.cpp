@@ -67,6 +67,11 @@ void CommandCore::setFeedrate(const FeedrateRequest& request, const FeedrateRepl
   impl_->advance(now);
 }
 
+void CommandCore::keepJogging(Instant now) {
+  impl_->jog().keepAlive();
+  impl_->advance(now);
+}
+
 ExchangeAnswer CommandCore::updateExchange(const blocks::ExchangeSettings& settings, Instant now) {
   ExchangeAnswer answer = impl_->exchange().update(settings, now);
   impl_->advance(now);

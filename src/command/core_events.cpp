@@ -5,7 +5,7 @@
 #include "core_impl.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/deadline.h"
 #include "cobot_command/common/overloaded.h"
@@ -33,8 +33,8 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       exchange_({settings_, links_, robot_, keeper_, board_, messages_, hold_}),
       forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_,
                 tables_.store(), actions_),
-      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), paths_, keeper_, exchange_, hold_,
-                forecast_, board_, actions_},
+      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), paths_, jog_, keeper_, exchange_,
+                hold_, forecast_, board_, actions_},
                std::move(ports), planning),
       status_({links_, tags_, robot_, strangers_, board_, keeper_, forecast_, arbiter_}, actions_),
       group_({robot_, keeper_, exchange_, arbiter_, messages_}, actions_) {}

@@ -41,6 +41,7 @@ class CommandCore::Impl {
   [[nodiscard]] TableDesk& tables() { return tables_; }
   /// What is asked of it so takes effect with the next event.
   [[nodiscard]] Arbiter& arbiter() { return arbiter_; }
+  [[nodiscard]] JogDesk& jog() { return jog_; }
   [[nodiscard]] MessageDesk& messages() { return messages_; }
   [[nodiscard]] ExchangeDesk& exchange() { return exchange_; }
   void opened(link::ConnectionId id, Instant now);
@@ -81,6 +82,7 @@ class CommandCore::Impl {
   MessageDesk messages_;
   TableDesk tables_;
   PathDesk paths_;
+  JogDesk jog_;
   OutputBoard board_;
   LinkKeeper keeper_;
   MotionHold hold_;

@@ -82,6 +82,9 @@ class CommandCore {
   /// new one, what is at the controller keeps its own. `reply`: called once, at once or later.
   void setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now);
 
+  /// Somebody holds the jog that is under way; without one nothing comes of it.
+  void keepJogging(Instant now);
+
   /// Other settings for the exchange_configuration goal that is enabled, as the goal itself cannot change.
   [[nodiscard]] ExchangeAnswer updateExchange(const blocks::ExchangeSettings& settings, Instant now);
 

@@ -113,6 +113,7 @@ void Arbiter::linkLost(const std::string& reason, Instant now) {
   stop_.linkLost(reason);
   feedrate_.linkLost();
   parts_.paths.linkLost();
+  parts_.jog.linkLost();
 }
 
 void Arbiter::disconnected(const std::string& reason, Instant now) {

@@ -9,6 +9,7 @@
 #include "exchange/motion_hold.h"
 #include "forecast/forecast.h"
 #include "paths/path_desk.h"
+#include "runs/jog_desk.h"
 
 #include "cobot_command/command/actions.h"
 #include "cobot_command/link/script_link.h"
@@ -26,6 +27,7 @@ struct CoreParts {
   robot::RobotWatch& robot;
   tables::TableStore& tables;
   PathDesk& paths;
+  JogDesk& jog;
   LinkKeeper& keeper;
   ExchangeDesk& exchange;
   MotionHold& hold;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::command {
@@ -107,6 +107,9 @@ void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, const block
                         Instant now) {
   Failures failures = blocks::GoalRules(goal).violations();
   append(failures, turns_.occupancy().objectionsToAny(traits.buffer_mode, traits.needs_automatic));
+  if (failures.empty() && traits.needs_standstill && !turns_.occupancy().robotStands()) {
+    failures.push_back({blocks::motion_error::kOtherBlockBusy, "the robot moves", ""});
+  }
   sortByTable(blockOf(goal), failures);
   if (!rejected(id, goal, failures)) enqueue(id, goal, traits.buffer_mode, now);
 }

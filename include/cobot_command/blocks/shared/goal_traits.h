@@ -22,15 +22,16 @@ struct GoalTraits {
   Way way = Way::Queue;
   int command_id = 0;
   BufferMode buffer_mode = BufferMode::Refuse;
-  bool awaits_motion = false;    ///< Done when its queue tag came back; else when the controller accepted it
-  bool exits_node = false;       ///< ScriptExit behind it
-  bool check_only = false;       ///< to be planned and answered, as with Way::Plan
-  bool halts = false;            ///< it can only take motion away from the robot
-  bool tried_anyway = false;     ///< Way::Beside: on any connection, also one that is not known to listen
-  bool chains = false;           ///< behind another one of its block it waits, whatever its buffer_mode
-  bool needs_base = false;       ///< a target in a tf frame: the active base has to be known
-  bool needs_plan = false;       ///< it is made of its plan: without one it is refused when its turn comes
-  bool needs_automatic = false;  ///< refused while the status stream shows the manual mode
+  bool awaits_motion = false;     ///< Done when its queue tag came back; else when the controller accepted it
+  bool exits_node = false;        ///< ScriptExit behind it
+  bool check_only = false;        ///< to be planned and answered, as with Way::Plan
+  bool halts = false;             ///< it can only take motion away from the robot
+  bool tried_anyway = false;      ///< Way::Beside: on any connection, also one that is not known to listen
+  bool chains = false;            ///< behind another one of its block it waits, whatever its buffer_mode
+  bool needs_base = false;        ///< a target in a tf frame: the active base has to be known
+  bool needs_plan = false;        ///< it is made of its plan: without one it is refused when its turn comes
+  bool needs_standstill = false;  ///< refused, as by another that is Busy, while the robot moves
+  bool needs_automatic = false;   ///< refused while the status stream shows the manual mode
   std::optional<Duration> reply_timeout;     ///< other than that of the link
   std::optional<Duration> evidence_timeout;  ///< the same: to be seen at its target, behind its tag
 };

@@ -63,6 +63,8 @@ class CommandRuntime {
   std::optional<std::future<command::ResetAnswer>> reset();
   std::optional<std::future<std::vector<command::Message>>> messages(command::Severity least,
                                                                      std::uint32_t after_id);
+  /// See CommandCore; counts from when the core's thread comes to it.
+  void keepJogging();
   /// See CommandCore.
   void tellEnd(blocks::Block block, blocks::Outcome outcome);
   void keepConnected(blocks::ConnectGoal target);
