@@ -14,6 +14,7 @@
 #include "tables/tables_file.h"
 #include <fmt/format.h>
 #include <ros/console.h>
+#include <std_msgs/Empty.h>
 
 #include "cobot_command/common/overloaded.h"
 #include "cobot_command/link/tag_ledger.h"
@@ -100,6 +101,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
                          {},
                          [this](link::Channel channel) { return publisher_.isHeard(channel); }});
   runtime_->useTables(parameters.tables.tables);
+  keep_alive_ = keepAlives(node);
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
@@ -125,6 +127,15 @@ std::unique_ptr<MessageServices> CommandNode::messageServices(const ros::NodeHan
     return runtime_->messages(least, after_id);
   };
   return std::make_unique<MessageServices>(node, std::move(core));
+}
+
+/// One of them says as much as many: what was late and comes at once counts once.
+ros::Subscriber CommandNode::keepAlives(const ros::NodeHandle& node) {
+  const boost::function<void(const std_msgs::EmptyConstPtr&)> take = [this](const std_msgs::EmptyConstPtr&) {
+    runtime_->keepJogging();
+  };
+  return ros::NodeHandle(node).subscribe<std_msgs::Empty>("jog_keep_alive", 1, take, ros::VoidConstPtr(),
+                                                          ros::TransportHints().tcpNoDelay());
 }
 
 CommandNode::~CommandNode() {

@@ -151,6 +151,15 @@ SettingTable pathTable(link::LinkSettings& l) {
   };
 }
 
+SettingTable jogTable(link::LinkSettings& l) {
+  return {
+      {"jog_stop_time", seconds(l.jog_stop_time, 0.05, 0.2),
+       "of `jog`: what the controller needs to bring the arm to rest from a velocity. The rest of 0.25 s, "
+       "less "
+       "0.02 s, is how late a keep-alive may be"},
+  };
+}
+
 SettingTable behaviourTable(CommandParameters& p) {
   return {
       {"auto_connect", flag(p.auto_connect),
@@ -178,7 +187,7 @@ SettingTable behaviourTable(CommandParameters& p) {
 
 SettingTable settingsTable(CommandParameters& parameters) {
   return joined({robotTable(parameters), deadlineTable(parameters.link), pathTable(parameters.link),
-                 behaviourTable(parameters), tableRows(parameters.tables)});
+                 jogTable(parameters.link), behaviourTable(parameters), tableRows(parameters.tables)});
 }
 
 Result<CommandParameters, ParameterError> readCommandParameters(const GivenParameters& given) {

@@ -44,6 +44,7 @@ Scenarios allScenarios() {
   all.merge(linkScenarios(good<LoadPathGoal>()));
   all.merge(turnScenarios(good<LoadPathGoal>()));
   all.merge(trajectoryScenarios());
+  all.merge(jogScenarios());
   all.merge(linkScenarios(good<FollowJointTrajectoryGoal>()));
   all.merge(turnScenarios(good<FollowJointTrajectoryGoal>()));
   all.merge(linkScenarios(good<PickAndPlaceGoal>()));
