@@ -98,6 +98,11 @@ std::optional<LimitsReport> CommandCore::limits() const {
   return impl_->limits().limits();
 }
 
+void CommandCore::keepJogging(Instant now) {
+  impl_->arbiter().keepJogging();
+  impl_->advance(now);
+}
+
 ExchangeAnswer CommandCore::updateExchange(const blocks::ExchangeSettings& settings, Instant now) {
   ExchangeAnswer answer = impl_->exchange().update(settings, now);
   impl_->advance(now);

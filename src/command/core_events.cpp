@@ -5,7 +5,7 @@
 #include "core_impl.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/deadline.h"
 #include "cobot_command/common/overloaded.h"
@@ -33,7 +33,7 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_,
                 tables_.store(), speed_, actions_),
       limits_(forecast_, robot_, actions_),
-      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), speed_, paths_, keeper_,
+      arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), speed_, paths_, jog_, keeper_,
                 exchange_, sync_, guard_, permit_, hold_, forecast_, board_, actions_},
                std::move(ports), planning),
       status_({links_, tags_, robot_, strangers_, board_, keeper_, forecast_, arbiter_}, actions_),

@@ -12,13 +12,13 @@
 #include "dynamics/limits_desk.h"
 #include "exchange/exchange_desk.h"
 #include "exchange/motion_hold.h"
+#include "exchange/motion_permit.h"
 #include "forecast/forecast.h"
 #include "group_desk.h"
 #include "links/links.h"
 #include "messages/message_desk.h"
 #include "paths/path_desk.h"
 #include "status_desk.h"
-#include "exchange/motion_permit.h"
 #include "sync/sync_desk.h"
 #include "sync/sync_guard.h"
 #include "tables/table_desk.h"
@@ -91,6 +91,7 @@ class CommandCore::Impl {
   SpeedOverride speed_;
   DefaultsDesk defaults_;
   PathDesk paths_;
+  JogDesk jog_;
   OutputBoard board_;
   LinkKeeper keeper_;
   MotionHold hold_;

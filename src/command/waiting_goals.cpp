@@ -1,6 +1,6 @@
 #include "cobot_command/command/waiting_goals.h"
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/failure.h"
 
 namespace cobot_command::command {

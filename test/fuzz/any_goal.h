@@ -191,6 +191,14 @@ class AnyGoal {
     return goal;
   }
 
+  blocks::JogGoal any(const blocks::JogGoal* /*kind*/) {
+    auto goal = testing::good<blocks::JogGoal>();
+    begin();
+    vary(goal.mode, goal.directions, goal.speed, goal.increment_mm, goal.increment_deg, goal.frame,
+         goal.tool);
+    return goal;
+  }
+
   blocks::StopGoal any(const blocks::StopGoal* /*kind*/) { return {}; }
 
   blocks::ChangeLoadGoal any(const blocks::ChangeLoadGoal* /*kind*/) {

@@ -1,5 +1,5 @@
 """A good goal of each block, and how to change it. The arm starts at HOME; none of these leaves its reach."""
-from cobot_command.msg import (ChangeBaseGoal, ChangeLoadGoal, ChangeTCPGoal, CheckSequenceGoal, ExitListenNodeGoal, LoadPathGoal,
+from cobot_command.msg import (ChangeBaseGoal, ChangeLoadGoal, ChangeTCPGoal, CheckSequenceGoal, ExitListenNodeGoal, JogGoal, LoadPathGoal,
                                MomentOfInertia, MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, OutputAction, PathPoint,
                                PickAndPlaceGoal, PickAndPlaceStep, ProgramControlGoal, RunScriptGoal, SequenceStep, SetOutputGoal, StopGoal,
                                Transformation, WaitForInputGoal)
@@ -55,6 +55,11 @@ def turn(*degrees, **changes):
     """A relative motion of the joints."""
     return with_changes(relative(*degrees), {"movement_command": MoveRelativeGoal.PTP, "speed": 80,
                                              "data_format": MoveRelativeGoal.JPP, **changes})
+
+
+def step_of_joint(degrees, **changes):
+    """A jog by an increment of joint 1, which nobody has to hold."""
+    return with_changes(JogGoal(mode=JogGoal.AXES, directions=[1, 0, 0, 0, 0, 0], speed=50, increment_deg=degrees), changes)
 
 
 def circle(arc, end, **changes):

@@ -113,6 +113,15 @@ class Examples(MotionTestCase):
         self.assertIn("interrupted", output)
         self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill")
 
+    def test_jog_tells_why_the_arm_came_to_rest(self):
+        output = self.run_client("jog.py", "--direction", "1", "--speed", "10", "--seconds", "1")
+        self.assertIn("no keep-alive came any more", output)
+        self.robot.establish()
+        self.assertIn("5.00 deg: the increment was made", self.run_client("jog.py", "--deg", "5", closed=False))
+
+    def test_jog_tells_why_it_was_refused(self):
+        self.assertIn("16#26", self.run_client("jog.py", "--speed", "101", exit_status=1))
+
     def test_pick_and_place_tells_steps_that_it_cannot_use(self):
         self.assertIn("16#256", self.run_client("pick_and_place.py", "--steps", "/nowhere.yaml", exit_status=2))
 

@@ -6,16 +6,15 @@ from diagnostic_msgs.msg import DiagnosticArray
 from cobot_command.msg import (DataSets, ExchangeConfigurationGoal, ExchangeParCmd, GroupState, ProgramControlGoal, StopGoal,
                                Transformation)
 from cobot_command.srv import ReadFrame
-from cobot_goals import BUFFERED, HOME, circle, cycle, path, path_to_joints, POSE, relative, script, step, to_joints, turn
+from cobot_goals import BUFFERED, HOME, circle, cycle, path, path_to_joints, POSE, relative, script, step, step_of_joint, to_joints, turn
 from cobot_test import CobotTestCase, Latest
 from waiting import wait_until
 
 
-def movers(**changes):
+def movers():
     """One goal of each block that may move the robot."""
-    return [to_joints(*HOME, **changes), relative(0, 0, 20, 0, 0, 0, **changes),
-            circle((450, 0, 500, 180, 0, 90), POSE, **changes), script("ChangeLoad(1)", **changes),
-            cycle(step(to_joints(*HOME)), **changes), path(path_to_joints(*HOME), **changes)]
+    return [to_joints(*HOME), relative(0, 0, 20, 0, 0, 0), circle((450, 0, 500, 180, 0, 90), POSE), script("ChangeLoad(1)"),
+            cycle(step(to_joints(*HOME))), path(path_to_joints(*HOME)), step_of_joint(5)]
 
 
 class Synchronisation(CobotTestCase):

@@ -6,7 +6,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import CommandStatus, StopGoal
-from cobot_goals import ABORTING, HOME, SLOWLY, motions, path, path_to_joints, to_joints, turn
+from cobot_goals import ABORTING, HOME, SLOWLY, motions, path, path_to_joints, step_of_joint, to_joints, turn
 from cobot_test import CobotTestCase, Latest
 
 OTHER = "other/"
@@ -51,7 +51,7 @@ class TwoClients(CobotTestCase):
         self.assertIn("J1 is ", result.error_description)
 
     def test_are_told_that_the_other_has_stopped_the_robot(self):
-        goals = [*motions(**SLOWLY), path(path_to_joints(60, 0, 90, 0, 90, 0, speed=5))]
+        goals = [*motions(**SLOWLY), step_of_joint(60, speed=2), path(path_to_joints(60, 0, 90, 0, 90, 0, speed=5))]
         goals[2].speed = 15
         for goal in goals:
             with self.subTest(type(goal).__name__):

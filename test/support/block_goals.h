@@ -144,6 +144,16 @@ inline blocks::FollowJointTrajectoryGoal good() {
   return goal;
 }
 
+/// A turn of joint 1 by 10 degrees, which nobody has to hold.
+template <>
+inline blocks::JogGoal good() {
+  blocks::JogGoal goal;
+  goal.mode = static_cast<int>(blocks::JogMode::Axes);
+  goal.directions[0] = 1;
+  goal.increment_deg = 10;
+  return goal;
+}
+
 template <class Goal, class Change>
 [[nodiscard]] Goal with(const Change& change) {
   Goal goal = good<Goal>();

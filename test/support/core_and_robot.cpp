@@ -10,9 +10,21 @@
 
 namespace cobot_command::testing {
 
+namespace {
+
+command::CorePorts portsWith(const std::shared_ptr<command::Gate>& gate) {
+  command::CorePorts ports;
+  ports.gate = [gate](const command::Departure& departure, Instant now) {
+    return *gate ? (*gate)(departure, now) : std::nullopt;
+  };
+  return ports;
+}
+
+}  // namespace
+
 CoreAndRobot::CoreAndRobot(const std::string& model, simulator::Settings settings, link::LinkSettings link,
                            Duration planning)
-    : core_(arm::ArmModel::named(model).value(), link, {},
+    : core_(arm::ArmModel::named(model).value(), link, portsWith(gate_),
             planning > Duration::zero() ? command::Planning::Beside : command::Planning::AtOnce),
       controller_(arm::ArmModel::named(model).value(), std::move(settings), now_),
       planning_(planning) {
@@ -99,6 +111,11 @@ void CoreAndRobot::dropConnections() {
     forget(id, "connection reset by peer");
     settle();
   }
+}
+
+void CoreAndRobot::keepJogging() {
+  core_.keepJogging(now_);
+  settle();
 }
 
 void CoreAndRobot::pass(Duration duration) {

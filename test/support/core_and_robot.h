@@ -50,6 +50,9 @@ class CoreAndRobot {
   [[nodiscard]] FeedratePromise feedratePromise() const { return answer_; }
   /// As if the network were gone: both sides learn of it at once.
   void dropConnections();
+  void keepJogging();
+  /// nullptr: open.
+  void setGate(command::Gate gate) { *gate_ = std::move(gate); }
 
   void pass(Duration duration);
   /// False when that did not come within `most`.
@@ -116,6 +119,7 @@ class CoreAndRobot {
   void forget(link::ConnectionId id, const std::string& reason);
 
   Instant now_{std::chrono::seconds(1000)};
+  std::shared_ptr<command::Gate> gate_ = std::make_shared<command::Gate>();
   command::CommandCore core_;
   simulator::SimulatedController controller_;
   std::map<link::ConnectionId, Wire> wires_;

@@ -15,6 +15,7 @@
 #include "cobot_command/blocks/exchange_configuration.h"
 #include "cobot_command/blocks/exit_listen_node.h"
 #include "cobot_command/blocks/follow_joint_trajectory.h"
+#include "cobot_command/blocks/jog.h"
 #include "cobot_command/blocks/load_path.h"
 #include "cobot_command/blocks/move_absolute.h"
 #include "cobot_command/blocks/move_circle.h"
@@ -48,7 +49,8 @@ using Goal = std::variant<
     WaitForInputGoal,
     LoadPathGoal,
     FollowJointTrajectoryGoal,
-    ExchangeConfigurationGoal
+    ExchangeConfigurationGoal,
+    JogGoal
     >;
 // clang-format on
 

@@ -102,6 +102,9 @@ class CommandCore {
   /// Nothing without a model.
   [[nodiscard]] std::optional<LimitsReport> limits() const;
 
+  /// Somebody holds the jog that is under way; without one nothing comes of it.
+  void keepJogging(Instant now);
+
   /// Other settings for the exchange_configuration goal that is enabled, as the goal itself cannot change.
   [[nodiscard]] ExchangeAnswer updateExchange(const blocks::ExchangeSettings& settings, Instant now);
 

@@ -60,6 +60,8 @@ struct LinkSettings {
   bool auto_reconnect = false;
   /// A robot that still moves when a link is made, from before, is told to stop.
   bool stop_orphaned_motion = true;
+  /// That the controller needs to bring the arm to rest from a velocity (ContinueVJog, ContinueVLine).
+  Duration jog_stop_time = std::chrono::milliseconds(200);
   PathSettings path = {};  ///< of load_path
 };
 

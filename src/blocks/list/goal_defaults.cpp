@@ -7,7 +7,7 @@
 #include "shared/motion_parameters.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 
 namespace cobot_command::blocks {
 namespace {

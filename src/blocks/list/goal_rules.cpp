@@ -1,4 +1,4 @@
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 
 #include <cassert>
 #include <type_traits>

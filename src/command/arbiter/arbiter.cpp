@@ -119,6 +119,7 @@ void Arbiter::linkLost(const std::string& reason, Instant now) {
   pause_.linkLost();
   parts_.guard.linkLost();
   parts_.paths.linkLost();
+  parts_.jog.linkLost();
 }
 
 void Arbiter::disconnected(const std::string& reason, Instant now) {

@@ -50,6 +50,7 @@ class Arbiter {
   void setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now) {
     feedrate_.set(request, reply, now);
   }
+  void keepJogging() { parts_.jog.keepAlive(); }
   void setSpeedOverride(double percent, const OverrideReply& reply, Instant now) {
     speed_.set(percent, reply, now);
   }

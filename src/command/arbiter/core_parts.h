@@ -10,6 +10,7 @@
 #include "exchange/motion_permit.h"
 #include "forecast/forecast.h"
 #include "paths/path_desk.h"
+#include "runs/jog_desk.h"
 #include "sync/sync_guard.h"
 
 #include "cobot_command/command/actions.h"
@@ -30,6 +31,7 @@ struct CoreParts {
   tables::TableStore& tables;
   SpeedOverride& speed;
   PathDesk& paths;
+  JogDesk& jog;
   LinkKeeper& keeper;
   ExchangeDesk& exchange;
   SyncDesk& sync;

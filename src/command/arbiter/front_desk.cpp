@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::command {
@@ -113,6 +113,9 @@ void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, const block
   const blocks::BufferMode mode = of_interface.empty() ? traits.buffer_mode : blocks::BufferMode::Aborting;
   append(failures, turns_.occupancy().objectionsToAny(mode, traits.needs_automatic));
   append(failures, of_interface);
+  if (failures.empty() && traits.needs_standstill && !turns_.occupancy().robotStands()) {
+    failures.push_back({blocks::motion_error::kOtherBlockBusy, "the robot moves", ""});
+  }
   sortByTable(blockOf(goal), failures);
   if (!rejected(id, goal, failures)) enqueue(id, goal, traits.buffer_mode, now);
 }

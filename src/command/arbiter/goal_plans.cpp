@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::command {
@@ -38,6 +38,8 @@ blocks::PlanningScene GoalPlans::sceneOf(const blocks::Goal& goal) const {
   scene.number = parts_.board.accepted(blockOf(goal)) + 1;
   scene.feedrate = parts_.paths.served().feedrate;
   scene.is_pvt_refused = parts_.paths.isPvtRefused();
+  scene.is_velocity_refused = parts_.jog.isVelocityRefused();
+  scene.jog_stop_time = parts_.settings.jog_stop_time;
   scene.angle_tolerance = parts_.settings.angle_tolerance;
   scene.path = parts_.settings.path;
   return scene;

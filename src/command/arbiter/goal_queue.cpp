@@ -7,7 +7,7 @@
 #include "exchange/motion_hold.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::command {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/goal.h"
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 
 namespace cobot_command::command {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
@@ -240,6 +240,7 @@ void Turns::endRun(Instant now) {
   assert(desks_.window.empty());
   next_.forget();
   desks_.paths.leave();
+  parts_.jog.serve(run_->jog(), now);
   stopping_.reset();
   finishes_behind_motion_ = false;
   const auto done = std::exchange(run_, nullptr);
@@ -363,6 +364,7 @@ void Turns::robotChanged(Instant now) {
 
 void Turns::advance(Instant now) {
   desks_.window.advance(now);
+  parts_.jog.serve(run_ ? run_->jog() : nullptr, now);
   if (run_) run_->advance(now);
 }
 

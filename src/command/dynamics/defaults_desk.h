@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/command/dynamics.h"
 
 namespace cobot_command::command {

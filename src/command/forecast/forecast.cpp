@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/joint_path.h"
 

@@ -149,8 +149,9 @@ bool PauseDesk::isPausedByOthers() const {
 
 std::string PauseDesk::heldByOthers() const {
   if (!core_.robot.held() && !others_pause_) return "";
-  if (!core_.robot.paused() && !others_pause_)
+  if (!core_.robot.paused() && !others_pause_) {
     return "a safeguard holds the robot: it goes on when that is released";
+  }
   return "the project is paused, and not from here on this link: program_control with RESUME, or the "
          "pendant, "
          "lets it go on";

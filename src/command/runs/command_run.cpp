@@ -16,7 +16,7 @@ using State = CommandRunState;
 namespace {
 
 Duration timeFor(const CommandOrder& order, const link::LinkSettings& settings) {
-  if (!order.plan) return settings.unplanned_motion_timeout;
+  if (!order.plan || order.is_open_ended) return settings.unplanned_motion_timeout;
   return order.plan->start_delay +
          fromSeconds(toSeconds(order.plan->duration) * settings.tag_deadline_factor) +
          settings.tag_deadline_margin;

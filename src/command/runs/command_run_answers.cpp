@@ -111,7 +111,7 @@ void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
     return;
   }
   const auto moving = context_.robot.moving();
-  if (context_.robot.held() || moving == true || (!moving && clock_.patient(now))) {
+  if (order_.is_open_ended || context_.robot.held() || moving == true || (!moving && clock_.patient(now))) {
     fire(Event::StillGoing, now);
   } else if (!moving) {
     fail({blocks::own_error::kTagLost, fmt::format("tag {} is still not complete", *order_.tag), ""},

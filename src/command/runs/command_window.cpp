@@ -11,8 +11,8 @@ namespace {
 
 /// A raw script may, unless it was planned, has no motion, and sets nothing in motion that goes on.
 bool mayMoveBy(const CommandOrder& order) {
-  const bool known_to_stand =
-      order.plan && order.plan->motions.empty() && order.stands_at_end && !order.lets_go;
+  const bool known_to_stand = order.plan && order.plan->motions.empty() && order.stands_at_end &&
+                              !order.lets_go && !order.is_open_ended;
   return order.moves && !known_to_stand;
 }
 
@@ -69,7 +69,7 @@ std::optional<blocks::Failure> CommandWindow::objectionTo(const CommandOrder& or
   Departure departure;
   departure.block = order.block;
   departure.lines = order.lines;
-  departure.planned = order.plan.has_value() || !mayMoveBy(order);
+  departure.planned = (order.plan.has_value() && !order.is_open_ended) || !mayMoveBy(order);
   departure.leaves_node = leavesNodeBy(order);
   if (order.plan) {
     departure.motions = order.plan->motions;

@@ -18,6 +18,7 @@
 #include "tables/tables_file.h"
 #include <fmt/format.h>
 #include <ros/console.h>
+#include <std_msgs/Empty.h>
 
 #include "cobot_command/common/overloaded.h"
 #include "cobot_command/link/tag_ledger.h"
@@ -112,6 +113,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   runtime_->useTables(parameters.tables.tables);
   runtime_->useExchangeRules(parameters.exchange);
   if (parameters.limits) static_cast<void>(runtime_->writeLimits(*parameters.limits));  // they were tried
+  keep_alive_ = keepAlives(node);
   finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
@@ -150,6 +152,15 @@ std::unique_ptr<DynamicsServices> CommandNode::dynamicsServices(const ros::NodeH
   core.limits = [this] { return runtime_->limits(); };
   core.write_limits = [this](const command::SoftwareLimits& limits) { return runtime_->writeLimits(limits); };
   return std::make_unique<DynamicsServices>(node, std::move(core));
+}
+
+/// One of them says as much as many: what was late and comes at once counts once.
+ros::Subscriber CommandNode::keepAlives(const ros::NodeHandle& node) {
+  const boost::function<void(const std_msgs::EmptyConstPtr&)> take = [this](const std_msgs::EmptyConstPtr&) {
+    runtime_->keepJogging();
+  };
+  return ros::NodeHandle(node).subscribe<std_msgs::Empty>("jog_keep_alive", 1, take, ros::VoidConstPtr(),
+                                                          ros::TransportHints().tcpNoDelay());
 }
 
 CommandNode::~CommandNode() {

@@ -152,6 +152,15 @@ SettingTable pathTable(link::LinkSettings& l) {
   };
 }
 
+SettingTable jogTable(link::LinkSettings& l) {
+  return {
+      {"jog_stop_time", seconds(l.jog_stop_time, 0.05, 0.2),
+       "of `jog`: what the controller needs to bring the arm to rest from a velocity. The rest of 0.25 s, "
+       "less "
+       "0.02 s, is how late a keep-alive may be"},
+  };
+}
+
 SettingTable behaviourTable(CommandParameters& p) {
   return {
       {"auto_connect", flag(p.auto_connect),
@@ -205,6 +214,7 @@ SettingTable settingsTable(CommandParameters& parameters) {
   return joined({robotTable(parameters),
                  deadlineTable(parameters.link),
                  pathTable(parameters.link),
+                 jogTable(parameters.link),
                  behaviourTable(parameters),
                  exchangeTable(parameters.exchange),
                  tableRows(parameters.tables),

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/command/waiting_goals.h"
 

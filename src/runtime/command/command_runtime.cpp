@@ -309,6 +309,10 @@ std::optional<std::future<std::vector<command::Message>>> CommandRuntime::messag
       [=](auto& core, const auto& reply, Instant /*now*/) { reply(core.messages(least, after_id)); });
 }
 
+void CommandRuntime::keepJogging() {
+  impl_->post([](auto& core, Instant now) { core.keepJogging(now); });
+}
+
 void CommandRuntime::tellEnd(blocks::Block block, blocks::Outcome outcome) {
   impl_->post(
       [block, outcome = std::move(outcome)](auto& core, Instant now) { core.tellEnd(block, outcome, now); });

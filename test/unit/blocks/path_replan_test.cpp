@@ -4,7 +4,7 @@
 #include "block_goals.h"
 #include <gtest/gtest.h>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/run.h"
 
 namespace cobot_command::testing {

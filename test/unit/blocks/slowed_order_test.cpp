@@ -3,7 +3,7 @@
 #include "motion_goals.h"
 #include <gmock/gmock.h>
 
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 
 namespace cobot_command::blocks {
 namespace {

@@ -45,12 +45,13 @@ Scenarios allScenarios() {
   all.merge(linkScenarios(good<LoadPathGoal>()));
   all.merge(turnScenarios(good<LoadPathGoal>()));
   all.merge(trajectoryScenarios());
+  all.merge(jogScenarios());
   all.merge(linkScenarios(good<FollowJointTrajectoryGoal>()));
   all.merge(turnScenarios(good<FollowJointTrajectoryGoal>()));
   all.merge(linkScenarios(good<PickAndPlaceGoal>()));
   all.merge(turnScenarios(good<PickAndPlaceGoal>()));
   for (const Goal& goal : {Goal(good<LoadPathGoal>()), Goal(good<FollowJointTrajectoryGoal>()),
-                           Goal(good<PickAndPlaceGoal>())}) {
+                           Goal(good<PickAndPlaceGoal>()), Goal(good<JogGoal>())}) {
     all.merge(interfaceScenarios(goal));
   }
   all.merge(resumeScenarios());

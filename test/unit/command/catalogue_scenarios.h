@@ -49,6 +49,8 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios pathScenarios();
 /// Trajectories, the same.
 [[nodiscard]] Scenarios trajectoryScenarios();
+/// Jogs, the same.
+[[nodiscard]] Scenarios jogScenarios();
 /// Sequences and cycles of them.
 [[nodiscard]] Scenarios sequenceScenarios();
 

@@ -28,7 +28,7 @@ bool halts(const Goal& goal) {
 
 Goal buffered(Goal goal) {
   std::visit(Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {},
-                        [](CheckSequenceGoal&) {}, [](ExchangeConfigurationGoal&) {},
+                        [](CheckSequenceGoal&) {}, [](ExchangeConfigurationGoal&) {}, [](JogGoal&) {},
                         [](auto& command) { command.buffer_mode = static_cast<int>(BufferMode::Buffered); }},
              goal);
   return goal;

@@ -158,6 +158,13 @@ inline constexpr int kNotSynchronized = 0x8C06;
 inline constexpr int kInterrupted = 0x8C30;
 }  // namespace interface_error
 
+/// SRCI's GroupJog; those of frames and tools: tables/refusal.h.
+namespace jog_error {
+inline constexpr int kMotionActive = 0x8C33;
+inline constexpr int kTwoRotations = 0x8C36;
+inline constexpr int kInput = 0x8D12;
+}  // namespace jog_error
+
 /// Rockwell's manual of LoadPath, which is decimal; those of points and plans: path/path_refusal.h.
 namespace load_path_error {
 inline constexpr int kNotRegistered = 1000;

@@ -17,10 +17,12 @@ struct Order {
   std::vector<std::size_t> marks;
   /// What the lines mean; absent when they are a raw script that says more than this layer knows.
   std::optional<std::vector<script::ScriptCommand>> commands;
-  bool moves = false;         ///< a cancel has to stop the robot
-  bool has_exit = false;      ///< its own lines end with an exit that has a number
-  bool lets_go = false;       ///< a script with a resume: what was held goes on, and the arm may move
-  bool pauses = false;        ///< a script with a Pause() of its own
+  bool moves = false;     ///< a cancel has to stop the robot
+  bool has_exit = false;  ///< its own lines end with an exit that has a number
+  bool lets_go = false;   ///< a script with a resume: what was held goes on, and the arm may move
+  bool pauses = false;    ///< a script with a Pause() of its own
+  /// It moves the arm until it is told to end: no plan says where, and for how long.
+  bool is_open_ended = false;
   bool stands_at_end = true;  ///< the robot stands when its tag comes; false: a script that sets velocities
   bool is_previewed = false;  ///< people see the path of its goal as a whole
   /// Nobody knows what the robot does when it goes unanswered: it is stopped then.

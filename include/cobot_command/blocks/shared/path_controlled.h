@@ -1,4 +1,4 @@
-// The side of a run that paths are controlled by from outside of its goals.
+// The sides of a run that paths, and jogs, are controlled by from outside of its goals.
 #pragma once
 
 #include <functional>
@@ -49,6 +49,18 @@ class PathControlled {
 
  protected:
   ~PathControlled() = default;
+};
+
+/// The side of a run that is held to run by somebody outside of its goals.
+class JogControlled {
+ public:
+  /// Somebody still holds it.
+  virtual void keepAlive(Instant now) = 0;
+  /// The controller has refused to take velocities: it has no licence for them.
+  [[nodiscard]] virtual bool isVelocityRefused() const = 0;
+
+ protected:
+  ~JogControlled() = default;
 };
 
 }  // namespace cobot_command::blocks

@@ -1,12 +1,14 @@
 // Where a plan begins, for goals that are answered by planning.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/shared/detail.h"
 #include "cobot_command/common/path_settings.h"
+#include "cobot_command/common/time.h"
 #include "cobot_command/planning/script_planner.h"
 #include "cobot_command/tables/data_tables.h"
 
@@ -25,7 +27,9 @@ struct PlanningScene {
   PathSettings path = {};    ///< how paths are loaded
   double feedrate = 1.0;     ///< of paths
   double speed_share = 1.0;  ///< of the speeds that moves give, (0, 1]: the speed override
-  bool is_pvt_refused = false;         ///< the controller has refused to enter one
+  bool is_pvt_refused = false;                              ///< the controller has refused to enter one
+  bool is_velocity_refused = false;                         ///< the controller has refused to take velocities
+  Duration jog_stop_time = std::chrono::milliseconds(200);  ///< that it needs to bring the arm to rest
   double angle_tolerance = 0.0017453;  ///< within this of a target a joint is there [rad]
   int number = 1;                      ///< the goal would be so many-th of its block that is accepted
 };

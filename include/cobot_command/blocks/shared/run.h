@@ -135,6 +135,9 @@ class Run {
   /// nullptr: it loads no paths.
   [[nodiscard]] virtual PathControlled* paths() { return nullptr; }
 
+  /// nullptr: nobody holds it to run.
+  [[nodiscard]] virtual JogControlled* jog() { return nullptr; }
+
   /// nullptr: no other goal joins it.
   [[nodiscard]] virtual GoalChain* chain() { return nullptr; }
   [[nodiscard]] virtual bool serves(GoalId goal) const { return goal == this->goal(); }

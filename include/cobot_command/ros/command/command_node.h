@@ -14,6 +14,7 @@
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <ros/steady_timer.h>
+#include <ros/subscriber.h>
 
 #include "cobot_command/Finish.h"
 #include "cobot_command/ros/command/action_bridge.h"
@@ -71,6 +72,7 @@ class CommandNode {
   void endFallen();
   void submit(blocks::GoalId id, blocks::Goal goal);
   void adjustRetrying();
+  [[nodiscard]] ros::Subscriber keepAlives(const ros::NodeHandle& node);
   bool finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response);
 
   std::string default_host_;
@@ -95,6 +97,7 @@ class CommandNode {
   std::unique_ptr<RobotDataPublisher> robot_data_;
   std::unique_ptr<DynamicsServices> dynamics_;
   ros::SteadyTimer retry_;
+  ros::Subscriber keep_alive_;
   ros::ServiceServer finish_;
   bool stopped_ = false;
 };

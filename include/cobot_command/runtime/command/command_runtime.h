@@ -71,6 +71,8 @@ class CommandRuntime {
   std::optional<std::future<std::optional<command::ReferenceDynamics>>> referenceDynamics();
   std::optional<std::future<command::DynamicsAnswer>> writeLimits(command::SoftwareLimits limits);
   std::optional<std::future<std::optional<command::LimitsReport>>> limits();
+  /// See CommandCore; counts from when the core's thread comes to it.
+  void keepJogging();
   /// See CommandCore.
   void tellEnd(blocks::Block block, blocks::Outcome outcome);
   void keepConnected(blocks::ConnectGoal target);

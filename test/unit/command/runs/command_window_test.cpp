@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/blocks/goal_rules.h"
+#include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::command {

@@ -1,0 +1,54 @@
+#include "cobot_command/blocks/jog.h"
+
+#include "action_parts/outcome_parts.h"
+#include "action_parts/serve.h"
+
+#include "cobot_command/JogAction.h"
+
+namespace cobot_command::ros_adapter {
+
+blocks::JogGoal toGoal(const cobot_command::JogGoal& message, const Lookups& /*lookups*/) {
+  blocks::JogGoal goal;
+  goal.mode = message.mode;
+  for (std::size_t i = 0; i < goal.directions.size(); ++i) goal.directions[i] = message.directions[i];
+  goal.speed = message.speed;
+  goal.increment_mm = message.increment_mm;
+  goal.increment_deg = message.increment_deg;
+  goal.frame = message.frame;
+  goal.tool = message.tool;
+  return goal;
+}
+
+void fill(cobot_command::JogResult& message, const blocks::Outcome& outcome, const FillSite& /*site*/) {
+  const auto& report = outcome.detail.as<blocks::JogReport>();
+  fillEnd(message, outcome);
+  message.ended_by = static_cast<std::uint8_t>(report.ended_by);
+  message.joint = static_cast<std::uint8_t>(report.joint + 1);
+  message.why = report.why;
+  message.means = static_cast<std::uint8_t>(report.means);
+  message.way = report.way_mm;
+  message.turn = report.way_deg;
+  if (outcome.final_joints_deg) {
+    message.final_joints.assign(outcome.final_joints_deg->begin(), outcome.final_joints_deg->end());
+  }
+  if (outcome.final_pose_mm_deg) message.final_pose = toTransformation(*outcome.final_pose_mm_deg);
+}
+
+void fill(cobot_command::JogFeedback& message, const blocks::Progress& progress, const FillSite& /*site*/) {
+  const auto& place = progress.detail.as<blocks::JogPlace>();
+  fillPhase(message, progress);
+  message.means = static_cast<std::uint8_t>(place.means);
+  message.way = place.way_mm;
+  message.turn = place.way_deg;
+  message.room_mm = place.room_mm;
+  message.room_deg = place.room_deg;
+  message.keep_alive_age = place.keep_alive_age ? toSeconds(*place.keep_alive_age) : -1;
+}
+
+template <>
+struct ActionOf<blocks::JogGoal> {
+  using Type = cobot_command::JogAction;
+};
+template std::unique_ptr<GoalListener> serve<blocks::JogGoal>(const ActionSite& site);
+
+}  // namespace cobot_command::ros_adapter
