@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
@@ -21,6 +23,7 @@ void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, const blocks:
   const auto take = [this, block = blockOf(goal), id](std::optional<PlanAnswer> answer) {
     this->answer(block, id, answer ? *std::move(answer) : tookTooLong(block));
   };
+  tellDifferences(goal);
   const Ticket ticket = queue_.lastTicket();
   const bool is_known = isOriginKnown(ticket);
   blocks::PlanningScene scene = sceneOf(goal);
@@ -30,6 +33,15 @@ void GoalPlans::check(blocks::GoalId id, const blocks::Goal& goal, const blocks:
   desk_.ask({blockOf(goal), id, Purpose::Check, std::move(make), take,
              is_known ? std::function<bool()>() : is_ready},
             now);
+}
+
+void GoalPlans::tellDifferences(const blocks::Goal& goal) {
+  const auto use = blocks::GoalRules(goal).uses();
+  const std::string differences = use ? parts_.sync.differencesIn(*use) : "";
+  if (differences.empty()) return;
+  parts_.actions.emplace_back(LogMessage{
+      Severity::Warning,
+      fmt::format("{} is planned with the values here: {}", toString(blockOf(goal)), differences)});
 }
 
 /// But for what the forecast knows.
@@ -108,6 +120,7 @@ void GoalPlans::planTheNext(const blocks::Detail& chain, Instant now) {
     show(block, id, std::move(found.preview));
     waiting->found = std::move(found.outcome);
   };
+  tellDifferences(first.goal);
   blocks::PlanningScene scene = sceneOf(first.goal);
   scene.chain = chain;
   desk_.ask({blockOf(first.goal), first.id, Purpose::Send, parts_.forecast.workFor(first.goal, origin, scene),

@@ -34,6 +34,8 @@ class GoalPlans {
   void endAll(const std::string& why);
 
  private:
+  /// It is planned with what stands in our tables, which may not be what the controller has.
+  void tellDifferences(const blocks::Goal& goal);
   [[nodiscard]] blocks::PlanningScene sceneOf(const blocks::Goal& goal) const;
   /// Where the goal with that ticket starts is not being planned.
   [[nodiscard]] bool isOriginKnown(Ticket ticket) const;

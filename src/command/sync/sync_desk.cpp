@@ -1,6 +1,7 @@
 #include "sync/sync_desk.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -255,6 +256,19 @@ std::string SyncDesk::whyNot() const {
     if (!reason.empty()) why += (why.empty() ? "" : "; ") + reason;
   }
   return why;
+}
+
+std::string SyncDesk::differencesIn(const tables::Use& use) const {
+  std::string text;
+  const auto add = [&](Kind kind, const std::vector<int>& indices) {
+    for (const int index : std::set<int>(indices.begin(), indices.end())) {
+      const auto found = look_.differing.find({kind, index});
+      if (found != look_.differing.end()) text += (text.empty() ? "" : "; ") + found->second;
+    }
+  };
+  add(Kind::Tool, use.tools);
+  add(Kind::Frame, use.frames);
+  return text;
 }
 
 int SyncDesk::warningId() const {

@@ -57,6 +57,8 @@ class SyncDesk {
   [[nodiscard]] int infoId() const;
   /// What is out of sync, in words; empty: nothing.
   [[nodiscard]] std::string whyNot() const;
+  /// Which of these entries differ from the controller's, in words; empty: none.
+  [[nodiscard]] std::string differencesIn(const tables::Use& use) const;
 
  private:
   void ask(Instant now);

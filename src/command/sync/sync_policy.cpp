@@ -141,6 +141,7 @@ void SyncPolicy::lookAt(ComparedEntry entry, tables::DataTables& ours, const Pro
     now.has_begun = true;
   } else {
     now.winner = winnerOf(entry, before, theirs_changed);
+    look.differing[{entry.kind, entry.index}] = entry.difference();
     look.differences.of(entry.kind).push_back(entry.difference());
     if (now.winner == Winner::Conflict) look.conflicts.of(entry.kind) = true;
     const bool may_change = !is_used(entry.kind, entry.index);

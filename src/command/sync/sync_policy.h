@@ -18,7 +18,8 @@ namespace cobot_command::command {
 
 /// What one look has shown, and what is to be done.
 struct SyncLook {
-  BySet<std::vector<std::string>> differences;      ///< in words; none: in sync
+  std::map<std::pair<tables::Kind, int>, std::string> differing;  ///< each entry, in words
+  BySet<std::vector<std::string>> differences;                    ///< in words; none: in sync
   BySet<bool> conflicts;                            ///< both sides have changed an entry: nobody wins
   BySet<int> changed;                               ///< an index that the controller's side changed; 0: none
   BySet<bool> is_written;                           ///< of that set something is for_project

@@ -58,7 +58,7 @@ class TableWriter::Desk {
 
   std::future<TableAnswer> add(TableWrite write) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    jobs_.push_back({std::move(write), {}});
+    jobs_.emplace_back(Write{std::move(write), {}});
     changed_.notify_all();
     return std::get<Write>(jobs_.back()).answer.get_future();
   }

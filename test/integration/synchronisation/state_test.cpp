@@ -140,6 +140,18 @@ TEST(DataInSync, isLookedAtWithEachPeriodAndNotWithoutANamedEntry) {
   EXPECT_EQ(bare.group().ri_state, RiState::Synchronized);
 }
 
+TEST(DataInSync, isMissedByPlansThatSayWithWhichValueTheyAreMade) {
+  SynchronisedRobot rig;
+  rig.enable();
+  rig.setTcp({0, 0, 160, 0, 0, 0});
+  rig.pass(1100ms);
+  auto path = withTheGripper(100);
+  path.check_only = true;
+  EXPECT_EQ(rig.endOf(rig.submit(path)).error_id, 0);
+  ASSERT_FALSE(rig.warnings().empty());
+  EXPECT_THAT(rig.warnings().back(), HasSubstr("planned with the values here: tool 3"));
+}
+
 TEST(DataInSync, lendsPlansTheValuesThatOnlyTheProjectKnows) {
   SynchronisedRobot rig;
   tables::Tool project_tool;
