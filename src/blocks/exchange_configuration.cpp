@@ -88,7 +88,8 @@ ErrorTable ExchangeConfigurationGoal::errors() {
            "Give at most 20 printable ASCII characters, and a priority of 0 to 4",
            "name is longer than 20 bytes or not printable, or priority is above 4")
       .row(kSyncMode, "Invalid mode of synchronisation", "Set ~sync/tools/start and the like to 0, 1 or 2",
-           "cannot occur through ROS, whose node takes no such parameter: a mode is unknown, or AUTOMATIC (3) at "
+           "cannot occur through ROS, whose node takes no such parameter: a mode is unknown, or AUTOMATIC "
+           "(3) at "
            "the start")
       .row(kLifeSignLost, "No life sign of the controller",
            "Look at life_sign_worst_gap, and choose a longer life_sign_time_out; check the wiring. Stop the "

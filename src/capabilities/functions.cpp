@@ -53,7 +53,7 @@ const std::vector<Function>& functions() {
       {"ReadRobotSWLimits", "service read_software_limits", Offer::Whole, {}, kNeedsArm},
       {"WriteRobotSWLimits", "service write_software_limits", Offer::Partly,
        "limits of what this layer plans, at most those of the model", kNeedsArm},
-      {"GroupJog", "action jog, topic jog_keep_alive", Offer::Whole, {}, kNeedsArm},
+      {"GroupJog", "action jog", Offer::Whole, {}, kNeedsArm},
       {"ReturnToPrimary", "", Offer::NotBuilt},
       {"retrace", "", Offer::NotBuilt},
       {"WaitTime", "", Offer::NotBuilt},

@@ -60,8 +60,9 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
   const std::uint64_t late_before = requests().late();
   take(*message, now);
   if (!traced) return;
-  wire_.trace(now, Channel::Script, false, bytes,
-              protocol::describe(*message) + (requests().late() > late_before ? " (nobody waits for it)" : ""));
+  wire_.trace(
+      now, Channel::Script, false, bytes,
+      protocol::describe(*message) + (requests().late() > late_before ? " (nobody waits for it)" : ""));
 }
 
 void ScriptLink::fault(std::string_view bytes, const std::string& meaning, Instant now) {

@@ -168,12 +168,17 @@ class LoadPath(MotionTestCase):
         self.assertEqual((line.active_interpolation, line.active_type, line.active_ref_frame_type),
                          (PathPoint.CP_LINEAR, PathPoint.FLANGE, PathPoint.ROBOT))
         self.assertTrue(all(0 <= s.active_move_percent <= 100 for s in status))
-        self.assertTrue(any(s.blending_move_id and 0 < s.blending_move_percent < 100 for s in status))
         self.assertGreater(max(s.linear_velocity for s in status), 50)
         self.assertGreater(max(s.linear_acceleration for s in status), 50)
         self.assertTrue(any(s.progress_source == PathStatus.STREAM for s in status))
         end = told.message
         self.assertEqual((end.active_move_id, end.linear_velocity, end.feedrate, end.gate_waits), (0, 0, 100, False))
+        # A corner is over within two of these messages, which come when they come: not every path shows one.
+        for _ in range(10):
+            if any(s.blending_move_id and 0 < s.blending_move_percent < 100 for s in told.all()):
+                return
+            self.assert_done(self.robot.run(from_file()))
+        self.fail("no status of a corner")
 
     # --- The robot.
     def test_is_refused_by_a_robot_that_is_not_energised(self):

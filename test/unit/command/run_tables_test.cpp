@@ -32,15 +32,13 @@ TEST(ExchangeTable, isSound) {
 }
 
 TEST(SyncGuardTable, isSound) {
-  expectSoundTable<SyncGuardTable>(SyncGuardState::Resumable, SyncGuardEvent::LinkLost,
-                                      SyncGuardState::Free);
+  expectSoundTable<SyncGuardTable>(SyncGuardState::Resumable, SyncGuardEvent::LinkLost, SyncGuardState::Free);
 }
 
 /// Nothing resumes by itself.
 TEST(SyncGuardTable, leavesAnInterruptionOnlyByItsClientOrWhereNothingIsLeft) {
   for (const auto& row : SyncGuardTable::kRows) {
-    const bool was_held =
-        row.from == SyncGuardState::Interrupted || row.from == SyncGuardState::Resumable;
+    const bool was_held = row.from == SyncGuardState::Interrupted || row.from == SyncGuardState::Resumable;
     if (was_held && row.to == SyncGuardState::Free) {
       EXPECT_TRUE(row.event == SyncGuardEvent::Resumed || row.event == SyncGuardEvent::Emptied ||
                   row.event == SyncGuardEvent::LinkLost);
