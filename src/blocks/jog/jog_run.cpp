@@ -177,6 +177,13 @@ void JogRun::endBy(JogEnd end, int joint, std::string why) {
   report_.why = std::move(why);
 }
 
+/// That was at the controller, and was stopped on its way.
+void JogRun::forgetIncrement() {
+  if (report_.ended_by != JogEnd::IncrementDone) return;
+  report_.ended_by = JogEnd::None;
+  report_.why.clear();
+}
+
 std::optional<std::string> JogRun::stopsFor() const {
   const bool stops = open_ > 0 && ((state_ == State::Stopping && halted_) || state_ == State::Failing);
   if (!stops) return std::nullopt;
@@ -343,9 +350,11 @@ void JogRun::fire(Event event, Instant now) {
       complete(Outcome());
       return;
     case JogAction::EndStopped:
+      forgetIncrement();
       complete(commandAborted(stopped_why_));
       return;
     case JogAction::EndFailed:
+      forgetIncrement();
       complete(toOutcome(block(), Ending::Aborted, failure_));
       return;
   }

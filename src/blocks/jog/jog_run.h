@@ -49,6 +49,7 @@ class JogRun final : public Run, private JogControlled {
   void fail(Failure failure, Instant now);
   /// It is none that was asked for: the robot is stopped.
   void halt(const std::string& why, Instant now);
+  void forgetIncrement();
   void endBy(JogEnd end, int joint, std::string why);
   /// What the plan has found there.
   void endAtTheObstacle();

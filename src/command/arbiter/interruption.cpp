@@ -15,7 +15,7 @@ void Interruption::look(Instant now) {
   seen.in_sync = parts_.sync.isInSync();
   seen.robot_enabled = parts_.keeper.isRobotEnabled(parts_.robot);
   seen.anything_there = turns_.run() != nullptr || !desks_.queue.empty() || parts_.forecast.loose().mayMove();
-  seen.goes_on = moves() && !parts_.robot.held();
+  seen.moves = moves();
   parts_.guard.look(seen, now);
   if (parts_.guard.takePause()) pause_.pauseForGood(now);
   if (parts_.guard.takeTold()) {

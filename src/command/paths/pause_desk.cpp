@@ -78,7 +78,13 @@ blocks::CommandKey PauseDesk::sendLine(bool pauses, Instant now) {
 }
 
 void PauseDesk::pauseForGood(Instant now) {
-  if (core_.objections().empty()) for_good_ = sendLine(true, now);
+  if (others_pause_ || !core_.objections().empty()) return;
+  if (state_ == State::Paused) {
+    others_pause_ = true;  // the pause that there is stays, whoever lets go of it
+    others_seen_ = seen_;
+  } else {
+    for_good_ = sendLine(true, now);
+  }
 }
 
 /// As the controller has taken it: until then nobody knows.
@@ -152,9 +158,7 @@ std::string PauseDesk::heldByOthers() const {
   if (!core_.robot.paused() && !others_pause_) {
     return "a safeguard holds the robot: it goes on when that is released";
   }
-  return "the project is paused, and not from here on this link: program_control with RESUME, or the "
-         "pendant, "
-         "lets it go on";
+  return "the project is paused: program_control with RESUME, or the pendant, lets it go on";
 }
 
 /// An emergency stop, and a project that is stopped, end a pause, too; what was to be held stays so.

@@ -55,7 +55,7 @@ class PauseDesk {
   /// A goal that pauses or resumes the project was sent: what it does is its client's, also where nobody sees
   /// that in the stream.
   void sentFor(blocks::GoalId goal, bool pauses) { of_goals_[goal] = pauses; }
-  /// Paused until a client resumes it.
+  /// Paused until a client resumes it, whoever holds the robot now, and lets go of it.
   void pauseForGood(Instant now);
   /// What was sent beside has ended.
   void ended(const CommandWindow::Ended& ended);

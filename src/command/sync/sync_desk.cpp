@@ -159,6 +159,12 @@ void SyncDesk::takeValues(const std::vector<robot::ReadValue>& values, Instant n
   if (&compared_.entries() != &core_.tables.store().tables().entries()) return;  // asked for again
   unanswered_ = 0;
   unread_ = {};
+  const auto wanted = readsOf(compared_.entries());
+  unknown_.erase(std::remove_if(unknown_.begin(), unknown_.end(),
+                                [&wanted](const auto& read) {
+                                  return std::find(wanted.begin(), wanted.end(), read) == wanted.end();
+                                }),
+                 unknown_.end());
   for (const auto& read : unknown_) noteUnread(read, fmt::format("the project has no {}", describe(read)));
   const ProjectValues project = valuesOf(values);
   tables::TableStore& store = core_.tables.store();

@@ -26,13 +26,13 @@ void SyncGuard::fire(Event event) {
   if (!row) return;
   state_ = row->to;
   if (row->action == SyncGuardAction::HoldAgain) pauses_ = true;
-  if (row->action == SyncGuardAction::Interrupt) pauses_ = goes_on_;
+  if (row->action == SyncGuardAction::Interrupt) pauses_ = moves_;
   if (row->action == SyncGuardAction::Tell || row->action == SyncGuardAction::Interrupt) tells_ = true;
 }
 
 void SyncGuard::look(const Seen& seen, Instant now) {
   if (!is_active_) return;
-  goes_on_ = seen.goes_on;
+  moves_ = seen.moves;
   if (!seen.robot_enabled) operates_ = false;
   if (!seen.judged) return;
   if (seen.in_sync) {

@@ -19,7 +19,7 @@ class SyncGuard {
     bool in_sync = true;
     bool robot_enabled = false;   ///< no emergency stop, no error of the controller
     bool anything_there = false;  ///< a command is under way, or waits
-    bool goes_on = false;         ///< something may move, and no pause or safeguard holds it
+    bool moves = false;           ///< something is under way that moves, held or not
   };
 
   /// From now on, with a robot that counts as not enabled until it was seen in sync.
@@ -45,7 +45,7 @@ class SyncGuard {
   /// Nobody may resume what is interrupted.
   [[nodiscard]] bool deniesResume() const { return state_ == State::Interrupted || state_ == State::Stopped; }
 
-  /// The robot has to be paused on its path, once.
+  /// The robot has to be paused on its path, once; also one that is held, as whoever holds it may let it go.
   [[nodiscard]] bool takePause() { return std::exchange(pauses_, false); }
   /// It refuses or interrupts since the last call.
   [[nodiscard]] bool takeTold() { return std::exchange(tells_, false); }
@@ -66,7 +66,7 @@ class SyncGuard {
   bool operates_ = false;         ///< the robot is enabled, and was so while it was in sync
   std::optional<Instant> since_;  ///< out of sync
   bool is_due_ = false;           ///< for as long as the delay says
-  bool goes_on_ = false;          ///< as seen last
+  bool moves_ = false;            ///< as seen last
   bool pauses_ = false;
   bool tells_ = false;
 };

@@ -58,6 +58,18 @@ TEST_F(JogIncrements, goAlongTheToolAndAboutIt) {
   EXPECT_NEAR(radToDeg(turn.angle()) * turn.axis().z(), 15, 0.001);
 }
 
+TEST_F(JogIncrements, thatAreCancelledWereNotMade) {
+  JogGoal goal = jog(JogMode::Axes, 0, 1, 10);
+  goal.increment_deg = 20;
+  const GoalId id = cell.cell.submit(goal);
+  cell.cell.pass(500ms);
+  cell.cell.cancel(id);
+  EXPECT_EQ(cell.cell.endOf(id).ending, Ending::CommandAborted);
+  const auto report = cell.cell.endOf(id).detail.as<JogReport>();
+  EXPECT_EQ(report.ended_by, JogEnd::None);
+  EXPECT_EQ(report.why, "");
+}
+
 TEST_F(JogIncrements, tellHowFarTheyAreAndNotThatTheyComeToRest) {
   JogGoal goal = jog(JogMode::Axes, 0, 1, 10);
   goal.increment_deg = 20;

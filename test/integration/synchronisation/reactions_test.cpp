@@ -176,6 +176,53 @@ TEST_F(SyncReactions, areOverWithTheLink) {
   EXPECT_EQ(rig.group().sequence, GroupState::Sequence::Idle);
 }
 
+/// Whoever held the robot when the reaction came lets it go, and it stands all the same.
+class ReactionsToAHeldRobot : public SyncReactions {
+ protected:
+  void expectHeldUntilResumedInSync(blocks::GoalId line) {
+    rig.pass(1s);
+    EXPECT_FALSE(rig.isMoving());
+    EXPECT_EQ(rig.outcome(line), nullptr);
+    changeItBack();
+    EXPECT_EQ(rig.endOf(rig.resume()).ending, Ending::Done);
+    EXPECT_EQ(rig.endOf(line).ending, Ending::Done);
+  }
+};
+
+TEST_F(ReactionsToAHeldRobot, outliveTheOverrideOfZero) {
+  enable(Reaction::InterruptAtOnce);
+  const auto line = rig.line(100);
+  rig.pass(1s);
+  rig.setSpeedOverride(0);
+  rig.pass(500ms);
+  changeThePendant();
+  rig.setSpeedOverride(100);
+  expectHeldUntilResumedInSync(line);
+}
+
+TEST_F(ReactionsToAHeldRobot, outliveTheSafeguard) {
+  enable(Reaction::InterruptAtOnce);
+  const auto line = rig.line(100);
+  rig.pass(1s);
+  rig.operate(simulator::SetSafeguard{true});
+  rig.pass(500ms);
+  changeThePendant();
+  rig.operate(simulator::SetSafeguard{false});
+  expectHeldUntilResumedInSync(line);
+}
+
+TEST_F(ReactionsToAHeldRobot, outliveAPathThatWasStopped) {
+  enable(Reaction::InterruptAtOnce);
+  const auto path = rig.submit(withTheGripper(10));
+  rig.pass(2s);
+  rig.setFeedrate(0);
+  rig.pass(500ms);
+  rig.setTcp({0, 0, 160, 0, 0, 0});
+  ASSERT_TRUE(rig.passUntil([&] { return !rig.report().out_cmd.data_in_sync.tools; }, 2s));
+  rig.setFeedrate(std::nullopt);
+  expectHeldUntilResumedInSync(path);
+}
+
 TEST(RequiredInterface, refusesMotionsUntilItIsEnabled) {
   command::ExchangeRules rules;
   rules.required = true;
