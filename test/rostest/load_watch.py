@@ -33,7 +33,7 @@ class Record:
         self.sent = rospy.Time.now()
         self.waited_since = time.monotonic()
         self.state = None  # as the status topic told it last
-        self.accepted = None  # the stamp of the first status that told so: before anything was sent to the controller
+        self.accepted = None  # the stamp of the first status that told so
         self.results = []  # (stamp, state, result)
         self.feedback = []  # (stamp, feedback)
 

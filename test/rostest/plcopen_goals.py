@@ -1,5 +1,6 @@
 """The PLCopen rules that goals have to hold, each by itself and all of a round together, and the truth of what succeeded;
 doc/plcopen.md numbers them. Times are the stamps of the node's own messages."""
+import bisect
 import math
 
 import rospy
@@ -146,6 +147,7 @@ class Round:
         # A set_output that is at_once has no turn; of one that came without an id nobody knows here.
         self._queued = [r for r in records if r.block in QUEUED_BLOCKS and r.results
                         and not (r.block == "set_output" and getattr(r.goal, "at_once", True))]
+        self._ends = sorted(r.end[0] for r in self._queued if _begin(r))
         self.compared = 0  # ends that the truth of the simulator could be asked about
 
     def faults(self):
@@ -172,7 +174,7 @@ class Round:
 
     def _lies(self):
         """Ends that say that the robot stands, or where, against what the simulator itself says."""
-        spans = [(_begin(r) or r.sent, r.end[0]) for r in self._queued if r.end[1] != GoalStatus.REJECTED]
+        spans = [(self._may_move_from(r), r.end[0]) for r in self._queued if r.end[1] != GoalStatus.REJECTED]
         for record in self._records:
             stamp, state, _ = record.end
             if not _stands(record.goal, state):
@@ -193,6 +195,14 @@ class Round:
                 found = [math.degrees(j) for j in joints]
                 yield f"{record} succeeded, and the robot is at {found}, not at {target}; {self._around(stamp)}"
 
+    def _may_move_from(self, record):
+        """A command is told of behind its script: the robot may move for it as soon as the one in front of it has ended."""
+        told = _begin(record)
+        if told is None:
+            return record.sent
+        place = bisect.bisect_right(self._ends, told)
+        return max(record.sent, self._ends[place - 1]) if place else record.sent
+
     def _around(self, stamp):
         """What went on about then, for whoever has to understand a fault."""
         told = []
@@ -210,7 +220,6 @@ def _begin(record):
     """When it was its turn; None if that never came."""
     if getattr(record.goal, "check_only", False):
         return None
-    # The feedback comes when the command is already on its way: the robot may move before it.
     told = [stamp for stamp, f in record.feedback if getattr(f, "place_in_queue", 0) == 0]
     return min([*told[:1], *([record.accepted] if record.accepted else [])], default=None)
 

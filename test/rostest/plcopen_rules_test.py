@@ -198,6 +198,15 @@ class GoalRulesTest(unittest.TestCase):
         whole = plcopen_goals.Round([done, behind], [(rospy.Time(t), HOME, 1.0) for t in (1, 3, 4)])
         self.assert_found("", whole.faults())
 
+    def test_knows_that_a_command_is_told_of_behind_its_script(self):
+        done = record("a", to_joints(*HOME), 1, 2, GoalStatus.SUCCEEDED)
+        behind = record("b", to_joints(*HOME), 3.5, 6, GoalStatus.SUCCEEDED)
+        for sent, words in ((1.5, ""), (3.2, "moves")):
+            with self.subTest(sent=sent):
+                behind.sent = rospy.Time(sent)
+                whole = plcopen_goals.Round([done, behind], [(rospy.Time(t), HOME, 1.0) for t in (1, 2.5, 3)])
+                self.assert_found(words, whole.faults())
+
     def test_finds_outputs_that_do_not_show_the_last_end(self):
         ended = record("a", to_joints(*HOME), 1, 2, GoalStatus.SUCCEEDED)
         self.assert_found("R4", plcopen_goals.shown_faults([ended], status(move_absolute=ERROR)))
