@@ -38,19 +38,45 @@ class Latest:
         self._changed = threading.Condition()
         self.message = None
         self._messages = collections.deque(maxlen=1000)
+        self._count = 0  # of all that came
         self._subscriber = rospy.Subscriber(topic, kind, self._take, queue_size=100)
 
     def _take(self, message):
         with self._changed:
             self.message = message
             self._messages.append(message)
+            self._count += 1
             self._changed.notify_all()
 
-    def wait_for(self, condition, what):
+    def forget(self):
+        """What came until now."""
         with self._changed:
-            if not self._changed.wait_for(lambda: self.message is not None and condition(self.message), DEADLINE):
-                raise AssertionError(f"{what} did not come within {DEADLINE} s; the last message:\n{self.message}")
-            return self.message
+            self.message = None
+            self._messages.clear()
+
+    def wait_for(self, condition, what):
+        """The newest one that fulfils it, or one of those that come: several may come before this thread is woken."""
+        with self._changed:
+            seen = self._count - bool(self._messages)
+
+            def find():
+                nonlocal seen
+                news = list(self._messages)[seen - self._count:] if seen < self._count else []
+                seen = self._count
+                return next((m for m in news if condition(m)), None)
+
+            return self._await(find, what)
+
+    def wait_for_any(self, condition, what):
+        """The first one that fulfils it of all that came or will come: of events, the newest hides those before it."""
+        with self._changed:
+            return self._await(lambda: next((m for m in self._messages if condition(m)), None), what)
+
+    def _await(self, find, what):
+        found = self._changed.wait_for(find, DEADLINE)
+        if found is None:
+            raise AssertionError(f"{what} did not come within {DEADLINE} s; the last message:\n{self.message}")
+        return found
 
     def all(self):
         with self._changed:
@@ -116,7 +142,10 @@ class Sent:
         return next(f for f in self.feedback[first:] if condition(f))
 
     def cancel(self):
-        self.handle.cancel()
+        """Unless it has ended: the client would forget its end and wait for another one."""
+        with self.handle.comm_state_machine.mutex:
+            if not self.ended():
+                self.handle.cancel()
 
     def finish(self):
         """(final state, result)"""

@@ -42,19 +42,19 @@ class GoalsThatWaitForAFrame(OwnRobotTestCase):
         wait_until(lambda: goals.get_num_connections() and cancels.get_num_connections(), "the action server")
 
         cancels.publish(GoalID(id="early"))
-        statuses.wait_for(lambda m: any(s.goal_id.id == "early" for s in m.status_list), "the cancel")
+        statuses.wait_for_any(lambda m: any(s.goal_id.id == "early" for s in m.status_list), "the cancel")
         goals.publish(MoveRelativeActionGoal(goal_id=GoalID(id="early"), goal=relative(0, 0, 1)))
         self.assert_says_why(results, "early", "cancelled by its id before it came")
 
         now = rospy.Time.now()
         cancels.publish(GoalID(id="marker", stamp=now))
-        statuses.wait_for(lambda m: any(s.goal_id.id == "marker" for s in m.status_list), "the cancel")
+        statuses.wait_for_any(lambda m: any(s.goal_id.id == "marker" for s in m.status_list), "the cancel")
         old = GoalID(id="old", stamp=now - rospy.Duration(1))
         goals.publish(MoveRelativeActionGoal(goal_id=old, goal=relative(0, 0, 1)))
         self.assert_says_why(results, "old", "cancelled before it came: a cancel took away all goals")
 
     def assert_says_why(self, results, goal_id, words):
-        result = results.wait_for(lambda m: m.status.goal_id.id == goal_id, "the result")
+        result = results.wait_for_any(lambda m: m.status.goal_id.id == goal_id, "the result")
         self.assertEqual(result.status.status, GoalStatus.RECALLED)
         self.assertIn(words, result.result.error_description)
         self.assertIn("new goal", result.result.remedy)

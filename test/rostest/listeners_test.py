@@ -53,7 +53,7 @@ class WhoBeginsToListen(unittest.TestCase):
         results = Latest("program_control/result", ProgramControlActionResult)
         wait_until(goals.get_num_connections, "the action server")
         goals.publish(ProgramControlActionGoal(goal=ProgramControlGoal(command=-1)))
-        results.wait_for(lambda m: m.status.status == GoalStatus.REJECTED, "the result")
+        results.wait_for_any(lambda m: m.status.status == GoalStatus.REJECTED, "the result")
         ended = [s.status for s in first("program_control/status", GoalStatusArray).status_list]
         self.assertEqual(ended, [GoalStatus.REJECTED])
         wait_until(lambda: not first("program_control/status", GoalStatusArray).status_list, "nothing of a goal long gone")

@@ -40,19 +40,26 @@ class Planning(CobotTestCase):
         self.assertIn("while it was planned", result.error_description)
 
     def test_takes_no_more_checks_than_may_wait(self):
-        # One that takes long, and the others behind it: no more at a time than actionlib's own queues hold.
-        self.set_project_speed(5)  # of 1 mm/s: it is planned for as long as it may
+        # Each takes long, as one in front may be given up while the others are sent. No more at a time than actionlib's own
+        # queues hold.
+        self.set_project_speed(5)  # of 1 mm/s: each is planned for as long as it may
         self.addCleanup(self.set_project_speed, 100)
-        checks = [self.robot.send(sequence(*slow_lines(200))).wait_until_known()]
-        while len(checks) < 64:
-            burst = [self.robot.send(sequence(*slow_lines(1))) for _ in range(9)]
+        checks = []
+        while not any(self.was_refused(check) for check in checks):
+            self.assertLess(len(checks), 100)
+            burst = [self.robot.send(sequence(*slow_lines(200))) for _ in range(8)]
             checks += [check.wait_until_known() for check in burst]
-        self.assert_rejected(self.robot.run(sequence(*slow_lines(1))), 0x216)
+        self.assertGreater(sum(not self.was_refused(check) for check in checks), 60)
         self.assert_rejected(self.robot.run(slow_lines(1, check_only=True)[0]), 0x216)
         for check in checks:
             check.cancel()
         for check in checks:
-            self.assertEqual(check.finish()[0], GoalStatus.RECALLED)
+            state, result = check.finish()
+            self.assertTrue(state == GoalStatus.RECALLED or result.error_id in (0x216, 0x20C), (state, result))
+
+    @staticmethod
+    def was_refused(check):
+        return check.ended() and check.finish()[1].error_id == 0x216
 
     def test_of_a_cycle_is_ended_with_its_goal(self):
         steps = [step(line) for line in slow_lines(50)]
@@ -125,14 +132,15 @@ class Planning(CobotTestCase):
     def test_records_the_frames_of_each_port_on_a_topic_of_its_own(self):
         status_frames = Latest("status_frames", FrameTrace)
         status_frames.wait_for(lambda m: True, "a frame of the status port")
+        self.frames.forget()
         self.assert_done(self.robot.run(relative(0, 0, 1, 0, 0, 0)))
-        self.frames.wait_for(lambda m: "complete" in m.meaning, "the tag of the motion")
+        self.frames.wait_for_any(lambda m: "complete" in m.meaning, "the tag of the motion")
         self.assertEqual({m.channel for m in status_frames.all()}, {FrameTrace.STATUS})
         self.assertEqual({m.channel for m in self.frames.all()}, {FrameTrace.SCRIPT})
 
     # --- check_only.
     def test_checks_without_sending_anything(self):
-        self.frames.message = None
+        self.frames.forget()
         for goal in (to_joints(*ELSEWHERE, check_only=True), relative(0, 0, 50, 0, 0, 0, check_only=True),
                      circle((450, 0, 500, 180, 0, 90), POSE, check_only=True)):
             with self.subTest(type(goal).__name__):
@@ -144,7 +152,7 @@ class Planning(CobotTestCase):
                 self.assertEqual([p.time_from_start for p in path.points],
                                  sorted(p.time_from_start for p in path.points))
                 self.assertAlmostEqual(path.points[-1].time_from_start.to_sec(), result.planned_duration.to_sec(), 6)
-        self.assertNotIn("script", (self.frames.message.meaning if self.frames.message else ""))
+        self.assertFalse([m.meaning for m in self.frames.all() if "script" in m.meaning])
         self.robot.wait_for_standstill()
 
     def test_checks_behind_what_is_under_way(self):
