@@ -14,7 +14,6 @@ namespace {
 
 /// [kg mm^2], as the tool of change_tcp.
 constexpr double kMaxInertia = 1e9;
-constexpr double kMm2PerM2 = 1e6;
 constexpr const char* kSixNumbers = "finite numbers of -100000 to 100000 mm and deg";
 
 /// One entry and what stands around it.

@@ -2,12 +2,11 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/common/units.h"
 #include "cobot_command/tables/table_text.h"
 
 namespace cobot_command::tables {
 namespace {
-
-constexpr double kMm2PerM2 = 1e6;
 
 /// To 1e-9, which is far above what the way into SI and back rounds away, and without zeros at its end.
 std::string toText(double number) {

@@ -18,4 +18,7 @@ inline constexpr double kPi = 3.14159265358979323846;
   return metres * 1e3;
 }
 
+/// Of moments of inertia [kg mm^2], in as many kg m^2.
+inline constexpr double kMm2PerM2 = 1e6;
+
 }  // namespace cobot_command

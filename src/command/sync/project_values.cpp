@@ -3,6 +3,7 @@
 #include <array>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::command {
 namespace {

@@ -13,9 +13,6 @@
 
 namespace cobot_command::command {
 
-/// Of moments of inertia, which the controller has in kg mm^2.
-inline constexpr double kMm2PerM2 = 1e6;
-
 struct ProjectValues {
   std::map<std::string, arm::Pose> tcps;   ///< in the flange
   std::map<std::string, arm::Pose> bases;  ///< in the robot base

@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/common/units.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
 
-constexpr double kMm2PerM2 = 1e6;
 /// As files have them: what the way into SI and back rounds away is not shown.
 constexpr double kShownPerUnit = 1e9;
 
