@@ -30,7 +30,8 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
       paths_(parts.paths, desk_, parts.actions),
       turns_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, std::move(ports.frames)),
       pause_({parts.paths, window_, parts.robot, parts.actions,
-              [&keeper = parts.keeper] { return keeper.objectionsToATry(); }}),
+              [&keeper = parts.keeper] { return keeper.objectionsToATry(); },
+              [&guard = parts.guard] { guard.resumed(); }}),
       feedrate_({parts.paths, paths_, pause_, window_, parts.forecast, parts.robot}),
       speed_({parts.speed, pause_, paths_, window_, parts.robot,
               [this] { return mayBeMovedByUs() || parts_.robot.moving().value_or(false); },
@@ -181,7 +182,6 @@ void Arbiter::settleBeside(Instant now) {
         isError(ended.block, ended.outcome.error_id, blocks::motion_error::kReceiveReply);
     if (got_no_reply && ended.stops_unanswered) unanswered = toString(ended.block);
     pause_.ended(ended);
-    interruption_.ended(ended);
     if (ended.goal != 0) parts_.board.end(ended.block, ended.goal, ended.outcome);
   }
   if (unanswered != nullptr) {

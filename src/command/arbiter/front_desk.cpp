@@ -90,7 +90,6 @@ void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant 
   if (rejected(id, goal, failures)) return;
   const blocks::Command command = *rules.command();
   parts_.board.accept(command.block, id, command.traits.command_id);
-  if (traits.resumes) parts_.permit.resumes(id);
   desks_.window.sendBeside(command, id, now);
   if (traits.halts || traits.resumes) pause_.sentFor(id, traits.halts);
 }

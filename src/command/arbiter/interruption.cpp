@@ -40,10 +40,6 @@ void Interruption::stopWithout(Instant now) {
   turns_.stopAll(kWhy, desks_.queue.newest(), now);
 }
 
-void Interruption::ended(const CommandWindow::Ended& ended) {
-  parts_.permit.ended(ended.goal, ended.outcome.ending == blocks::Ending::Done);
-}
-
 /// A stop that leaves a run behind it, of a goal that takes over, has emptied nothing.
 void Interruption::proceed() {
   const bool is_empty = turns_.run() == nullptr && desks_.queue.empty();

@@ -20,8 +20,6 @@ class Interruption {
   void look(Instant now);
   /// A stop has taken what there was.
   void stopConfirmed() { is_stopped_ = true; }
-  /// What was sent beside has ended.
-  void ended(const CommandWindow::Ended& ended);
   /// Once, at the end of an event.
   void proceed();
 

@@ -33,8 +33,4 @@ std::string MotionPermit::text() const {
                      : "interrupted: " + why;
 }
 
-void MotionPermit::ended(blocks::GoalId goal, bool is_done) {
-  if (resuming_.erase(goal) != 0 && is_done) guard_.resumed();
-}
-
 }  // namespace cobot_command::command

@@ -2,7 +2,6 @@
 // sync.
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,7 @@ namespace cobot_command::command {
 class MotionPermit {
  public:
   /// All have to live longer.
-  MotionPermit(const ExchangeDesk& exchange, const SyncDesk& sync, SyncGuard& guard)
+  MotionPermit(const ExchangeDesk& exchange, const SyncDesk& sync, const SyncGuard& guard)
       : exchange_(exchange), sync_(sync), guard_(guard) {}
 
   /// Against a goal as it comes.
@@ -29,15 +28,10 @@ class MotionPermit {
   /// Why motions that wait do not begin. Precondition: interrupts().
   [[nodiscard]] std::string text() const;
 
-  // --- RESUME.
-  void resumes(blocks::GoalId goal) { resuming_.insert(goal); }
-  void ended(blocks::GoalId goal, bool is_done);
-
  private:
   const ExchangeDesk& exchange_;
   const SyncDesk& sync_;
-  SyncGuard& guard_;
-  std::set<blocks::GoalId> resuming_;  ///< that have no answer yet
+  const SyncGuard& guard_;
 };
 
 }  // namespace cobot_command::command

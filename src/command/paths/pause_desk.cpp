@@ -91,7 +91,9 @@ void PauseDesk::pauseForGood(Instant now) {
 void PauseDesk::goalEnded(bool pauses) {
   others_pause_ = pauses;
   others_seen_ = false;
-  if (!pauses && stands()) letGoByOthers();
+  if (pauses) return;
+  if (stands()) letGoByOthers();
+  core_.resumed();
 }
 
 void PauseDesk::endedForGood(const CommandWindow::Ended& ended) {

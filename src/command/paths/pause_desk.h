@@ -28,6 +28,8 @@ class PauseDesk {
     std::vector<Action>& actions;
     /// Why nothing can be sent to the controller.
     std::function<std::vector<blocks::Failure>()> objections;
+    /// A client has let the project go on, and the controller has taken it.
+    std::function<void()> resumed;
   };
   explicit PauseDesk(Core core) : core_(std::move(core)) {}
 
