@@ -81,6 +81,7 @@ void SyncDesk::begin(const ExchangeRules& rules, const blocks::ExchangeSettings&
 
 void SyncDesk::change(const blocks::ExchangeSettings& settings) {
   settings_ = settings;
+  tell();
 }
 
 void SyncDesk::end() {
@@ -110,11 +111,13 @@ std::optional<Instant> SyncDesk::nextDeadline() const {
 
 void SyncDesk::look(Instant now) {
   if (!is_active_) return;
-  while (const auto result = line_.takeResult()) take(*result, now);
+  while (const auto result = line_.takeResult()) {
+    take(*result, now);
+    tell();
+  }
   const bool are_others = &compared_.entries() != &core_.tables.store().tables().entries();
   if (are_others && !line_.isReading()) ask_at_ = now;
   if (ask_at_ && now >= *ask_at_ && line_.isFree()) ask(now);
-  tell();
 }
 
 void SyncDesk::ask(Instant now) {
@@ -129,6 +132,7 @@ void SyncDesk::ask(Instant now) {
   ask_at_ = is_any_named ? std::optional(now + rules_.sync_period) : std::nullopt;
   if (reads.empty()) {
     takeValues({}, now);
+    tell();
   } else {
     line_.read(std::move(reads), now);
   }
@@ -174,7 +178,7 @@ void SyncDesk::takeValues(const std::vector<robot::ReadValue>& values, Instant n
   is_judged_ = true;
   for (const Kind kind : kKinds) {
     if (look_.changed.of(kind) != 0) changed_.of(kind) = look_.changed.of(kind);
-    if (look_.differences.of(kind).empty()) unwritten_.of(kind).clear();
+    if (look_.isInSync(kind)) unwritten_.of(kind).clear();
   }
   carryOut(now);
 }
@@ -218,7 +222,7 @@ void SyncDesk::noteUnread(const script::AttributeRead& read, const std::string& 
 // --- What is so.
 
 bool SyncDesk::isSetInSync(Kind kind) const {
-  return look_.differences.of(kind).empty() && unread_.of(kind).empty();
+  return look_.isInSync(kind) && unread_.of(kind).empty();
 }
 
 blocks::DataSets SyncDesk::controllersHalf() const {
@@ -244,7 +248,9 @@ std::string SyncDesk::reasonOf(Kind kind) const {
   const auto add = [&reason](const std::string& text) {
     if (!text.empty()) reason += (reason.empty() ? "" : "; ") + text;
   };
-  for (const std::string& difference : look_.differences.of(kind)) add(difference);
+  for (const auto& [which, difference] : look_.differences) {
+    if (which.first == kind) add(difference);
+  }
   add(unread_.of(kind));
   add(unwritten_.of(kind));
   return reason;
@@ -268,8 +274,8 @@ std::string SyncDesk::differencesIn(const tables::Use& use) const {
   std::string text;
   const auto add = [&](Kind kind, const std::vector<int>& indices) {
     for (const int index : std::set<int>(indices.begin(), indices.end())) {
-      const auto found = look_.differing.find({kind, index});
-      if (found != look_.differing.end()) text += (text.empty() ? "" : "; ") + found->second;
+      const auto found = look_.differences.find({kind, index});
+      if (found != look_.differences.end()) text += (text.empty() ? "" : "; ") + found->second;
     }
   };
   add(Kind::Tool, use.tools);
@@ -320,8 +326,7 @@ void SyncDesk::tell() {
 
 /// Once, until it is so no more.
 void SyncDesk::tellInfo(Kind kind) {
-  const bool is_so =
-      is_judged_ && !flagOf(settings_.data_enable_sync, kind) && !look_.differences.of(kind).empty();
+  const bool is_so = is_judged_ && !flagOf(settings_.data_enable_sync, kind) && !look_.isInSync(kind);
   if (is_so && !told_infos_.of(kind)) {
     core_.actions.emplace_back(
         LogMessage{Severity::Info,

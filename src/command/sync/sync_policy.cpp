@@ -91,6 +91,11 @@ std::optional<std::string> faultIn(const ExchangeRules& rules) {
   return fault ? fault : faultIn("loads", rules.sync.loads);
 }
 
+bool SyncLook::isInSync(tables::Kind kind) const {
+  return std::none_of(differences.begin(), differences.end(),
+                      [kind](const auto& difference) { return difference.first.first == kind; });
+}
+
 void SyncPolicy::begin(const ExchangeRules& rules) {
   rules_ = rules;
   memory_.clear();
@@ -141,8 +146,7 @@ void SyncPolicy::lookAt(ComparedEntry entry, tables::DataTables& ours, const Pro
     now.has_begun = true;
   } else {
     now.winner = winnerOf(entry, before, theirs_changed);
-    look.differing[{entry.kind, entry.index}] = entry.difference();
-    look.differences.of(entry.kind).push_back(entry.difference());
+    look.differences[{entry.kind, entry.index}] = entry.difference();
     if (now.winner == Winner::Conflict) look.conflicts.of(entry.kind) = true;
     const bool may_change = !is_used(entry.kind, entry.index);
     now.is_asked_for = may_change && now.winner == Winner::Ours;

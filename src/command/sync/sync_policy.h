@@ -18,8 +18,10 @@ namespace cobot_command::command {
 
 /// What one look has shown, and what is to be done.
 struct SyncLook {
-  std::map<std::pair<tables::Kind, int>, std::string> differing;  ///< each entry, in words
-  BySet<std::vector<std::string>> differences;                    ///< in words; none: in sync
+  [[nodiscard]] bool isInSync(tables::Kind kind) const;
+
+  /// Of each entry that is not in sync, in words; by set and number.
+  std::map<std::pair<tables::Kind, int>, std::string> differences;
   BySet<bool> conflicts;                            ///< both sides have changed an entry: nobody wins
   BySet<int> changed;                               ///< an index that the controller's side changed; 0: none
   BySet<bool> is_written;                           ///< of that set something is for_project

@@ -65,7 +65,7 @@ TEST_F(SyncPolicyTest, doesNotTakeAFrameForChangedWhoseReferenceWasTaken) {
   frame(1, "cell", 100);
   frame(2, "table", 50, 1);
   theirs.bases = {{"cell", at(100, 0)}, {"table", at(150, 0)}};
-  EXPECT_TRUE(look().differences.frames.empty());
+  EXPECT_TRUE(look().isInSync(Kind::Frame));
   theirs.bases["cell"] = at(110, 0);
   const SyncLook changed = look();
   take(changed);
@@ -88,8 +88,8 @@ TEST_F(SyncPolicyTest, writesNothingWhereTwoEntriesGiveOneNameDifferentValues) {
   theirs.tcps = {{"gripper", at(0, 150)}};
   const SyncLook shown = look();
   EXPECT_TRUE(shown.for_project.empty());
-  ASSERT_EQ(shown.differences.tools.size(), 2U);
-  EXPECT_NE(shown.differences.tools[0].find("tool 4"), std::string::npos) << shown.differences.tools[0];
+  ASSERT_EQ(shown.differences.size(), 2U);
+  EXPECT_NE(shown.differences.at({Kind::Tool, 3}).find("tool 4"), std::string::npos);
 }
 
 TEST_F(SyncPolicyTest, comparesTheCentreOfALoadInItsToolWhereverThatIs) {
@@ -100,8 +100,8 @@ TEST_F(SyncPolicyTest, comparesTheCentreOfALoadInItsToolWhereverThatIs) {
   theirs.burdens["gripper"].mass = 2;
   theirs.burdens["gripper"].centre = at(0, -150);
   const SyncLook shown = look();
-  EXPECT_EQ(shown.differences.tools.size(), 1U);
-  EXPECT_TRUE(shown.differences.loads.empty()) << shown.differences.loads.front();
+  EXPECT_EQ(shown.differences.count({Kind::Tool, 3}), 1U);
+  EXPECT_TRUE(shown.isInSync(Kind::Load)) << shown.differences.at({Kind::Load, 1});
   EXPECT_EQ(shown.for_project.size(), 1U);
 }
 
@@ -114,7 +114,7 @@ TEST_F(SyncPolicyTest, knowsWhatWasWrittenForNobodyElsesChange) {
   theirs.tcps = {{"gripper", at(0, 150)}};
   const SyncLook then = look();
   EXPECT_EQ(then.changed.tools, 0);
-  EXPECT_TRUE(then.differences.tools.empty());
+  EXPECT_TRUE(then.isInSync(Kind::Tool));
 }
 
 }  // namespace
