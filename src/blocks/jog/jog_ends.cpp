@@ -1,22 +1,9 @@
 #include "jog/jog_ends.h"
 
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/refusal_failure.h"
 
 namespace cobot_command::blocks {
-
-JogEnd jogEndOf(motion::Refusal::Reason reason) {
-  using Reason = motion::Refusal::Reason;
-  switch (reason) {
-    case Reason::JointLimit:
-      return JogEnd::JointLimit;
-    case Reason::JointSpeed:
-      return JogEnd::JointSpeed;
-    case Reason::Singular:
-      return JogEnd::Singularity;
-    default:
-      return JogEnd::Reach;
-  }
-}
 
 JogEnd jogEndOf(int error_id) {
   switch (error_id) {
@@ -31,6 +18,12 @@ JogEnd jogEndOf(int error_id) {
     default:
       return JogEnd::None;
   }
+}
+
+/// What nothing better is known of is as far as the arm can go.
+JogEnd jogEndOf(const motion::Refusal& obstacle) {
+  const JogEnd end = jogEndOf(toFailure(obstacle).error_id);
+  return end == JogEnd::None ? JogEnd::Reach : end;
 }
 
 const char* wayOutOf(JogEnd end) {

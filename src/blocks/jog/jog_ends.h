@@ -6,8 +6,9 @@
 
 namespace cobot_command::blocks {
 
-[[nodiscard]] JogEnd jogEndOf(motion::Refusal::Reason reason);
-/// The same of a move that could not be planned; None: it is refused for what is not in the way.
+/// Of what a plan has found.
+[[nodiscard]] JogEnd jogEndOf(const motion::Refusal& obstacle);
+/// Of a move that could not be planned; None: it is refused for what is not in the way.
 [[nodiscard]] JogEnd jogEndOf(int error_id);
 /// What to do.
 [[nodiscard]] const char* wayOutOf(JogEnd end);

@@ -186,18 +186,21 @@ double JogPlan::driveAt(const arm::JointVector& joints, double last) const {
   return (angle + 2 * kPi * std::round((expected - angle) / (2 * kPi))) / angular.norm();
 }
 
-/// Without where on one look that is, and without what a plan would advise.
 std::string JogPlan::obstacleText() const {
-  std::string text = obstacle->message;
-  const std::string of_the_way = "of the way ";
-  const auto place = text.find(of_the_way);
-  if (text.rfind("at ", 0) == 0 && place != std::string::npos) {
-    text = "at " + text.substr(place + of_the_way.size());
+  using Reason = motion::Refusal::Reason;
+  const int joint = obstacle->joint;
+  if (obstacle->reason == Reason::JointLimit && joint >= 0) {
+    const arm::JointLimit& limits = arm->limits()[static_cast<std::size_t>(joint)];
+    return fmt::format("J{} comes to its limit, {:.6g} to {:.6g} deg", joint + 1, radToDeg(limits.lower),
+                       radToDeg(limits.upper));
   }
-  const auto advice = text.find(": choose");
-  if (advice != std::string::npos) text.erase(advice);
-  if (obstacle->reason == motion::Refusal::Reason::JointLimit) return text;
-  return text + "; " + nearestSingularity(*arm, rest);
+  const std::string nearest = nearestSingularity(*arm, rest);
+  if (obstacle->reason == Reason::JointSpeed && joint >= 0) {
+    return fmt::format("J{} would be faster than rated; {}", joint + 1, nearest);
+  }
+  const char* const what = obstacle->reason == Reason::Singular ? "the way runs into a singularity"
+                                                                : "the way leaves the reach of the arm";
+  return fmt::format("{}; {}", what, nearest);
 }
 
 double JogPlan::wayOf(double drive) const {

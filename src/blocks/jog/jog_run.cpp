@@ -164,7 +164,7 @@ void JogRun::endAtTheObstacle() {
   } else if (!plan_->obstacle) {
     endBy(JogEnd::Longest, -1, "ten minutes are over, which is as far as it was planned: send it again");
   } else {
-    const JogEnd end = jogEndOf(plan_->obstacle->reason);
+    const JogEnd end = jogEndOf(*plan_->obstacle);
     endBy(end, plan_->obstacle->joint,
           fmt::format("{}; the arm stands before that: {}", plan_->obstacleText(), wayOutOf(end)));
   }
