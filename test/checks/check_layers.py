@@ -32,7 +32,7 @@ ALLOWED = {
     "ros/kinematics": {"common", "capabilities", "arm", "tables", "kinematics"},
     "ros/robot_data": {"common", "capabilities", "arm", "link"},
     "ros/files": {"common", "arm", "path", "blocks"},
-    "ros/dynamics": {"common", "arm", "blocks", "command"},
+    "ros/dynamics": {"common", "capabilities", "arm", "blocks", "command"},
     "ros/exchange": {"common", "blocks", "command"},
     "ros/messages": {"common", "command"},
     "ros/paths": {"common", "arm", "path", "blocks", "command"},

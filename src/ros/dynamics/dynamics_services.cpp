@@ -1,35 +1,18 @@
 #include "dynamics/dynamics_services.h"
 
-#include <chrono>
 #include <string>
 #include <utility>
 
+#include "shared/core_answer.h"
+
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/capabilities/functions.h"
 #include "cobot_command/common/units.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
 
-/// Far more than a controller takes that works. Meanwhile no other callback is served.
-constexpr std::chrono::milliseconds kPatience(500);
-
-constexpr const char* kClosed = "the command layer is shutting down";
-constexpr const char* kBusy = "the command layer is busy, and has not answered yet: ask again";
 constexpr const char* kNoModelText = "no model of the arm is known: nothing is planned";
-
-/// Nothing: it has not come, and `why` says why not.
-template <class Answer>
-std::optional<Answer> answerTo(std::optional<std::future<Answer>> asked, std::string& why,
-                               const char* busy = kBusy) {
-  if (!asked) {
-    why = kClosed;
-  } else if (asked->wait_for(kPatience) != std::future_status::ready) {
-    why = busy;
-  } else {
-    return asked->get();
-  }
-  return std::nullopt;
-}
 
 std::optional<double> toDefault(double value) {
   return value < 0 ? std::nullopt : std::optional(value);
@@ -67,17 +50,6 @@ arm::JointVector toRadians(const Six& degrees) {
   return radians;
 }
 
-/// The message stays as it is, when the core has not answered.
-template <class Response>
-bool take(Response& response, const std::optional<command::DynamicsAnswer>& answer) {
-  if (answer) {
-    response.success = static_cast<std::uint8_t>(answer->success);
-    response.error_id = answer->error_id;
-    response.message = answer->message;
-  }
-  return true;
-}
-
 }  // namespace
 
 DynamicsServices::DynamicsServices(const ros::NodeHandle& node, Core core) : core_(std::move(core)) {
@@ -94,19 +66,17 @@ DynamicsServices::DynamicsServices(const ros::NodeHandle& node, Core core) : cor
 
 bool DynamicsServices::changeSpeedOverride(cobot_command::ChangeSpeedOverride::Request& request,
                                            cobot_command::ChangeSpeedOverride::Response& response) {
-  const auto answer = answerTo(core_.set_override(request.percent), response.message,
+  const auto answer = answerOf(core_.set_override(request.percent), response.message,
                                "asked for; the controller has not confirmed it yet: group_state tells it");
   if (!answer) return true;
-  response.success = static_cast<std::uint8_t>(answer->success);
-  response.error_id = answer->error_id;
-  response.message = answer->message;
+  fill(response, *answer);
   response.effective = answer->effective;
   return true;
 }
 
 bool DynamicsServices::readReference(cobot_command::ReadReferenceDynamics::Request& /*request*/,
                                      cobot_command::ReadReferenceDynamics::Response& response) {
-  const auto answer = answerTo(core_.reference(), response.message);
+  const auto answer = answerOf(core_.reference(), response.message);
   if (!answer) return true;
   response.success = static_cast<std::uint8_t>(answer->has_value());
   if (!*answer) {
@@ -122,7 +92,7 @@ bool DynamicsServices::readReference(cobot_command::ReadReferenceDynamics::Reque
 
 bool DynamicsServices::writeReference(cobot_command::WriteReferenceDynamics::Request& /*request*/,
                                       cobot_command::WriteReferenceDynamics::Response& response) {
-  response.error_id = command::dynamics_error::kNotSupported;
+  response.error_id = capabilities::kNotOffered;
   response.message =
       "what 100 % are of is the controller's, and cannot be written: change_speed_override, or "
       "write_default_dynamics";
@@ -131,7 +101,7 @@ bool DynamicsServices::writeReference(cobot_command::WriteReferenceDynamics::Req
 
 bool DynamicsServices::readDefaults(cobot_command::ReadDefaultDynamics::Request& /*request*/,
                                     cobot_command::ReadDefaultDynamics::Response& response) {
-  const auto answer = answerTo(core_.defaults(), response.message);
+  const auto answer = answerOf(core_.defaults(), response.message);
   response.success = static_cast<std::uint8_t>(answer.has_value());
   if (answer) response.defaults = toMessage(*answer);
   return true;
@@ -139,12 +109,14 @@ bool DynamicsServices::readDefaults(cobot_command::ReadDefaultDynamics::Request&
 
 bool DynamicsServices::writeDefaults(cobot_command::WriteDefaultDynamics::Request& request,
                                      cobot_command::WriteDefaultDynamics::Response& response) {
-  return take(response, answerTo(core_.write_defaults(toDefaults(request.defaults)), response.message));
+  const auto answer = answerOf(core_.write_defaults(toDefaults(request.defaults)), response.message);
+  if (answer) fill(response, *answer);
+  return true;
 }
 
 bool DynamicsServices::readLimits(cobot_command::ReadSoftwareLimits::Request& /*request*/,
                                   cobot_command::ReadSoftwareLimits::Response& response) {
-  const auto answer = answerTo(core_.limits(), response.message);
+  const auto answer = answerOf(core_.limits(), response.message);
   if (!answer) return true;
   response.success = static_cast<std::uint8_t>(answer->has_value());
   if (!*answer) {
@@ -162,7 +134,9 @@ bool DynamicsServices::readLimits(cobot_command::ReadSoftwareLimits::Request& /*
 bool DynamicsServices::writeLimits(cobot_command::WriteSoftwareLimits::Request& request,
                                    cobot_command::WriteSoftwareLimits::Response& response) {
   const command::SoftwareLimits limits{toRadians(request.lower), toRadians(request.upper)};
-  return take(response, answerTo(core_.write_limits(limits), response.message));
+  const auto answer = answerOf(core_.write_limits(limits), response.message);
+  if (answer) fill(response, *answer);
+  return true;
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "shared/core_answer.h"
 #include <fmt/format.h>
 
 #include "cobot_command/Message.h"
@@ -13,13 +14,8 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-/// Far more than the core takes that works. Meanwhile no other callback is served.
-constexpr std::chrono::milliseconds kPatience(500);
 constexpr std::uint32_t kQueueSize = 100;
 constexpr int kSeverityRange = 0x8D51;
-
-constexpr const char* kClosed = "the command layer is shutting down";
-constexpr const char* kBusy = "the command layer is busy, and has not answered yet: ask again";
 
 Instant steadyNow() {
   return Instant(std::chrono::steady_clock::now().time_since_epoch());
@@ -45,19 +41,6 @@ std::vector<cobot_command::Message> toMessages(const std::vector<command::Messag
   std::transform(all.begin(), all.end(), std::back_inserter(messages),
                  [&](const command::Message& one) { return toMessage(one, clocks); });
   return messages;
-}
-
-/// Nothing: `why` says why not.
-template <typename Answer>
-std::optional<Answer> answerOf(std::optional<std::future<Answer>> answer, std::string& why) {
-  if (!answer) {
-    why = kClosed;
-  } else if (answer->wait_for(kPatience) != std::future_status::ready) {
-    why = kBusy;
-  } else {
-    return answer->get();
-  }
-  return std::nullopt;
 }
 
 }  // namespace

@@ -1,23 +1,13 @@
 #include "paths/path_services.h"
 
-#include <chrono>
 #include <utility>
+
+#include "shared/core_answer.h"
 
 #include "cobot_command/TrackingState.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
-
-/// Far more than a controller takes that works. Meanwhile no other callback is served.
-constexpr std::chrono::milliseconds kPatience(500);
-
-constexpr const char* kClosed = "the command layer is shutting down";
-
-command::FeedrateAnswer notAnswered(const char* why) {
-  command::FeedrateAnswer answer;
-  answer.message = why;
-  return answer;
-}
 
 cobot_command::TrackingState toMessage(const path::TrackingObjects& objects) {
   cobot_command::TrackingState message;
@@ -47,32 +37,26 @@ void PathServices::take(const path::PathControls& controls) {
 
 bool PathServices::setTracking(cobot_command::SetTracking::Request& request,
                                cobot_command::SetTracking::Response& response) {
-  auto answer = core_.tracking({request.object, request.enabled != 0, request.automatic != 0});
-  if (!answer) {
-    response.message = kClosed;
-  } else if (answer->wait_for(kPatience) != std::future_status::ready) {
-    response.message = "the command layer is busy, and has not answered yet: see tracking_state";
-  } else {
-    const auto refusal = answer->get();
-    response.success = static_cast<std::uint8_t>(!refusal);
-    response.message = refusal.value_or("");
-  }
+  const auto refusal =
+      answerOf(core_.tracking({request.object, request.enabled != 0, request.automatic != 0}),
+               response.message, "the command layer is busy, and has not answered yet: see tracking_state");
+  if (!refusal) return true;
+  response.success = static_cast<std::uint8_t>(!*refusal);
+  response.message = refusal->value_or("");
   return true;
 }
 
 command::FeedrateAnswer PathServices::asked(const command::FeedrateRequest& request) {
-  auto answer = core_.feedrate(request);
-  if (!answer) return notAnswered(kClosed);
-  if (answer->wait_for(kPatience) == std::future_status::ready) return answer->get();
-  return notAnswered("asked for; the controller has not confirmed it yet");
+  command::FeedrateAnswer none;
+  const auto answer =
+      answerOf(core_.feedrate(request), none.message, "asked for; the controller has not confirmed it yet");
+  return answer.value_or(none);
 }
 
 bool PathServices::setFeedrate(cobot_command::SetFeedrate::Request& request,
                                cobot_command::SetFeedrate::Response& response) {
   const command::FeedrateAnswer answer = asked({request.percent, request.restart != 0});
-  response.success = static_cast<std::uint8_t>(answer.success);
-  response.error_id = answer.error_id;
-  response.message = answer.message;
+  fill(response, answer);
   response.effective = answer.effective;
   response.from_point = answer.from_point;
   return true;

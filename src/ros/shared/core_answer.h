@@ -1,0 +1,39 @@
+// What the core answers to a service: waited for on ROS's spinner, and put into the response.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <future>
+#include <optional>
+#include <string>
+
+namespace cobot_command::ros_adapter {
+
+/// Far more than a core, and a controller, take that work. Meanwhile no other callback is served.
+inline constexpr std::chrono::milliseconds kCorePatience(500);
+inline constexpr const char* kCoreClosed = "the command layer is shutting down";
+inline constexpr const char* kCoreBusy = "the command layer is busy, and has not answered yet: ask again";
+
+/// Nothing: it has not come, and `why` says why not. `busy`: in place of what is told of one that takes too
+/// long.
+template <class Answer>
+[[nodiscard]] std::optional<Answer> answerOf(std::optional<std::future<Answer>> asked, std::string& why,
+                                             const char* busy = kCoreBusy) {
+  try {
+    if (asked && asked->wait_for(kCorePatience) == std::future_status::ready) return asked->get();
+    why = asked ? busy : kCoreClosed;
+  } catch (const std::future_error&) {  // it was closed before it came to it
+    why = kCoreClosed;
+  }
+  return std::nullopt;
+}
+
+/// What all services have whose answers have it.
+template <class Response, class Answer>
+void fill(Response& response, const Answer& answer) {
+  response.success = static_cast<std::uint8_t>(answer.success);
+  response.error_id = answer.error_id;
+  response.message = answer.message;
+}
+
+}  // namespace cobot_command::ros_adapter
