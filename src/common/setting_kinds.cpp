@@ -194,4 +194,18 @@ SettingKind text(std::string& value, const TextRule& rule) {
   return written<std::string>(value, rule.allowed, read, orEmptyShown);
 }
 
+SettingKind texts(std::vector<std::string>& value, const std::string& allowed) {
+  SettingKind kind;
+  kind.form = Form::Texts;
+  kind.type = allowed;
+  kind.take = [&value](const Given& given) -> std::optional<std::string> {
+    auto found = textsIn(given);
+    if (!found) return found.error();
+    value = *std::move(found);
+    return std::nullopt;
+  };
+  kind.show = [] { return std::string("none"); };
+  return kind;
+}
+
 }  // namespace cobot_command::setting_kinds

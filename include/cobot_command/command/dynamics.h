@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/types.h"
 
 namespace cobot_command::command {
@@ -13,7 +14,6 @@ namespace cobot_command::command {
 namespace dynamics_error {
 inline constexpr int kDefaultDynamics = 0x8D07;    ///< a default that is out of its range
 inline constexpr int kReferenceDynamics = 0x8D25;  ///< there are none: no model of the arm is known
-inline constexpr int kNotSupported = 0x8F11;
 inline constexpr int kLimitsInvalid = 0x8D15;
 inline constexpr int kLimitsWhileMoving = 0x8C53;
 inline constexpr int kOutsideLimits = 0x8C54;
@@ -31,6 +31,10 @@ struct SoftwareLimits {
   arm::JointVector lower = arm::JointVector::Zero();  ///< [rad]
   arm::JointVector upper = arm::JointVector::Zero();  ///< [rad]
 };
+
+[[nodiscard]] SoftwareLimits limitsOf(const arm::ArmModel& arm);
+/// Of the first joint that is wrong, in words: they have to be within those of the model.
+[[nodiscard]] std::optional<std::string> faultIn(const SoftwareLimits& limits, const SoftwareLimits& model);
 
 struct DynamicsAnswer {
   bool success = false;  ///< false: nothing has changed

@@ -38,6 +38,8 @@ struct TextRule {
 [[nodiscard]] TextRule oneOf(const std::vector<std::string>& words);
 [[nodiscard]] TextRule orEmpty(TextRule rule);
 [[nodiscard]] SettingKind text(std::string& value, const TextRule& rule = anyText());
+/// A list of texts, from the start none; who takes them says what each may be.
+[[nodiscard]] SettingKind texts(std::vector<std::string>& value, const std::string& allowed);
 
 /// A value that is written as a text: `read` makes it of one or says what is wrong, `show` is the way back.
 template <class Value>

@@ -16,6 +16,8 @@ namespace {
 /// Of degrees that were made radians and back [rad].
 constexpr double kRounding = 1e-6;
 
+}  // namespace
+
 SoftwareLimits limitsOf(const arm::ArmModel& arm) {
   SoftwareLimits limits;
   for (std::size_t i = 0; i < arm::kJointCount; ++i) {
@@ -25,8 +27,7 @@ SoftwareLimits limitsOf(const arm::ArmModel& arm) {
   return limits;
 }
 
-/// Of the first joint that is wrong; empty: they may be.
-std::string faultIn(const SoftwareLimits& limits, const SoftwareLimits& model) {
+std::optional<std::string> faultIn(const SoftwareLimits& limits, const SoftwareLimits& model) {
   for (Eigen::Index i = 0; i < limits.lower.size(); ++i) {
     const double lower = limits.lower[i];
     const double upper = limits.upper[i];
@@ -37,10 +38,8 @@ std::string faultIn(const SoftwareLimits& limits, const SoftwareLimits& model) {
         "one, and both within those of the model, {:.6g} to {:.6g} deg",
         i + 1, radToDeg(lower), radToDeg(upper), radToDeg(model.lower[i]), radToDeg(model.upper[i]));
   }
-  return "";
+  return std::nullopt;
 }
-
-}  // namespace
 
 std::optional<LimitsReport> LimitsDesk::limits() const {
   if (forecast_.arm() == nullptr) return std::nullopt;
@@ -55,8 +54,8 @@ DynamicsAnswer LimitsDesk::write(const SoftwareLimits& limits, bool under_way) {
             "can be limited"};
   }
   const SoftwareLimits model = limitsOf(*arm);
-  if (const std::string fault = faultIn(limits, model); !fault.empty()) {
-    return {false, dynamics_error::kLimitsInvalid, fault + "; the limits before rule on"};
+  if (const auto fault = faultIn(limits, model)) {
+    return {false, dynamics_error::kLimitsInvalid, *fault + "; the limits before rule on"};
   }
   if (under_way || robot_.moving().value_or(false)) {
     return {false, dynamics_error::kLimitsWhileMoving,

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/command/command_core.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/setting_kinds.h"
 #include "cobot_command/common/units.h"
@@ -50,35 +49,24 @@ bool takeLimits(std::string_view text, command::SoftwareLimits& limits) {
 }  // namespace
 
 Setting limitsRow(std::vector<std::string>& texts) {
-  SettingKind kind;
-  kind.form = SettingKind::Form::Texts;
-  kind.type = kAllowed;
-  kind.take = [&texts](const Given& given) -> std::optional<std::string> {
-    auto found = setting_kinds::textsIn(given);
-    if (!found) return found.error();
-    texts = *std::move(found);
-    return std::nullopt;
-  };
-  kind.show = [] { return std::string("none"); };
-  return {kName, kind,
+  return {kName, setting_kinds::texts(texts, kAllowed),
           "narrower limits of joints, with which everything is planned from the start on; see "
           "doc/dynamics.md"};
 }
 
-/// What limits may be the core says: one that lives for this question.
 std::optional<SettingFault> readLimits(const std::vector<std::string>& texts, const arm::ArmModel* arm,
                                        std::optional<command::SoftwareLimits>& limits) {
   if (texts.empty()) return std::nullopt;
   if (arm == nullptr) {
     return SettingFault{kName, "is given, and there is no model of the arm", "none without a model"};
   }
-  command::CommandCore core(*arm, {});
-  command::SoftwareLimits wanted = core.limits()->model;
+  const command::SoftwareLimits model = command::limitsOf(*arm);
+  command::SoftwareLimits wanted = model;
   for (const std::string& text : texts) {
     if (!takeLimits(text, wanted)) return SettingFault{kName, "holds " + quoted(text), kAllowed};
   }
-  if (const auto answer = core.writeLimits(wanted, Instant()); !answer.success) {
-    return SettingFault{kName, "does not do: " + answer.message, kAllowed};
+  if (const auto fault = command::faultIn(wanted, model)) {
+    return SettingFault{kName, "does not do: " + *fault, kAllowed};
   }
   limits = wanted;
   return std::nullopt;

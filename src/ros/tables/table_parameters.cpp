@@ -17,20 +17,6 @@ using namespace setting_kinds;
 constexpr const char* kPlacedEntry = "N=NAME, N=X,Y,Z,RX,RY,RZ [mm, deg] or N=NAME:X,Y,Z,RX,RY,RZ";
 constexpr const char* kFileRule = "an absolute path without control characters";
 
-SettingKind entries(std::vector<std::string>& list, std::string type) {
-  SettingKind kind;
-  kind.form = SettingKind::Form::Texts;
-  kind.type = std::move(type);
-  kind.take = [&list](const Given& given) -> std::optional<std::string> {
-    auto texts = textsIn(given);
-    if (!texts) return texts.error();
-    list = *std::move(texts);
-    return std::nullopt;
-  };
-  kind.show = [] { return std::string("none"); };
-  return kind;
-}
-
 TextRule absolutePath() {
   return {kFileRule, [](const std::string& path) {
             return !path.empty() && path.front() == '/' && path.back() != '/' &&
@@ -58,12 +44,12 @@ SettingFault faultOfFile(const std::string& path, const std::string& why) {
 SettingTable tableRows(TableParameters& p) {
   const std::string placed = std::string("a list of texts ") + kPlacedEntry;
   return {
-      {"tools", entries(p.lists.tools, placed + ", each with @LOAD or without"),
+      {"tools", texts(p.lists.tools, placed + ", each with @LOAD or without"),
        "tools 1 to 15, until there is a ~tables_file; see doc/tables.md"},
-      {"frames", entries(p.lists.frames, placed + ", each with @REFERENCE or without"), "the same of frames"},
+      {"frames", texts(p.lists.frames, placed + ", each with @REFERENCE or without"), "the same of frames"},
       {"loads",
-       entries(p.lists.loads,
-               "a list of texts N=KG or N=KG,IXX,IYY,IZZ,X,Y,Z,RX,RY,RZ [kg mm^2; centre in mm, deg]"),
+       texts(p.lists.loads,
+             "a list of texts N=KG or N=KG,IXX,IYY,IZZ,X,Y,Z,RX,RY,RZ [kg mm^2; centre in mm, deg]"),
        "the same of loads"},
       {"tables_file", text(p.file, orEmpty(absolutePath())),
        "keeps tools, frames and loads that are written, so that the next start has them; made by the first "
