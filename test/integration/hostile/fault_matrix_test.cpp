@@ -6,11 +6,11 @@
 // says how many there are (1).
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <regex>
 #include <thread>
 
 #include "fault_rows.h"
+#include "thorough.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::hostile {
@@ -24,8 +24,7 @@ using blocks::Phase;
 using ::testing::Contains;
 
 unsigned seeds() {
-  const char* const value = std::getenv("COBOT_TEST_SEEDS");
-  return value == nullptr ? 1 : std::max(1U, static_cast<unsigned>(std::strtoul(value, nullptr, 10)));
+  return std::max(1U, testing::fromEnvironment("COBOT_TEST_SEEDS", 1));
 }
 
 /// For the stop block, and long enough for anything.

@@ -1,10 +1,10 @@
 // Random paths, and whatever may become of them, on a robot that carries them out: the rules hold.
 //
 // A failure prints its seed; COBOT_TEST_SEED chooses another.
-#include <cstdlib>
 #include <random>
 
 #include "path_goals.h"
+#include "thorough.h"
 
 #include "cobot_command/common/units.h"
 
@@ -153,8 +153,7 @@ class Walk {
 };
 
 void walk(Duration planning) {
-  const char* const given = std::getenv("COBOT_TEST_SEED");
-  const unsigned seed = given != nullptr ? static_cast<unsigned>(std::atoi(given)) : 20261123;
+  const unsigned seed = fromEnvironment("COBOT_TEST_SEED", 20261123);
   int done = 0;
   for (unsigned round = 0; round < 6 && !::testing::Test::HasFailure(); ++round) {
     SCOPED_TRACE("seed " + std::to_string(seed + round));

@@ -5,7 +5,6 @@
 // stream shows the robot in motion, everything ends, and the layer works afterwards. A failure prints its
 // seed; COBOT_TEST_SEED and COBOT_TEST_EVENTS choose others.
 
-#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -16,7 +15,9 @@
 #include "block_goals.h"
 #include "core_rig.h"
 #include "motion_goals.h"
+#include "random_goals.h"
 #include "status_frames.h"
+#include "thorough.h"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,11 +27,6 @@ namespace {
 using namespace blocks;
 using namespace command;
 using protocol::TagState;
-
-unsigned fromEnvironment(const char* name, unsigned fallback) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? fallback : static_cast<unsigned>(std::strtoul(value, nullptr, 10));
-}
 
 class Chaos {
  public:
@@ -45,17 +41,17 @@ class Chaos {
 
   void step() {
     static const std::vector<void (Chaos::*)()> kEvents = {
-        &Chaos::submitConnect, &Chaos::submitMove,    &Chaos::submitMove,    &Chaos::submitMove,
-        &Chaos::submitStop,    &Chaos::submitControl, &Chaos::submitBase,    &Chaos::submitCycle,
-        &Chaos::cancelAny,     &Chaos::openAny,       &Chaos::openAny,       &Chaos::failAny,
-        &Chaos::closeAny,      &Chaos::answerNode,    &Chaos::answerNode,    &Chaos::answerNode,
-        &Chaos::replyToScript, &Chaos::replyToScript, &Chaos::replyToScript, &Chaos::strangeReply,
-        &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::reportTag,     &Chaos::enterNode,
-        &Chaos::complain,      &Chaos::noise,         &Chaos::statusFrame,   &Chaos::statusFrame,
-        &Chaos::statusFrame,   &Chaos::shortTime,     &Chaos::shortTime,     &Chaos::longTime,
-        &Chaos::reportEarly,   &Chaos::reportEarly,   &Chaos::submitPath,    &Chaos::submitPath,
-        &Chaos::submitPath,    &Chaos::setFeedrate,   &Chaos::track,         &Chaos::finishAny,
-        &Chaos::setOverride};
+        &Chaos::submitConnect, &Chaos::submitMove,     &Chaos::submitMove,    &Chaos::submitMove,
+        &Chaos::submitStop,    &Chaos::submitControl,  &Chaos::submitBase,    &Chaos::submitCycle,
+        &Chaos::cancelAny,     &Chaos::openAny,        &Chaos::openAny,       &Chaos::failAny,
+        &Chaos::closeAny,      &Chaos::answerNode,     &Chaos::answerNode,    &Chaos::answerNode,
+        &Chaos::replyToScript, &Chaos::replyToScript,  &Chaos::replyToScript, &Chaos::strangeReply,
+        &Chaos::reportTag,     &Chaos::reportTag,      &Chaos::reportTag,     &Chaos::enterNode,
+        &Chaos::complain,      &Chaos::noise,          &Chaos::statusFrame,   &Chaos::statusFrame,
+        &Chaos::statusFrame,   &Chaos::shortTime,      &Chaos::shortTime,     &Chaos::longTime,
+        &Chaos::reportEarly,   &Chaos::reportEarly,    &Chaos::submitPath,    &Chaos::submitPath,
+        &Chaos::submitPath,    &Chaos::setFeedrate,    &Chaos::track,         &Chaos::finishAny,
+        &Chaos::setOverride,   &Chaos::submitExchange, &Chaos::updateExchange};
     (this->*kEvents[pick(kEvents.size())])();
     answerPlans(pick(3));
     collect();
@@ -71,8 +67,7 @@ class Chaos {
     answerPlans();
     collect();
     for (GoalId id = 1; id <= last_; ++id) EXPECT_NE(rig_.outcome(id), nullptr) << "goal " << id;
-    for (const auto& replies : feedrates_) EXPECT_EQ(*replies, 1) << "a feedrate is answered once";
-    for (const auto& replies : overrides_) EXPECT_EQ(*replies, 1) << "an override is answered once";
+    for (const auto& [what, replies] : requests_) EXPECT_EQ(*replies, 1) << what << " is answered once";
     rig_.discardSent();
     rig_.connect();
     rig_.status(StatusFrames());
@@ -153,42 +148,25 @@ class Chaos {
     if (pick(4) == 0) last_ = rig_.submit(StopGoal{});
   }
   void submitControl() { last_ = rig_.submit(ProgramControlGoal{0, static_cast<int>(pick(2))}); }
-  void submitBase() {
-    ChangeBaseGoal goal;
-    goal.buffer_mode = static_cast<int>(pick(3));
-    last_ = rig_.submit(goal);
-  }
+  void submitBase() { last_ = rig_.submit(goals_.base()); }
   void submitCycle() {
-    if (pick(8) != 0) return;
-    PickAndPlaceGoal goal;
-    PickAndPlaceStep step;
-    step.move = moveTo(0);
-    step.dwell = static_cast<double>(pick(2));
-    if (pick(2) == 0) step.output = SetOutputGoal{0, "EndModule", 0, 1};
-    goal.steps.assign(1 + pick(3), step);
-    if (pick(2) == 0) {  // all but the last are blended, which have nothing behind them
-      for (std::size_t i = 0; i + 1 < goal.steps.size(); ++i) {
-        goal.steps[i] = {step.move, std::nullopt, std::nullopt, 0};
-        goal.steps[i].move.blending_enable = true;
-      }
-    }
-    goal.cycles = static_cast<int>(pick(3));
-    goal.buffer_mode = static_cast<int>(pick(3));
-    last_ = rig_.submit(goal);
+    if (pick(8) == 0) last_ = rig_.submit(goals_.cycle(moveTo(0)));
   }
-  void submitPath() {
-    auto goal = good<LoadPathGoal>();
-    for (path::PathPoint& point : goal.path) point.termination_type = pick(3) == 0 ? 6 : 0;
-    goal.execution = static_cast<int>(pick(3));
-    goal.allow_approximation = pick(2) == 0;
-    goal.enable_tracking[0] = pick(6) == 0;
-    goal.buffer_mode = static_cast<int>(pick(3));
-    last_ = rig_.submit(goal);
+  void submitPath() { last_ = rig_.submit(goals_.path()); }
+  void submitExchange() {
+    if (pick(3) == 0) last_ = rig_.submit(goals_.exchange());
+  }
+  void updateExchange() {
+    static_cast<void>(rig_.core.updateExchange(goals_.settings(), rig_.now));
+    rig_.pass(0ms);
+  }
+  std::shared_ptr<int> request(const char* what) {
+    return requests_.emplace_back(what, std::make_shared<int>(0)).second;
   }
   void setFeedrate() {
     constexpr double kPercents[] = {0, 50, 80, 100, 125, 200};
     const auto percent = pick(3) == 0 ? std::nullopt : std::optional(kPercents[pick(std::size(kPercents))]);
-    const auto replies = feedrates_.emplace_back(std::make_shared<int>(0));
+    const auto replies = request("a feedrate");
     rig_.core.setFeedrate(
         {percent, pick(2) == 0}, [replies](const FeedrateAnswer&) { ++*replies; }, rig_.now);
     rig_.pass(0ms);
@@ -196,7 +174,7 @@ class Chaos {
   /// Seldom 0, which keeps everything back until the next one.
   void setOverride() {
     constexpr double kPercents[] = {0, 20, 50, 100, 100, 100, 101};
-    const auto replies = overrides_.emplace_back(std::make_shared<int>(0));
+    const auto replies = request("an override");
     rig_.core.setSpeedOverride(
         kPercents[pick(std::size(kPercents))], [replies](const OverrideAnswer&) { ++*replies; }, rig_.now);
     rig_.pass(0ms);
@@ -355,6 +333,7 @@ class Chaos {
 
   bool plans_;
   std::mt19937 random_;
+  RandomGoals goals_{[this](std::size_t count) { return pick(count); }};
   CoreRig rig_;
   GoalId last_ = 0;
   bool shows_motion_ = false;  ///< the last status frame
@@ -362,8 +341,7 @@ class Chaos {
   std::vector<std::string> scripts_;
   std::set<std::string> script_ids_;
   std::map<GoalId, Motion> motions_;
-  std::vector<std::shared_ptr<int>> feedrates_;  ///< how often each was answered
-  std::vector<std::shared_ptr<int>> overrides_;  ///< the same
+  std::vector<std::pair<const char*, std::shared_ptr<int>>> requests_;  ///< how often each was answered
 };
 
 /// The ends of all motions, by error id or minus the ending.

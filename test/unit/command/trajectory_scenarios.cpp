@@ -15,7 +15,6 @@ namespace {
 
 using namespace blocks;
 using namespace command;
-using protocol::TagState;
 using Trajectory = FollowJointTrajectoryGoal;
 
 Row row(int id) {
@@ -75,42 +74,12 @@ Scenarios goalScenarios() {
   };
 }
 
-/// One that was sent; `fault` gets the rig and the script id.
-Scenario until(const std::function<void(CoreRig&, const std::string&)>& fault) {
-  return [=] {
-    Ready rig;
-    const GoalId id = rig.submit(good<Trajectory>());
-    fault(rig, rig.takeScript().id);
-    return endOf(rig, id);
-  };
-}
-
-Scenario overdue(const std::function<void(CoreRig&)>& answer) {
-  return until([=](CoreRig& rig, const std::string& id) {
-    rig.reply(id);
-    for (float turned = 2.5F; rig.nothingSent(); turned = std::min(10.0F, turned + 2.5F)) {
-      rig.pass(500ms);
-      rig.status(StatusFrames().at({turned, 0, 90, 0, 90, 0}).moving());
-    }
-    rig.takeTagQuery();
-    answer(rig);
-  });
+Scenario until(const WireFault& fault) {
+  return scenarioOf(good<Trajectory>(), fault);
 }
 
 Scenarios wireScenarios() {
   return {
-      {row(motion_error::kReceiveReply), until([](auto& rig, const auto&) { rig.pass(1s); })},
-      {row(motion_error::kRejected), until([](auto& rig, const auto& id) { rig.reply(id, false, {1}); })},
-      {row(motion_error::kLinkDropped), until(lose)},
-      {row(own_error::kCommunication), until([](auto& rig, const auto&) {
-         rig.say(protocol::CommunicationError{protocol::CommunicationErrorCode::Checksum});
-       })},
-      {row(motion_error::kReceiveTag), overdue([](CoreRig& rig) { rig.pass(1s); })},
-      {row(motion_error::kMotionFailed), overdue([](CoreRig& rig) {
-         rig.status(StatusFrames().at({10, 0, 90, 0, 90, 0}));
-         rig.tag(1, TagState::Incomplete);
-       })},
-      {row(own_error::kTagLost), overdue([](CoreRig& rig) { rig.tag(1, TagState::Unknown); })},
       {row(own_error::kGoalTolerance), until([](CoreRig& rig, const std::string& id) {
          rig.reply(id);
          rig.tag(1);
@@ -118,9 +87,6 @@ Scenarios wireScenarios() {
            rig.status(StatusFrames().at({1, 0, 90, 0, 90, 0}));
            rig.pass(500ms);
          }
-       })},
-      {row(own_error::kStoppedElsewhere), until([](CoreRig& rig, const std::string& id) {
-         standAt({3, 0, 90, 0, 90, 0}, rig, id);
        })},
       {row(own_error::kPathTolerance), until([](CoreRig& rig, const std::string& id) {
          rig.reply(id);
@@ -136,6 +102,7 @@ Scenarios wireScenarios() {
 Scenarios trajectoryScenarios() {
   Scenarios all = goalScenarios();
   all.merge(wireScenarios());
+  all.merge(wireScenariosOfATurn(good<Trajectory>(), 10));
   return all;
 }
 

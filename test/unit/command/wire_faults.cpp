@@ -38,4 +38,52 @@ void standAt(const std::vector<float>& joints_deg, CoreRig& rig, const std::stri
   rig.tag(1, protocol::TagState::Unknown);
 }
 
+Scenario scenarioOf(const blocks::Goal& goal, const WireFault& fault) {
+  return [=] {
+    CoreRig rig(*arm::ArmModel::named("tm5-900"), link::LinkSettings{});
+    rig.connect();
+    rig.status(StatusFrames());
+    const blocks::GoalId id = rig.submit(goal);
+    fault(rig, rig.takeScript().id);
+    return endOf(rig, id);
+  };
+}
+
+Scenarios wireScenariosOfATurn(const blocks::Goal& goal, float end) {
+  using namespace blocks;
+  const auto row = [&](int id) { return Row{blockOf(goal), ownErrorId(blockOf(goal), id)}; };
+  const auto overdue = [=](const std::function<void(CoreRig&)>& answer) {
+    return scenarioOf(goal, [=](CoreRig& rig, const std::string& id) {
+      rig.reply(id);
+      for (float turned = 2.5F; rig.nothingSent(); turned = std::min(end, turned + 2.5F)) {
+        rig.pass(500ms);
+        rig.status(StatusFrames().at({turned, 0, 90, 0, 90, 0}).moving());
+      }
+      rig.takeTagQuery();
+      answer(rig);
+    });
+  };
+  return {
+      {row(motion_error::kReceiveReply), scenarioOf(goal, [](auto& rig, const auto&) { rig.pass(1s); })},
+      {row(motion_error::kRejected),
+       scenarioOf(goal, [](auto& rig, const auto& id) { rig.reply(id, false, {1}); })},
+      {row(motion_error::kLinkDropped), scenarioOf(goal, lose)},
+      {row(own_error::kCommunication),
+       scenarioOf(goal,
+                  [](auto& rig, const auto&) {
+                    rig.say(protocol::CommunicationError{protocol::CommunicationErrorCode::Checksum});
+                  })},
+      {row(motion_error::kReceiveTag), overdue([](CoreRig& rig) { rig.pass(1s); })},
+      {row(motion_error::kMotionFailed), overdue([end](CoreRig& rig) {
+         rig.status(StatusFrames().at({end, 0, 90, 0, 90, 0}));
+         rig.tag(1, protocol::TagState::Incomplete);
+       })},
+      {row(own_error::kTagLost), overdue([](CoreRig& rig) { rig.tag(1, protocol::TagState::Unknown); })},
+      {row(own_error::kStoppedElsewhere), scenarioOf(goal,
+                                                     [](CoreRig& rig, const std::string& id) {
+                                                       standAt({3, 0, 90, 0, 90, 0}, rig, id);
+                                                     })},
+  };
+}
+
 }  // namespace cobot_command::testing

@@ -1,9 +1,11 @@
 // How a goal ends, and what controller and wire do to a command that was sent, for scenarios of any block.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "catalogue_scenarios.h"
 #include "core_rig.h"
 
 namespace cobot_command::testing {
@@ -18,5 +20,11 @@ void lose(CoreRig& rig, const std::string& script_id);
 void tellTheEndTooEarly(CoreRig& rig, const std::string& script_id);
 /// The robot comes to rest at these joints, which are not its target, and its tag is unknown.
 void standAt(const std::vector<float>& joints_deg, CoreRig& rig, const std::string& script_id);
+
+/// A goal of a TM5-900 that stands at 0 0 90 0 90 0 degrees; what becomes of it when it was sent.
+using WireFault = std::function<void(CoreRig& rig, const std::string& script_id)>;
+[[nodiscard]] Scenario scenarioOf(const blocks::Goal& goal, const WireFault& fault);
+/// Such a goal that turns joint 1 to `end` degrees, with all that wire and robot may do to it on its way.
+[[nodiscard]] Scenarios wireScenariosOfATurn(const blocks::Goal& goal, float end);
 
 }  // namespace cobot_command::testing

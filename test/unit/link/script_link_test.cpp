@@ -1,15 +1,12 @@
-// The script link, row by row of its table, with the events that fire them.
-
-#include "cobot_command/link/script_link.h"
+// What the script link makes of answers, of those that are missing, and of exits. Its table:
+// script_link_rows_test.cpp.
 
 #include <functional>
 #include <map>
 
-#include "recording_wire.h"
+#include "script_link_fixture.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "cobot_command/protocol/status_items.h"
 
 namespace cobot_command::link {
 namespace {
@@ -18,169 +15,6 @@ using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 using State = ScriptLinkState;
 using Event = ScriptLinkEvent;
-using protocol::CommunicationError;
-using protocol::CommunicationErrorCode;
-using protocol::ListenNodeEntered;
-using protocol::ListenNodeState;
-
-class ScriptLinkTest : public ::testing::Test {
- protected:
-  void say(const protocol::ControllerMessage& message) { receive(protocol::encode(message)); }
-  void receive(const std::string& bytes) {
-    link.received(bytes);
-    drain();
-  }
-  void drain() {
-    while (auto output = link.next(now)) outputs.push_back(*output);
-  }
-  template <class Output>
-  std::vector<Output> all() const {
-    std::vector<Output> found;
-    for (const auto& output : outputs) {
-      if (const auto* wanted = std::get_if<Output>(&output)) found.push_back(*wanted);
-    }
-    return found;
-  }
-  void advanceToDeadline() {
-    now = std::max(now, *link.nextDeadline());
-    link.advance(now);
-    drain();
-  }
-
-  /// Brings a fresh link to a state, as a controller would.
-  void bringTo(State state) {
-    if (state == State::Disconnected) return;
-    link.start("robot", 5890, now);
-    if (state == State::BackingOff) link.openFailed({OpenFailure::Kind::Refused, "refused"}, now);
-    if (state == State::BackingOff || state == State::Connecting) return drain();
-    link.opened(now);
-    if (state == State::Probing) return drain();
-    say(ListenNodeState{state != State::NotListening, "Listen1"});
-    if (state == State::Leaving) link.exitAccepted(now);
-    drain();
-    outputs.clear();
-  }
-
-  /// Makes an event happen from the outside.
-  void make(Event event) {
-    switch (event) {
-      case Event::Start:
-        link.start("robot", 5890, now);
-        break;
-      case Event::RetryDue:
-      case Event::NoAnswer:
-        for (int i = 0; i < 5 && link.nextDeadline() && link.state() == before; ++i) advanceToDeadline();
-        break;
-      case Event::Opened:
-        link.opened(now);
-        break;
-      case Event::OpenFailed:
-        link.openFailed({OpenFailure::Kind::TimedOut, "timed out"}, now);
-        break;
-      case Event::AnsweredTrue:
-      case Event::AnsweredFalse:
-        askedAgain();
-        say(ListenNodeState{event == Event::AnsweredTrue, "Listen2"});
-        break;
-      case Event::NodeEntered:
-        say(ListenNodeEntered{"Listen3"});
-        break;
-      case Event::NodeLeft:
-        say(CommunicationError{CommunicationErrorCode::NotListening});
-        break;
-      case Event::ExitAccepted:
-        link.exitAccepted(now);
-        break;
-      case Event::StillListening:
-        for (int i = 0; i < 3; ++i) {
-          askedAgain();
-          say(ListenNodeState{true, "Listen2"});
-        }
-        break;
-      case Event::ForeignPeer:
-        receive(protocol::encode(protocol::StatusFrame{"0", 1, ""}));
-        break;
-      case Event::Closed:
-        link.closed("gone", now);
-        break;
-      case Event::Stop:
-        link.stop(now);
-        break;
-    }
-    drain();
-  }
-  void askedAgain() {
-    const std::size_t sent = wire.sent.size();
-    if (before == State::Probing) return;
-    for (int i = 0; i < 3 && link.nextDeadline() && wire.sent.size() == sent; ++i) advanceToDeadline();
-  }
-
-  testing::RecordingWire wire;
-  LinkSettings settings;
-  ScriptLink link{settings, wire};
-  Instant now{100s};
-  State before = State::Disconnected;
-  std::vector<ScriptLinkOutput> outputs;
-};
-
-struct Case {
-  State state;
-  Event event;
-};
-
-class ScriptLinkRows : public ScriptLinkTest, public ::testing::WithParamInterface<Case> {};
-
-TEST_P(ScriptLinkRows, isFollowed) {
-  const auto row = *findTransition<ScriptLinkTable>(GetParam().state, GetParam().event);
-  bringTo(row.from);
-  ASSERT_EQ(link.state(), row.from);
-  before = row.from;
-  make(row.event);
-  EXPECT_EQ(link.state(), row.to);
-  EXPECT_EQ(all<LinkLost>().size(), row.action == ScriptLinkAction::Lose ? 1u : 0u);
-  EXPECT_EQ(link.nextDeadline().has_value(), row.to != State::Disconnected && row.to != State::Connecting);
-  EXPECT_FALSE(link.diagnosis().empty());
-  const bool down = row.to == State::BackingOff || row.to == State::Disconnected;
-  const bool by_peer = row.event == Event::Closed || row.event == Event::OpenFailed;
-  const bool had_connection = row.from != State::BackingOff && !by_peer;
-  EXPECT_EQ(wire.closed.size(), down && had_connection ? 1u : 0u);
-}
-
-std::vector<Case> listedPairs() {
-  std::vector<Case> cases;
-  for (const auto& row : ScriptLinkTable::kRows) cases.push_back({row.from, row.event});
-  return cases;
-}
-INSTANTIATE_TEST_SUITE_P(Table, ScriptLinkRows, ::testing::ValuesIn(listedPairs()));
-
-class UnlistedPairs : public ScriptLinkTest, public ::testing::WithParamInterface<Case> {};
-
-TEST_P(UnlistedPairs, changeNothing) {
-  ASSERT_FALSE(findTransition<ScriptLinkTable>(GetParam().state, GetParam().event));
-  bringTo(GetParam().state);
-  outputs.clear();
-  const std::size_t sent = wire.sent.size();
-  const std::size_t opened = wire.opened.size();
-  before = GetParam().state;
-  make(GetParam().event);
-  EXPECT_EQ(link.state(), GetParam().state);
-  EXPECT_EQ(wire.sent.size(), sent);
-  EXPECT_EQ(wire.opened.size(), opened);
-  EXPECT_TRUE(wire.closed.empty());
-  EXPECT_TRUE(all<LinkLost>().empty());
-}
-
-// Those that can be brought about from outside; the others never come to the table.
-INSTANTIATE_TEST_SUITE_P(
-    Table, UnlistedPairs,
-    ::testing::Values(Case{State::Disconnected, Event::Stop}, Case{State::BackingOff, Event::Start},
-                      Case{State::BackingOff, Event::ExitAccepted}, Case{State::Probing, Event::Start},
-                      Case{State::Probing, Event::Opened}, Case{State::Probing, Event::NodeLeft},
-                      Case{State::NotListening, Event::ExitAccepted},
-                      Case{State::NotListening, Event::ForeignPeer},
-                      Case{State::Leaving, Event::ExitAccepted}, Case{State::Leaving, Event::ForeignPeer},
-                      Case{State::Ready, Event::Start}, Case{State::Ready, Event::Opened},
-                      Case{State::Ready, Event::ForeignPeer}));
 
 TEST_F(ScriptLinkTest, asksForTheListenNodeAsSoonAsItIsConnected) {
   bringTo(State::Probing);
