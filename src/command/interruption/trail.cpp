@@ -1,0 +1,143 @@
+#include "interruption/trail.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace cobot_command::command {
+namespace {
+
+/// So much further than its plan says the robot may have come between two frames.
+constexpr double kFaster = 1.5;
+constexpr Duration kAhead = std::chrono::milliseconds(300);
+constexpr Duration kStep = std::chrono::milliseconds(10);
+
+/// What is left of the lines, in place of all of them.
+blocks::Command withLines(blocks::Command command, std::vector<script::ScriptCommand> left) {
+  command.order = [whole = std::move(command.order), left = std::move(left)](const arm::Pose& base) {
+    blocks::Order order = whole(base);
+    order.lines.clear();
+    for (const script::ScriptCommand& line : left) order.lines.push_back(script::toText(line));
+    order.commands = left;
+    return order;
+  };
+  return command;
+}
+
+}  // namespace
+
+void Trail::sent(const blocks::Command& command, const CommandOrder& order,
+                 const robot::ActiveFrames& frames) {
+  Step step;
+  step.command = command;
+  step.goal = order.goal;
+  const blocks::Order at_full_speed = command.order(frames.base.value_or(arm::Pose::Identity()));
+  step.has_own_flow = at_full_speed.has_exit || at_full_speed.pauses || at_full_speed.lets_go ||
+                      at_full_speed.is_open_ended || !at_full_speed.commands;
+  step.lines.commands = at_full_speed.commands.value_or(std::vector<script::ScriptCommand>());
+  if (order.plan) step.lines.motions = order.plan->motions;
+  step.lines.start.base = frames.base;
+  step.lines.start.tcp = frames.tcp;
+  steps_.push_back(std::move(step));
+}
+
+void Trail::ended(blocks::GoalId goal, blocks::CommandKey key, bool with_tag) {
+  const auto step = std::find_if(steps_.begin(), steps_.end(), [&](const Step& s) {
+    return !s.ended && s.goal == goal && s.command.key == key;
+  });
+  if (step == steps_.end()) return;
+  if (with_tag) {
+    drop(static_cast<std::size_t>(step - steps_.begin()) + 1);
+  } else {
+    step->ended = true;
+  }
+}
+
+void Trail::drop(std::size_t steps) {
+  steps_.erase(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(steps));
+  if (place_.step < steps)
+    place_ = Place();
+  else
+    place_.step -= steps;
+}
+
+// --- Where the robot is.
+
+const motion::Trajectory* Trail::motionAt(const Place& place) const {
+  const auto& motions = steps_[place.step].lines.motions;
+  return place.on_lines.motion < motions.size() ? motions[place.on_lines.motion].get() : nullptr;
+}
+
+bool Trail::goToMotion(Place& place) const {
+  while (place.step < steps_.size()) {
+    if (motionAt(place) != nullptr) return true;
+    place = {place.step + 1, {}};
+  }
+  return false;
+}
+
+void Trail::see(const arm::JointVector& joints, Instant now) {
+  const Duration since = seen_at_ ? now - *seen_at_ : Duration::zero();
+  seen_at_ = now;
+  Place at = place_;
+  if (!goToMotion(at)) return;
+  Duration ahead = kAhead + std::chrono::duration_cast<Duration>(since * kFaster);
+  double nearest = std::numeric_limits<double>::infinity();
+  while (ahead >= Duration::zero() && goToMotion(at)) {
+    const motion::Trajectory& motion = *motionAt(at);
+    const double away = (motion.at(at.on_lines.time).position - joints).cwiseAbs().maxCoeff();
+    if (away < nearest) {
+      nearest = away;
+      place_ = at;
+    }
+    if (at.on_lines.time >= motion.duration()) {
+      at.on_lines = {at.on_lines.motion + 1, Duration::zero()};
+    } else {
+      at.on_lines.time = std::min(at.on_lines.time + kStep, motion.duration());
+    }
+    ahead -= kStep;
+  }
+}
+
+// --- What is left.
+
+std::optional<std::string> Trail::objection() const {
+  for (std::size_t i = place_.step; i < steps_.size(); ++i) {
+    const Step& step = steps_[i];
+    if (step.has_own_flow) {
+      return fmt::format("{} has lines that cannot be taken up again", toString(step.command.block));
+    }
+    if (auto why = planning::whyNotResumable(step.lines)) {
+      return fmt::format("{}: {}", toString(step.command.block), *why);
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Left> Trail::left(const arm::ArmModel& arm) const {
+  std::vector<Left> left;
+  Place place = place_;
+  if (!goToMotion(place)) place = Place();
+  for (std::size_t i = place.step; i < steps_.size(); ++i) {
+    const Step& step = steps_[i];
+    Left next{step.command, step.ended ? 0 : step.goal, std::nullopt};
+    std::size_t motion = 0;
+    if (i == place.step) {
+      auto rest = planning::restOf(step.lines, place.on_lines, arm);
+      if (rest.empty()) continue;
+      motion = place.on_lines.motion;
+      next.command = withLines(std::move(next.command), std::move(rest));
+    }
+    if (motion < step.lines.motions.size()) {
+      next.segment_end = step.lines.motions[motion]->end().position;
+    }
+    left.push_back(std::move(next));
+  }
+  return left;
+}
+
+}  // namespace cobot_command::command

@@ -1,0 +1,69 @@
+// What went out for goals since the robot stood last, as it lies in the controller's queue, and how far the
+// robot is on it: by the joints of the status stream, which only ever go on. So what is left can be sent
+// again when it was taken from the controller, also of blended motions, whose goals have ended long before.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forecast/command_order.h"
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/blocks/shared/command.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/planning/script_rest.h"
+#include "cobot_command/robot/active_frames.h"
+
+namespace cobot_command::command {
+
+/// A command that is to be sent, as what the controller had of it is only the rest of it, or all.
+struct Left {
+  blocks::Command command;
+  blocks::GoalId goal = 0;                      ///< 0: nobody is told of it any more
+  std::optional<arm::JointVector> segment_end;  ///< of its first motion [rad]; none: it does not move the arm
+};
+
+class Trail {
+ public:
+  /// Behind all that is on it; `frames`: those that it is taken in.
+  void sent(const blocks::Command& command, const CommandOrder& order, const robot::ActiveFrames& frames);
+  /// It has ended for its goal. With a tag: so is all in front of it, and it itself, for the robot, too.
+  void ended(blocks::GoalId goal, blocks::CommandKey key, bool with_tag);
+  /// The robot stands, and there is nothing left in the controller's queue.
+  void clear() { steps_.clear(); }
+  [[nodiscard]] bool empty() const { return steps_.empty(); }
+
+  /// A status frame of now.
+  void see(const arm::JointVector& joints, Instant now);
+
+  /// Why it could not be taken up again; nothing: it can.
+  [[nodiscard]] std::optional<std::string> objection() const;
+  /// From where the robot was seen last. Precondition: objection() is nothing.
+  [[nodiscard]] std::vector<Left> left(const arm::ArmModel& arm) const;
+
+ private:
+  struct Step {
+    blocks::Command command;
+    blocks::GoalId goal = 0;
+    bool ended = false;
+    bool has_own_flow = false;  ///< it leaves the node, pauses, or lets go, by its own lines
+    planning::PlannedLines lines;
+    Instant since{};
+  };
+  /// Of all motions on it, in their order.
+  struct Place {
+    std::size_t step = 0;
+    planning::PlaceOnLines on_lines;
+  };
+  [[nodiscard]] const motion::Trajectory* motionAt(const Place& place) const;
+  /// The first motion from there on; its own one too. False: there is none.
+  [[nodiscard]] bool goToMotion(Place& place) const;
+  void drop(std::size_t steps);
+
+  std::vector<Step> steps_;
+  Place place_;
+  std::optional<Instant> seen_at_;
+};
+
+}  // namespace cobot_command::command
