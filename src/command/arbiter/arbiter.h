@@ -9,7 +9,6 @@
 #include "arbiter/core_parts.h"
 #include "arbiter/front_desk.h"
 #include "arbiter/goal_plans.h"
-#include "arbiter/goal_queue.h"
 #include "arbiter/interruption.h"
 #include "arbiter/stop_desk.h"
 #include "arbiter/turns.h"
@@ -17,6 +16,7 @@
 #include "forecast/plan_desk.h"
 #include "paths/feedrate_desk.h"
 #include "paths/pause_desk.h"
+#include "queue/goal_queue.h"
 #include "runs/command_window.h"
 #include "stops/stop_run.h"
 

@@ -13,7 +13,7 @@ namespace cobot_command::command {
 class FrontDesk {
  public:
   /// All have to live longer.
-  FrontDesk(const CoreParts& parts, const Turns::Desks& desks, Turns& turns, PauseDesk& pause)
+  FrontDesk(const CoreParts& parts, const ArbiterDesks& desks, Turns& turns, PauseDesk& pause)
       : parts_(parts), desks_(desks), turns_(turns), pause_(pause) {}
 
   /// Executes it, has it wait, or ends it.
@@ -32,7 +32,7 @@ class FrontDesk {
   bool rejected(blocks::GoalId id, const blocks::Goal& goal, const std::vector<blocks::Failure>& failures);
 
   CoreParts parts_;
-  Turns::Desks desks_;
+  ArbiterDesks desks_;
   Turns& turns_;
   PauseDesk& pause_;
 };

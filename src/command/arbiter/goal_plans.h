@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "arbiter/core_parts.h"
-#include "arbiter/goal_queue.h"
 #include "forecast/plan_desk.h"
+#include "queue/goal_queue.h"
 
 namespace cobot_command::command {
 

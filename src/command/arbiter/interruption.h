@@ -13,7 +13,7 @@ namespace cobot_command::command {
 class Interruption {
  public:
   /// All have to live longer.
-  Interruption(const CoreParts& parts, const Turns::Desks& desks, Turns& turns, PauseDesk& pause)
+  Interruption(const CoreParts& parts, const ArbiterDesks& desks, Turns& turns, PauseDesk& pause)
       : parts_(parts), desks_(desks), turns_(turns), pause_(pause) {}
 
   /// Behind each event, before anything begins.
@@ -31,7 +31,7 @@ class Interruption {
   void warn(std::string text);
 
   CoreParts parts_;
-  Turns::Desks desks_;
+  ArbiterDesks desks_;
   Turns& turns_;
   PauseDesk& pause_;
   bool is_stopped_ = false;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "arbiter/core_parts.h"
-#include "arbiter/goal_queue.h"
 #include "arbiter/stop_desk.h"
+#include "queue/goal_queue.h"
 #include "runs/command_window.h"
 
 #include "cobot_command/blocks/shared/goal_values.h"

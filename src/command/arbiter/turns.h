@@ -2,20 +2,18 @@
 // says. Blended motions end with their acceptance, so the next one goes out while they still run.
 #pragma once
 
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "arbiter/admission.h"
 #include "arbiter/core_parts.h"
 #include "arbiter/goal_plans.h"
-#include "arbiter/goal_queue.h"
-#include "arbiter/next_command.h"
 #include "arbiter/occupancy.h"
 #include "arbiter/stop_desk.h"
 #include "paths/path_turn.h"
+#include "queue/goal_queue.h"
 #include "runs/command_window.h"
+#include "sending/command_sender.h"
 
 #include "cobot_command/blocks/shared/finish_after.h"
 #include "cobot_command/blocks/shared/goal_values.h"
@@ -25,20 +23,11 @@ namespace cobot_command::command {
 
 class Turns {
  public:
-  /// What the arbiter is made of besides.
-  struct Desks {
-    PlanDesk& planning;
-    GoalQueue& queue;
-    GoalPlans& plans;
-    StopDesk& stops;
-    CommandWindow& window;
-    PathTurn& paths;
-  };
   /// All have to live longer. `frames`: see CommandCore.
-  Turns(const CoreParts& parts, const Desks& desks, blocks::FrameFinder frames);
+  Turns(const CoreParts& parts, const ArbiterDesks& desks, blocks::FrameFinder frames);
 
   /// The goal whose turn it is; nullptr: none.
-  [[nodiscard]] const blocks::Run* run() const { return run_.get(); }
+  [[nodiscard]] const blocks::Run* run() const { return under_way_.run.get(); }
   [[nodiscard]] const Occupancy& occupancy() const { return occupancy_; }
 
   /// Begins what can begin.
@@ -65,38 +54,22 @@ class Turns {
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
  private:
-  using Failures = std::vector<blocks::Failure>;
-
-  bool beginNext(Instant now);
-  bool joinNext(Instant now);
-  /// Nothing (false) as long as it is planned.
-  bool admitNext(Instant now);
-  /// Its plan, or that of its only command, is being made.
-  [[nodiscard]] bool isBeingPlanned(Waiting& first, Instant now);
-  void admit(Waiting next, Instant now);
-  void begin(const Waiting& next, const blocks::Outcome& found, Instant now);
-  void join(Waiting next, const blocks::Outcome& found, Instant now);
-  void beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> run, Instant now);
-  void refuseTurn(const Waiting& next, blocks::Outcome refusal);
   bool continueRun(Instant now);
   void interrupt(const std::string& why, Instant now);
   void cancelWindow(const std::string& why, Instant now);
   /// Its last command was blended and is done, but moves the robot still; the next one is not out yet.
   [[nodiscard]] bool isBetweenCommands() const;
   void stopBetweenCommands(const std::string& why, Instant now);
-  /// What was looked at in this event.
-  [[nodiscard]] std::optional<blocks::Failure> prepare(const blocks::Command& command, Instant now);
-  void send(Instant now);
   void endCommand(CommandWindow::Ended ended, Instant now);
   void tellRun();
   void endRun(Instant now);
 
   CoreParts parts_;
-  Desks desks_;
-  std::unique_ptr<blocks::Run> run_;
-  std::map<blocks::GoalId, tables::Hold> holds_;  ///< of its goals
+  ArbiterDesks desks_;
+  UnderWay under_way_;
   Occupancy occupancy_;
-  NextCommand next_;
+  CommandSender sender_;
+  Admission admission_;
   /// A cancel of it between two commands: the stop that it waits for, and why.
   struct Stopping {
     StopRun::Number stop = 0;

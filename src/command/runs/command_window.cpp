@@ -254,9 +254,16 @@ std::vector<std::pair<blocks::CommandKey, blocks::Progress>> CommandWindow::take
 
 CommandWindow::Ended CommandWindow::endOf(const CommandRun& run) {
   const CommandOrder& order = run.order();
-  const bool leaves_node = order.exits_afterwards && run.outcome().ending == blocks::Ending::Done;
-  return {order.block,           order.goal, order.key, order.command_id_ack, run.outcome(), leaves_node,
-          order.stops_unanswered};
+  Ended ended;
+  ended.block = order.block;
+  ended.goal = order.goal;
+  ended.key = order.key;
+  ended.command_id_ack = order.command_id_ack;
+  ended.outcome = run.outcome();
+  ended.has_tag = order.tag.has_value();
+  ended.leaves_node = order.exits_afterwards && run.outcome().ending == blocks::Ending::Done;
+  ended.stops_unanswered = order.stops_unanswered;
+  return ended;
 }
 
 void CommandWindow::takeAlong(std::list<Sent>::iterator failed, Instant now) {

@@ -29,6 +29,7 @@ class CommandWindow {
     blocks::CommandKey key = 0;
     int command_id_ack = 0;
     blocks::Outcome outcome;
+    bool has_tag = false;           ///< its end is that of its motions
     bool leaves_node = false;       ///< the node is to be left behind it, with a script of its own
     bool stops_unanswered = false;  ///< see blocks::Order
   };

@@ -1,4 +1,4 @@
-#include "arbiter/goal_queue.h"
+#include "queue/goal_queue.h"
 
 #include <iterator>
 #include <numeric>

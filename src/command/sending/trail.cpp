@@ -1,4 +1,4 @@
-#include "interruption/trail.h"
+#include "sending/trail.h"
 
 #include <algorithm>
 #include <chrono>
@@ -118,8 +118,8 @@ std::optional<std::string> Trail::objection() const {
   return std::nullopt;
 }
 
-std::vector<Left> Trail::left(const arm::ArmModel& arm) const {
-  std::vector<Left> left;
+std::deque<Left> Trail::left(const arm::ArmModel& arm) const {
+  std::deque<Left> left;
   Place place = place_;
   if (!goToMotion(place)) place = Place();
   for (std::size_t i = place.step; i < steps_.size(); ++i) {

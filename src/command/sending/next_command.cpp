@@ -1,4 +1,4 @@
-#include "arbiter/next_command.h"
+#include "sending/next_command.h"
 
 #include <utility>
 

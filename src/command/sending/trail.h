@@ -3,11 +3,13 @@
 // again when it was taken from the controller, also of blended motions, whose goals have ended long before.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "forecast/command_order.h"
+#include "sending/left.h"
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/shared/command.h"
@@ -16,13 +18,6 @@
 #include "cobot_command/robot/active_frames.h"
 
 namespace cobot_command::command {
-
-/// A command that is to be sent, as what the controller had of it is only the rest of it, or all.
-struct Left {
-  blocks::Command command;
-  blocks::GoalId goal = 0;                      ///< 0: nobody is told of it any more
-  std::optional<arm::JointVector> segment_end;  ///< of its first motion [rad]; none: it does not move the arm
-};
 
 class Trail {
  public:
@@ -40,7 +35,7 @@ class Trail {
   /// Why it could not be taken up again; nothing: it can.
   [[nodiscard]] std::optional<std::string> objection() const;
   /// From where the robot was seen last. Precondition: objection() is nothing.
-  [[nodiscard]] std::vector<Left> left(const arm::ArmModel& arm) const;
+  [[nodiscard]] std::deque<Left> left(const arm::ArmModel& arm) const;
 
  private:
   struct Step {

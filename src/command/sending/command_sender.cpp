@@ -1,0 +1,51 @@
+#include "sending/command_sender.h"
+
+namespace cobot_command::command {
+
+std::optional<blocks::Failure> CommandSender::prepare(const blocks::Command& command, Instant now) {
+  if (next_.failure()) return next_.failure();
+  return window_.prepare(next_.order(), command.traits, now);
+}
+
+void CommandSender::send(const blocks::Command& command, blocks::GoalId goal, Instant now) {
+  CommandOrder order = std::move(next_.order());
+  next_.forget();
+  order.goal = goal;
+  trail_.sent(command, order, forecast_.frames());
+  window_.send(std::move(order), now);
+}
+
+void CommandSender::see(const robot::RobotWatch& robot, Instant now) {
+  if (trail_.empty() || !robot.joints()) return;
+  trail_.see(*robot.joints(), now);
+}
+
+void CommandSender::ended(const CommandWindow::Ended& ended) {
+  if (ended.outcome.ending == blocks::Ending::Done) {
+    trail_.ended(ended.goal, ended.key, ended.has_tag);
+  } else {
+    trail_.clear();
+  }
+}
+
+std::optional<std::string> CommandSender::objectionToResuming() const {
+  if (trail_.empty()) return std::nullopt;
+  if (forecast_.arm() == nullptr) return "the command layer knows no model of the arm";
+  return trail_.objection();
+}
+
+std::deque<Left> CommandSender::takeLeft() {
+  std::deque<Left> left;
+  if (!trail_.empty()) left = trail_.left(*forecast_.arm());
+  trail_.clear();
+  return left;
+}
+
+void CommandSender::goOnWith(std::deque<Left> left) {
+  left_ = std::move(left);
+  for (Left& one : left_) {
+    if (one.goal == 0) one.command.key = nobodys_++;
+  }
+}
+
+}  // namespace cobot_command::command
