@@ -61,6 +61,9 @@ class InputWait final : public Run {
     }
   }
 
+  void setAside(Instant now) override { followHold(true, now); }
+  void putBack(Instant now) override { followHold(false, now); }
+
   void advance(Instant now) override {
     if (!nextDeadline() || now < *deadline_) return;
     if (state_ == State::Waiting) failure_ = timedOut();

@@ -98,6 +98,16 @@ std::optional<LimitsReport> CommandCore::limits() const {
   return impl_->limits().limits();
 }
 
+void CommandCore::interrupt(const InterruptReply& reply, Instant now) {
+  impl_->arbiter().interrupts().interrupt(reply, now);
+  impl_->advance(now);
+}
+
+void CommandCore::goOn(const InterruptReply& reply, Instant now) {
+  impl_->arbiter().interrupts().goOn(reply, now);
+  impl_->advance(now);
+}
+
 void CommandCore::keepJogging(Instant now) {
   impl_->arbiter().keepJogging();
   impl_->advance(now);

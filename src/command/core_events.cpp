@@ -86,11 +86,12 @@ bool CommandCore::Impl::retired() const {
 }
 
 void CommandCore::Impl::shutDown(Instant now) {
-  const std::string why = arbiter_.stopping() ? fmt::format(
-                                                    "{}; the robot was told to stop, and did not confirm it "
-                                                    "in the time there was: it may still move",
-                                                    kShuttingDown)
-                                              : kShuttingDown;
+  const std::string why = arbiter_.stops().busy()
+                              ? fmt::format(
+                                    "{}; the robot was told to stop, and did not confirm it "
+                                    "in the time there was: it may still move",
+                                    kShuttingDown)
+                              : kShuttingDown;
   life_ = Life::Over;
   keeper_.keepNoMore();
   arbiter_.shutDown(why, now);

@@ -31,7 +31,9 @@ void GroupDesk::tell() {
   state.enabled = parts_.keeper.isRobotEnabled(parts_.robot);
   state.sequence = sequence();
   state.in_primary_position = isInPrimaryPosition(state.sequence);
-  const std::size_t held = parts_.arbiter.queue().size() + (parts_.arbiter.turns().run() != nullptr ? 1 : 0);
+  const SetAside& aside = parts_.arbiter.aside();
+  const std::size_t held = parts_.arbiter.queue().size() + (parts_.arbiter.turns().run() != nullptr ? 1 : 0) +
+                           aside.underWay() + aside.waiting();
   state.queue_usage = 100 * static_cast<double>(held) / kMostHeld;
   state.pending_errors = static_cast<int>(parts_.messages.pendingErrors());
   state.pending_warnings = static_cast<int>(parts_.messages.pendingWarnings());
@@ -46,14 +48,16 @@ void GroupDesk::tell() {
 Sequence GroupDesk::sequence() const {
   const bool is_there =
       parts_.arbiter.turns().run() != nullptr || !parts_.arbiter.queue().empty() || parts_.arbiter.mayMove();
-  if (parts_.guard.interrupts()) return Sequence::Interrupted;
+  if (parts_.guard.interrupts() || parts_.arbiter.aside().isThere()) return Sequence::Interrupted;
   if (!is_there) return Sequence::Idle;
   return parts_.robot.held() ? Sequence::Interrupted : Sequence::Executing;
 }
 
 bool GroupDesk::isInPrimaryPosition(Sequence sequence) {
   const auto joints = parts_.robot.joints();
-  if (sequence != Sequence::Interrupted) {
+  if (const auto& position = parts_.arbiter.aside().position()) {
+    interrupted_at_ = position->joints;
+  } else if (sequence != Sequence::Interrupted) {
     interrupted_at_.reset();
   } else if (!interrupted_at_ && joints && parts_.robot.moving() == false) {
     interrupted_at_ = joints;

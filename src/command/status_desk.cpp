@@ -61,9 +61,11 @@ void StatusDesk::describe(CommandStatus& status) const {
   status.last_connected = connect.lastConnected();
   status.last_lost = connect.lastLost();
   status.commands_under_way = parts_.arbiter.turns().run() != nullptr || next_is_planned ? 1 : 0;
-  status.commands_waiting = static_cast<int>(parts_.arbiter.queue().size()) - (next_is_planned ? 1 : 0);
+  const SetAside& aside = parts_.arbiter.aside();
+  status.commands_waiting = static_cast<int>(parts_.arbiter.queue().size()) - (next_is_planned ? 1 : 0) +
+                            static_cast<int>(aside.underWay() + aside.waiting());
   status.queue_depth = status.commands_under_way + status.commands_waiting;
-  status.waiting_return = parts_.arbiter.turns().occupancy().busyWith().has_value();
+  status.waiting_return = parts_.arbiter.turns().occupancy().busyWith().has_value() || aside.block();
   status.open_tags = parts_.tags.openTags();
   status.late_replies = script.requests().late() + parts_.tags.staleReports() + parts_.links.lateEvents();
   status.decode_faults = script.decodeFaults() + parts_.links.status().decodeFaults();

@@ -113,6 +113,20 @@ void CoreAndRobot::dropConnections() {
   }
 }
 
+CoreAndRobot::InterruptPromise CoreAndRobot::interrupt() {
+  auto promise = std::make_shared<std::optional<command::InterruptAnswer>>();
+  core_.interrupt([promise](const auto& answer) { *promise = answer; }, now_);
+  settle();
+  return promise;
+}
+
+command::InterruptAnswer CoreAndRobot::goOn() {
+  std::optional<command::InterruptAnswer> given;
+  core_.goOn([&given](const auto& answer) { given = answer; }, now_);
+  settle();
+  return given.value_or(command::InterruptAnswer());
+}
+
 void CoreAndRobot::keepJogging() {
   core_.keepJogging(now_);
   settle();

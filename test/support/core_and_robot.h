@@ -39,6 +39,10 @@ class CoreAndRobot {
   /// What was answered until now; nothing: nothing yet.
   std::optional<command::OverrideAnswer> setSpeedOverride(double percent);
   [[nodiscard]] const std::optional<command::OverrideAnswer>& overrideAnswer() const { return *override_; }
+  /// The answer, when it comes.
+  using InterruptPromise = std::shared_ptr<std::optional<command::InterruptAnswer>>;
+  InterruptPromise interrupt();
+  command::InterruptAnswer goOn();
   command::DynamicsAnswer writeDefaults(const blocks::DefaultDynamics& defaults) {
     return core_.writeDefaults(defaults);
   }

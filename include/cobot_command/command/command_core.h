@@ -21,6 +21,7 @@
 #include "cobot_command/command/exchange_answer.h"
 #include "cobot_command/command/exchange_rules.h"
 #include "cobot_command/command/finish.h"
+#include "cobot_command/command/interruption.h"
 #include "cobot_command/command/path_requests.h"
 #include "cobot_command/command/planning_job.h"
 #include "cobot_command/command/speed_override.h"
@@ -101,6 +102,12 @@ class CommandCore {
   [[nodiscard]] DynamicsAnswer writeLimits(const SoftwareLimits& limits, Instant now);
   /// Nothing without a model.
   [[nodiscard]] std::optional<LimitsReport> limits() const;
+
+  /// Stops what is under way, and keeps it with all that waits, to go on later. `reply`: called once, at once
+  /// or when the robot stands.
+  void interrupt(const InterruptReply& reply, Instant now);
+  /// What was interrupted goes on, if the robot is where it was. `reply`: called once, at once.
+  void goOn(const InterruptReply& reply, Instant now);
 
   /// Somebody holds the jog that is under way; without one nothing comes of it.
   void keepJogging(Instant now);

@@ -29,6 +29,7 @@ class JogRun final : public Run, private JogControlled {
   void commandRefused(CommandKey key, const Failure& failure, Instant now) override;
   [[nodiscard]] std::optional<std::string> stopsFor() const override;
 
+  [[nodiscard]] GoesOn goesOn() const override { return GoesOn::Never; }
   void cancel(const std::string& why, Instant now) override;
   void finish(FinishAfter after, Instant now) override;
   void linkLost(const std::string& reason, std::optional<Duration> patience, Instant now) override;

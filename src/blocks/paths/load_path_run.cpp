@@ -247,7 +247,8 @@ PathPace LoadPathRun::pace() const {
   PathPace pace = goals_.pace();
   pace.can_restart = state_ == State::Following && !restarting_ && pace.running;
   const bool is_taken_back = restarting_ || goals_.pieces().isRewound();
-  if (state_ == State::Following && is_taken_back) {
+  pace.is_restarting = state_ == State::Following && is_taken_back;
+  if (pace.is_restarting) {
     pace.running.reset();
     pace.next_point = pace.active_point;
     pace.highest = pace.highest_of_all;

@@ -31,6 +31,9 @@ class LoadPathRun final : public Run, public PathControlled {
   void commandRefused(CommandKey key, const Failure& failure, Instant now) override;
   [[nodiscard]] std::optional<std::string> stopsFor() const override;
 
+  [[nodiscard]] GoesOn goesOn() const override {
+    return state_ == State::Following ? GoesOn::ByItself : GoesOn::Never;
+  }
   void cancel(const std::string& why, Instant now) override;
   void interrupt(const std::string& why, Instant now) override;
   /// Goals of which nothing is sent are dropped, the others carried out.

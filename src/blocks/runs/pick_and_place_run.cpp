@@ -188,13 +188,31 @@ void PickAndPlaceRun::robotChanged(const robot::RobotWatch& robot, Instant now) 
     if (!robot.status() || reason_.endsWithFrame(now)) fire(Event::Failed, now);
     return;
   }
+  followHold(robot.held(), now);
+}
+
+void PickAndPlaceRun::followHold(bool held, Instant now) {
   if (!waits_until_) return;
-  if (robot.held() && !held_since_) {
+  if (held && !held_since_) {
     held_since_ = now;
-  } else if (!robot.held() && held_since_) {
+  } else if (!held && held_since_) {
     *waits_until_ += now - *held_since_;
     held_since_.reset();
   }
+}
+
+void PickAndPlaceRun::setAside(Instant now) {
+  if (wait_) wait_->setAside(now);
+  followHold(true, now);
+}
+
+void PickAndPlaceRun::putBack(Instant now) {
+  if (wait_) {
+    wait_->putBack(now);
+    followWait(now);
+  }
+  followHold(false, now);
+  if (state_ == State::Dwelling) tellDwell();
 }
 
 void PickAndPlaceRun::advance(Instant now) {
@@ -279,6 +297,10 @@ void PickAndPlaceRun::followWait(Instant now) {
 
 void PickAndPlaceRun::startDwell(Instant now) {
   waits_until_ = now + fromSeconds(step().dwell);
+  tellDwell();
+}
+
+void PickAndPlaceRun::tellDwell() {
   Progress progress;
   progress.phase = Phase::Dwelling;
   progress.fraction = static_cast<double>(step_ + 1) / static_cast<double>(goal_.steps.size());

@@ -50,6 +50,8 @@ class PickAndPlaceRun final : public Run {
   void linkLost(const std::string& reason, std::optional<Duration> patience, Instant now) override;
   /// A pause holds the dwell; an emergency stop or an error ends it.
   void robotChanged(const robot::RobotWatch& robot, Instant now) override;
+  void setAside(Instant now) override;
+  void putBack(Instant now) override;
   void advance(Instant now) override;
   [[nodiscard]] std::optional<Instant> nextDeadline() const override;
 
@@ -68,7 +70,9 @@ class PickAndPlaceRun final : public Run {
   void startWait(Instant now);
   /// What its wait for an input tells, and how that ended.
   void followWait(Instant now);
+  void followHold(bool held, Instant now);
   void startDwell(Instant now);
+  void tellDwell();
   void tellFailure();
   void nextStep();
   void blame(Failure failure);

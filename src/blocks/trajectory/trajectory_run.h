@@ -26,6 +26,7 @@ class TrajectoryRun final : public Run {
   void commandRefused(CommandKey key, const Failure& failure, Instant now) override;
   [[nodiscard]] std::optional<std::string> stopsFor() const override;
 
+  [[nodiscard]] GoesOn goesOn() const override { return GoesOn::Never; }
   void cancel(const std::string& why, Instant now) override;
   void linkLost(const std::string& reason, std::optional<Duration> patience, Instant now) override;
   void robotChanged(const robot::RobotWatch& robot, Instant now) override;

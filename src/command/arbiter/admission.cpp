@@ -116,7 +116,7 @@ void Admission::beginCommand(const Waiting& next, std::unique_ptr<blocks::Run> r
   under_way_.run = std::move(run);
   under_way_.run->commandStarted(command.key);
   desks_.stops.commanded();
-  sender_.send(command, next.id, now);
+  sender_.send(command, next.id, true, now);
 }
 
 /// What waits behind it stands on where it would have left the robot. When it has not waited itself, it is

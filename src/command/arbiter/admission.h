@@ -15,6 +15,7 @@
 #include "queue/goal_queue.h"
 #include "runs/command_window.h"
 #include "sending/command_sender.h"
+#include "sending/set_aside.h"
 
 #include "cobot_command/blocks/shared/run.h"
 
@@ -28,6 +29,7 @@ struct ArbiterDesks {
   StopDesk& stops;
   CommandWindow& window;
   PathTurn& paths;
+  SetAside& aside;
 };
 
 /// The run whose turn it is.

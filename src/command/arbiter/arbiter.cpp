@@ -28,7 +28,8 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
       plans_(parts, desk_, queue_,
              [this](Ticket ticket, Instant now) { return turns_.occupancy().originBehind(ticket, now); }),
       paths_(parts.paths, desk_, parts.actions),
-      turns_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, std::move(ports.frames)),
+      aside_(parts.board, parts.actions),
+      turns_(parts, {desk_, queue_, plans_, stops_, window_, paths_, aside_}, std::move(ports.frames)),
       pause_({parts.paths, window_, parts.robot, parts.actions,
               [&keeper = parts.keeper] { return keeper.objectionsToATry(); },
               [&guard = parts.guard] { guard.resumed(); }}),
@@ -36,8 +37,9 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
       speed_({parts.speed, pause_, paths_, window_, parts.robot,
               [this] { return mayBeMovedByUs() || parts_.robot.moving().value_or(false); },
               [this] { queue_.forgetWholePlan(); }}),
-      interruption_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, pause_),
-      front_desk_(parts, {desk_, queue_, plans_, stops_, window_, paths_}, turns_, pause_) {}
+      interruption_(parts, {desk_, queue_, plans_, stops_, window_, paths_, aside_}, turns_, pause_),
+      interrupts_(parts, {desk_, queue_, plans_, stops_, window_, paths_, aside_}, turns_),
+      front_desk_(parts, {desk_, queue_, plans_, stops_, window_, paths_, aside_}, turns_, pause_) {}
 
 // --- Ends that are asked for.
 
@@ -46,6 +48,7 @@ void Arbiter::cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalI
     parts_.exchange.cancel(now);
     return;
   }
+  if (aside_.cancel(id, "cancelled while it was interrupted", now)) return;
   const blocks::Run* const run = turns_.run();
   ConnectRun& connect = parts_.keeper.run();
   const bool has_the_turn = run == nullptr && queue_.plansTheNext() && queue_.front().id == id;
@@ -82,6 +85,7 @@ FinishReport Arbiter::finish(blocks::FinishAfter after, Instant now, std::option
   FinishReport found;
   found.moves_on = parts_.forecast.loose().mayMove();
   found.dropped = queue_.dropBehindTurn(kNothingBehindFinish, newest.value_or(queue_.newest()));
+  found.dropped += aside_.finish(after, kNothingBehindFinish, now);
   found.under_way = turns_.occupancy().busyWith();
   turns_.finish(after, now);
   return found;
@@ -190,7 +194,10 @@ void Arbiter::settleBeside(Instant now) {
 }
 
 void Arbiter::proceed(Instant now) {
-  if (window_.empty() && !parts_.forecast.loose().mayMove() && !stops_.busy()) parts_.forecast.queueDone();
+  if (window_.empty() && !parts_.forecast.loose().mayMove() && !stops_.busy()) {
+    parts_.forecast.queueDone();
+    turns_.queueDone();
+  }
   desk_.proceed(now);
   interruption_.proceed();
   turns_.tellPlaces();
@@ -203,7 +210,7 @@ bool Arbiter::idle() const {
 }
 
 bool Arbiter::underWay() const {
-  return turns_.run() != nullptr || !queue_.empty() || mayBeMovedByUs();
+  return turns_.run() != nullptr || !queue_.empty() || aside_.isThere() || mayBeMovedByUs();
 }
 
 bool Arbiter::mayMove() const {

@@ -9,6 +9,7 @@
 #include "arbiter/core_parts.h"
 #include "arbiter/front_desk.h"
 #include "arbiter/goal_plans.h"
+#include "arbiter/interrupt_desk.h"
 #include "arbiter/interruption.h"
 #include "arbiter/stop_desk.h"
 #include "arbiter/turns.h"
@@ -50,6 +51,7 @@ class Arbiter {
   void setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now) {
     feedrate_.set(request, reply, now);
   }
+  [[nodiscard]] InterruptDesk& interrupts() { return interrupts_; }
   void keepJogging() { parts_.jog.keepAlive(); }
   void setSpeedOverride(double percent, const OverrideReply& reply, Instant now) {
     speed_.set(percent, reply, now);
@@ -73,6 +75,7 @@ class Arbiter {
   void watchOrphan(Instant now) { stops_.watchOrphan(now); }
   void dispatch(Instant now) {
     interruption_.look(now);
+    interrupts_.look(now);
     turns_.dispatch(now);
   }
   /// Once, at the end: the next plan, and what those that wait are told.
@@ -83,7 +86,6 @@ class Arbiter {
   [[nodiscard]] bool idle() const;
   /// A goal is, or waits, or something of this layer may move the robot.
   [[nodiscard]] bool underWay() const;
-  [[nodiscard]] bool stopping() const { return stops_.busy(); }
   /// Of what has been sent, something may still move the robot.
   [[nodiscard]] bool mayMove() const;
   /// Whatever moves may be moved by this layer.
@@ -92,6 +94,7 @@ class Arbiter {
   [[nodiscard]] const GoalQueue& queue() const { return queue_; }
   [[nodiscard]] const StopDesk& stops() const { return stops_; }
   [[nodiscard]] const SpeedDesk& speed() const { return speed_; }
+  [[nodiscard]] const SetAside& aside() const { return aside_; }
 
  private:
   void cancelTurn(blocks::GoalId newest, Instant now);
@@ -106,11 +109,13 @@ class Arbiter {
   StopDesk stops_;
   GoalPlans plans_;
   PathTurn paths_;
+  SetAside aside_;
   Turns turns_;
   PauseDesk pause_;
   FeedrateDesk feedrate_;
   SpeedDesk speed_;
   Interruption interruption_;
+  InterruptDesk interrupts_;
   FrontDesk front_desk_;
 };
 

@@ -125,6 +125,14 @@ void FrontDesk::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::Buf
     turns_.abortAll(fmt::format("taken over by {}", toString(blockOf(goal))), id, now);
     if (desks_.stops.mayMoveOtherwise() && !desks_.stops.busy()) desks_.stops.ask(now);
   }
+  if (mode == blocks::BufferMode::Buffered && desks_.aside.isThere()) {
+    Waiting waiting;
+    waiting.id = id;
+    waiting.goal = goal;
+    desks_.queue.push(std::move(waiting));
+    desks_.aside.push(desks_.queue.takeLast());
+    return;
+  }
   const bool is_behind_others = turns_.occupancy().busyWith().has_value();
   const bool begins_a_hold =
       !is_behind_others && !takes_over && motionsOf(goal) > 0 && turns_.occupancy().robotStands();

@@ -23,9 +23,10 @@ Turns::Turns(const CoreParts& parts, const ArbiterDesks& desks, blocks::FrameFin
 // --- Begins.
 
 void Turns::dispatch(Instant now) {
-  while (!desks_.stops.busy() && !desks_.stops.holdsBack()) {
-    const bool went_on =
-        under_way_.run ? continueRun(now) || admission_.joinNext(now) : admission_.beginNext(now);
+  while (!desks_.stops.busy() && !desks_.stops.holdsBack() && !stops_for_later_) {
+    const bool went_on = sender_.goesOn() ? continueLeft(now)
+                         : under_way_.run ? continueRun(now) || admission_.joinNext(now)
+                                          : admission_.beginNext(now);
     if (!went_on) return;
     settle(now);
   }
@@ -42,9 +43,7 @@ bool Turns::continueRun(Instant now) {
   }
   const auto command = under_way_.run->next();
   if (!command) return false;
-  // What it sets back behind itself, say, still goes out.
-  const bool is_held = parts_.speed.isZero() || parts_.permit.interrupts();
-  if (is_held && command->order(arm::Pose::Identity()).moves) {
+  if (isHeld(*command)) {
     sender_.forget();  // its plan is made anew when it goes on, with all the time that a plan has
     return false;
   }
@@ -63,15 +62,64 @@ bool Turns::continueRun(Instant now) {
   } else {
     under_way_.run->commandStarted(command->key);
     desks_.stops.commanded();
-    sender_.send(*command, under_way_.run->goal(), now);
+    const bool is_resumed = under_way_.run->goesOn() == blocks::Run::GoesOn::ByCommands;
+    sender_.send(*command, under_way_.run->goal(), is_resumed, now);
   }
   return true;
+}
+
+/// What it sets back behind itself, say, still goes out.
+bool Turns::isHeld(const blocks::Command& command) const {
+  const bool is_held = parts_.speed.isZero() || parts_.permit.interrupts();
+  return is_held && command.order(arm::Pose::Identity()).moves;
+}
+
+bool Turns::continueLeft(Instant now) {
+  if (!desks_.window.empty()) return false;
+  const Left left = sender_.left();
+  if (isHeld(left.command)) {
+    sender_.forget();
+    return false;
+  }
+  auto failure = occupancy_.objectionTo(left.command);
+  if (!failure) {
+    if (sender_.look(left.command, left.goal, now) == NextCommand::State::Planning) return false;
+    failure = sender_.prepare(left.command, now);
+  }
+  sender_.leftDone();
+  if (failure) {
+    sender_.forget();
+    refuseLeft(left, *failure, now);
+  } else {
+    desks_.stops.commanded();
+    sender_.send(left.command, left.goal, true, now);
+  }
+  return true;
+}
+
+void Turns::refuseLeft(const Left& left, const blocks::Failure& failure, Instant now) {
+  if (left.goal != 0) {
+    under_way_.run->commandRefused(left.command.key, failure, now);
+    return;
+  }
+  const std::string why = fmt::format("the rest of a blended {} could not go on: {}",
+                                      toString(left.command.block), failure.found);
+  parts_.actions.emplace_back(LogMessage{Severity::Error, why});
+  abortAll(why, desks_.queue.newest(), now);
+}
+
+void Turns::endLeft(const blocks::Outcome& outcome, Instant now) {
+  for (const Left& left : sender_.dropLeft()) {
+    if (left.goal == 0 || !under_way_.run || under_way_.run->outcome()) continue;
+    under_way_.run->commandEnded(left.command.key, outcome, now);
+  }
 }
 
 // --- Ends.
 
 void Turns::settle(Instant now) {
   for (const auto& [key, progress] : desks_.window.takeProgress()) {
+    if (CommandSender::isNobodys(key)) continue;
     under_way_.run->commandProgressed(key, progress, now);
   }
   for (const auto& [key, mark] : desks_.window.takePassed()) under_way_.run->commandPassed(key, mark, now);
@@ -81,6 +129,18 @@ void Turns::settle(Instant now) {
 }
 
 void Turns::endCommand(CommandWindow::Ended ended, Instant now) {
+  const bool is_stopped = ended.outcome.ending == blocks::Ending::CommandAborted;
+  const bool is_kept = stops_for_later_ && is_stopped &&
+                       (!under_way_.run || under_way_.run->goesOn() == blocks::Run::GoesOn::ByCommands);
+  if (is_kept) return;
+  sender_.ended(ended);
+  if (CommandSender::isNobodys(ended.key)) {
+    if (is_stopped || ended.outcome.ending == blocks::Ending::Done) return;
+    Left left;
+    left.command.block = ended.block;
+    refuseLeft(left, {ended.outcome.error_id, ended.outcome.error_description, ""}, now);
+    return;
+  }
   if (ended.leaves_node && under_way_.run->leavesNode() && parts_.keeper.objectionsToCommands().empty()) {
     desks_.stops.commanded();
     desks_.window.leaveNode(std::move(ended), now);
@@ -91,28 +151,16 @@ void Turns::endCommand(CommandWindow::Ended ended, Instant now) {
   under_way_.run->robotChanged(parts_.robot, now);
 }
 
-void Turns::tellRun() {
-  blocks::RunReports& reports = under_way_.run->reports();
-  for (auto& [goal, progress] : reports.takeProgress()) {
-    parts_.board.progress(under_way_.run->block(), goal, std::move(progress));
-  }
-  for (auto& news : reports.takeNews())
-    parts_.actions.emplace_back(RunTold{under_way_.run->block(), std::move(news)});
-  for (auto& [goal, outcome] : reports.takeEnded()) {
-    under_way_.holds.erase(goal);
-    parts_.board.end(under_way_.run->block(), goal, std::move(outcome));
-  }
-}
-
 void Turns::endRun(Instant now) {
   if (!under_way_.run) return;
-  tellRun();
+  tellReports(*under_way_.run, under_way_.holds, parts_.board, parts_.actions);
   if (!under_way_.run->outcome()) return;
   assert(desks_.window.empty());
   sender_.forget();
   desks_.paths.leave();
   parts_.jog.serve(under_way_.run->jog(), now);
   stopping_.reset();
+  stops_for_later_ = false;
   finishes_behind_motion_ = false;
   const auto done = std::exchange(under_way_.run, nullptr);
   desks_.queue.forgetTurn();  // what was to join it begins by itself
@@ -126,11 +174,14 @@ void Turns::endRun(Instant now) {
 }
 
 void Turns::cancel(const std::string& why, Instant now) {
+  stops_for_later_ = false;
   if (isBetweenCommands()) {
+    static_cast<void>(sender_.dropLeft());
     stopBetweenCommands(why, now);
     return;
   }
   if (under_way_.run) under_way_.run->cancel(why, now);
+  endLeft(blocks::commandAborted(why), now);
   cancelWindow(why, now);
 }
 
@@ -139,7 +190,9 @@ void Turns::interrupt(const std::string& why, Instant now) {
     cancel(why, now);
     return;
   }
+  stops_for_later_ = false;
   under_way_.run->interrupt(why, now);
+  endLeft(blocks::commandAborted(why), now);
   cancelWindow(why, now);
 }
 
@@ -170,6 +223,7 @@ void Turns::stopBetweenCommands(const std::string& why, Instant now) {
 }
 
 void Turns::stopEnded(const StopRun::Result& result, Instant now) {
+  if (result.failed()) stops_for_later_ = false;
   if (!stopping_ || stopping_->stop != result.number || !under_way_.run || under_way_.run->outcome()) return;
   const auto next = under_way_.run->next();
   const auto key = next ? next->key : 0;
@@ -188,7 +242,10 @@ bool Turns::takeOut(blocks::GoalId goal, const std::string& why, Instant now) {
 }
 
 void Turns::abandon(const std::string& why, Instant now) {
+  desks_.aside.drop(why, now);
+  stops_for_later_ = false;
   if (under_way_.run) under_way_.run->cancel(why, now);
+  endLeft(blocks::commandAborted(why), now);
   desks_.window.abandon(why, now);
   settle(now);
   if (!under_way_.run) return;
@@ -210,6 +267,7 @@ void Turns::finish(blocks::FinishAfter after, Instant now) {
 
 void Turns::abortAll(const std::string& why, blocks::GoalId newest, Instant now) {
   desks_.queue.dropAll(why, newest);
+  desks_.aside.drop(why, now);
   interrupt(why, now);
 }
 
@@ -221,13 +279,20 @@ void Turns::stopAll(const std::string& why, blocks::GoalId newest, Instant now) 
 // --- Events.
 
 void Turns::linkLost(const std::string& reason, Instant now) {
+  stops_for_later_ = false;
+  desks_.aside.linkLost(reason, now);
   desks_.window.linkLost(reason, now);
+  if (sender_.goesOn()) {
+    const blocks::Block block = sender_.left().command.block;
+    endLeft(toOutcome(block, blocks::Ending::Aborted, {blocks::motion_error::kLinkDropped, reason, ""}), now);
+  }
   const auto patience =
       parts_.robot.status() ? std::optional(parts_.settings.evidence_timeout) : std::nullopt;
   if (under_way_.run) under_way_.run->linkLost(reason, patience, now);
 }
 
 void Turns::robotChanged(Instant now) {
+  sender_.see(parts_.robot, now);
   desks_.window.robotChanged(now);
   if (!under_way_.run) return;
   under_way_.run->robotChanged(parts_.robot, now);
@@ -243,6 +308,60 @@ void Turns::advance(Instant now) {
 std::optional<Instant> Turns::nextDeadline() const {
   const auto next = desks_.window.nextDeadline();
   return under_way_.run ? earlier(next, under_way_.run->nextDeadline()) : next;
+}
+
+// --- Interruptions.
+
+std::optional<std::string> Turns::objectionToAnInterruption() const {
+  using GoesOn = blocks::Run::GoesOn;
+  const GoesOn goes_on = under_way_.run ? under_way_.run->goesOn() : GoesOn::ByCommands;
+  if (stopping_) return "it is being stopped";
+  if (goes_on == GoesOn::Never) return fmt::format("{} cannot", toString(under_way_.run->block()));
+  if (goes_on == GoesOn::ByCommands) return sender_.objectionToResuming();
+  if (sender_.hasSent() && parts_.forecast.loose().mayMove()) {
+    return "a blended motion in front of the path is under way";
+  }
+  const blocks::PathPace pace = desks_.paths.pace();
+  const bool can_restart = desks_.window.empty() || pace.can_restart || pace.is_restarting;
+  return can_restart ? std::nullopt
+                     : std::optional<std::string>("the path comes to its end, or is being stopped");
+}
+
+void Turns::stopForLater(const std::string& why, Instant now) {
+  stops_for_later_ = true;
+  sender_.forget();
+  if (under_way_.run && under_way_.run->goesOn() == blocks::Run::GoesOn::ByItself) desks_.paths.restart();
+  parts_.forecast.forgetPath();
+  desks_.window.cancel(why, now);
+  desks_.stops.askIfMoving(now);
+}
+
+bool Turns::hasStoppedForLater() const {
+  const bool is_planned = !desks_.paths.pace().is_restarting;
+  return stops_for_later_ && desks_.window.empty() && !desks_.stops.busy() &&
+         !parts_.forecast.loose().mayMove() && parts_.robot.moving() == false && is_planned;
+}
+
+Aside Turns::takeAside(Instant now) {
+  if (std::exchange(finishes_behind_motion_, false)) under_way_.run->finish(blocks::FinishAfter::Move, now);
+  stops_for_later_ = false;
+  Aside aside;
+  aside.left = sender_.takeLeft();
+  for (Left& left : sender_.dropLeft()) aside.left.push_back(std::move(left));
+  aside.run = std::exchange(under_way_.run, nullptr);
+  aside.holds = std::exchange(under_way_.holds, {});
+  aside.waiting = desks_.queue.takeAll();
+  desks_.paths.leave();
+  return aside;
+}
+
+void Turns::putBack(Aside aside, Instant now) {
+  sender_.goOnWith(std::move(aside.left));
+  under_way_ = {std::move(aside.run), std::move(aside.holds)};
+  desks_.queue.putBackAll(std::move(aside.waiting));
+  if (!under_way_.run) return;
+  desks_.paths.serve(*under_way_.run, now);
+  under_way_.run->robotChanged(parts_.robot, now);
 }
 
 // --- What the goals that wait are told.

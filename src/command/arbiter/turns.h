@@ -47,6 +47,21 @@ class Turns {
   void stopAll(const std::string& why, blocks::GoalId newest, Instant now);
   void tellPlaces();
 
+  // --- An interruption: what is under way is taken from the controller, to go on later.
+  /// Why it could not go on; nothing: it can.
+  [[nodiscard]] std::optional<std::string> objectionToAnInterruption() const;
+  /// Nothing is begun any more, until it is set aside or has ended for another reason.
+  void stopForLater(const std::string& why, Instant now);
+  [[nodiscard]] bool isStoppingForLater() const { return stops_for_later_; }
+  [[nodiscard]] bool hasStoppedForLater() const;
+  /// All that is under way and waits. Precondition: hasStoppedForLater().
+  [[nodiscard]] Aside takeAside(Instant now);
+  /// Precondition: nothing is under way, and nothing waits.
+  void putBack(Aside aside, Instant now);
+  /// Rests of commands that were taken from the controller are still to be sent.
+  [[nodiscard]] bool goesOn() const { return sender_.goesOn(); }
+
+  void queueDone() { sender_.queueDone(); }
   void stopEnded(const StopRun::Result& result, Instant now);
   void linkLost(const std::string& reason, Instant now);
   void robotChanged(Instant now);
@@ -55,13 +70,19 @@ class Turns {
 
  private:
   bool continueRun(Instant now);
+  /// The same of what was taken from the controller.
+  bool continueLeft(Instant now);
+  void refuseLeft(const Left& left, const blocks::Failure& failure, Instant now);
+  /// What of it the run waits for ends so.
+  void endLeft(const blocks::Outcome& outcome, Instant now);
+  /// By the speed override, or the interface: what moves has to wait.
+  [[nodiscard]] bool isHeld(const blocks::Command& command) const;
   void interrupt(const std::string& why, Instant now);
   void cancelWindow(const std::string& why, Instant now);
   /// Its last command was blended and is done, but moves the robot still; the next one is not out yet.
   [[nodiscard]] bool isBetweenCommands() const;
   void stopBetweenCommands(const std::string& why, Instant now);
   void endCommand(CommandWindow::Ended ended, Instant now);
-  void tellRun();
   void endRun(Instant now);
 
   CoreParts parts_;
@@ -76,6 +97,7 @@ class Turns {
     std::string why;
   };
   std::optional<Stopping> stopping_;
+  bool stops_for_later_ = false;
   bool finishes_behind_motion_ = false;  ///< it was to be finished between two commands
 };
 

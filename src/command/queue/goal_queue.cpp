@@ -44,6 +44,25 @@ Waiting GoalQueue::take() {
   return first;
 }
 
+Waiting GoalQueue::takeLast() {
+  Waiting last = std::move(waiting_.back());
+  waiting_.pop_back();
+  return last;
+}
+
+std::deque<Waiting> GoalQueue::takeAll() {
+  forgetTurn();
+  forgetForecasts();
+  for (const Waiting& waiting : waiting_) forgetPlan(waiting.id);
+  return std::exchange(waiting_, {});
+}
+
+void GoalQueue::putBackAll(std::deque<Waiting> waiting) {
+  waiting_.insert(waiting_.begin(), std::make_move_iterator(waiting.begin()),
+                  std::make_move_iterator(waiting.end()));
+  retell();
+}
+
 std::optional<Waiting> GoalQueue::takeFirstIf(bool (*is_meant)(const Waiting&)) {
   return !empty() && is_meant(front()) ? std::make_optional(take()) : std::nullopt;
 }

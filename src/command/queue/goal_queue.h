@@ -74,10 +74,16 @@ class GoalQueue {
   void push(Waiting waiting);
   /// It is its turn. Precondition: not empty.
   [[nodiscard]] Waiting take();
+  /// The one that came last. Precondition: not empty.
+  [[nodiscard]] Waiting takeLast();
   /// What was planned of the first one, as its turn seemed to have come, does not hold any more.
   void forgetTurn();
   /// The same, but for one that is a single command: whose plan that is, is asked for each time.
   void forgetWholePlan();
+  /// All of them, to wait elsewhere: nothing that was planned of them holds any more.
+  [[nodiscard]] std::deque<Waiting> takeAll();
+  /// In front of those that wait.
+  void putBackAll(std::deque<Waiting> waiting);
   /// One that was taken is the first again.
   void putBack(Waiting waiting) { waiting_.push_front(std::move(waiting)); }
   /// When it waits: one goal, that was cancelled, and what was to join its chain behind it.

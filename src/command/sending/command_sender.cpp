@@ -7,11 +7,11 @@ std::optional<blocks::Failure> CommandSender::prepare(const blocks::Command& com
   return window_.prepare(next_.order(), command.traits, now);
 }
 
-void CommandSender::send(const blocks::Command& command, blocks::GoalId goal, Instant now) {
+void CommandSender::send(const blocks::Command& command, blocks::GoalId goal, bool is_resumed, Instant now) {
   CommandOrder order = std::move(next_.order());
   next_.forget();
   order.goal = goal;
-  trail_.sent(command, order, forecast_.frames());
+  if (is_resumed) trail_.sent(command, order, forecast_.frames());
   window_.send(std::move(order), now);
 }
 

@@ -35,7 +35,8 @@ class CommandSender {
   /// That it is told by. Precondition: it is prepared.
   [[nodiscard]] int acknowledgedId() { return next_.order().command_id_ack; }
   /// Precondition: it is prepared.
-  void send(const blocks::Command& command, blocks::GoalId goal, Instant now);
+  /// `is_resumed`: behind an interruption, by what is left of it on the trail.
+  void send(const blocks::Command& command, blocks::GoalId goal, bool is_resumed, Instant now);
   /// What was planned of it.
   void forget() { next_.forget(); }
 
@@ -44,6 +45,8 @@ class CommandSender {
   void ended(const CommandWindow::Ended& ended);
   /// The robot stands, and nothing is left in its queue.
   void queueDone() { trail_.clear(); }
+  /// The robot may still be at something of it.
+  [[nodiscard]] bool hasSent() const { return !trail_.empty(); }
   /// Why what the robot is at could not be taken up again on its way; nothing: it could.
   [[nodiscard]] std::optional<std::string> objectionToResuming() const;
   /// What of it is left. Precondition: objectionToResuming() is nothing, and the robot stands.
@@ -58,10 +61,13 @@ class CommandSender {
   void leftDone() { left_.pop_front(); }
   [[nodiscard]] std::deque<Left> dropLeft() { return std::exchange(left_, {}); }
   /// Of a command that nobody is told of any more.
-  [[nodiscard]] static bool isNobodys(blocks::CommandKey key) { return key >= kNobodysFirst; }
+  [[nodiscard]] static bool isNobodys(blocks::CommandKey key) {
+    return key >= kNobodysFirst && key - kNobodysFirst < kNobodysFirst;
+  }
 
  private:
-  static constexpr blocks::CommandKey kNobodysFirst = ~blocks::CommandKey{0} - 1000000;
+  /// Runs count theirs from below, and have single ones at the very end.
+  static constexpr blocks::CommandKey kNobodysFirst = blocks::CommandKey{1} << 62U;
 
   NextCommand next_;
   const Forecast& forecast_;

@@ -18,6 +18,7 @@ namespace cobot_command::command {
 /// A command, or the rest of one.
 struct Left {
   blocks::Command command;
+  blocks::Command at_segment_end;               ///< the same, from where its first motion ends
   blocks::GoalId goal = 0;                      ///< 0: nobody is told of it any more
   std::optional<arm::JointVector> segment_end;  ///< of its first motion [rad]; none: it does not move the arm
 };

@@ -59,10 +59,11 @@ void Trail::ended(blocks::GoalId goal, blocks::CommandKey key, bool with_tag) {
 
 void Trail::drop(std::size_t steps) {
   steps_.erase(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(steps));
-  if (place_.step < steps)
+  if (place_.step < steps) {
     place_ = Place();
-  else
+  } else {
     place_.step -= steps;
+  }
 }
 
 // --- Where the robot is.
@@ -118,24 +119,31 @@ std::optional<std::string> Trail::objection() const {
   return std::nullopt;
 }
 
+Left Trail::leftOf(const Step& step, const planning::PlaceOnLines& place, const arm::ArmModel& arm) {
+  Left left{step.command, step.command, step.ended ? 0 : step.goal, std::nullopt};
+  if (place.motion >= step.lines.motions.size()) return left;
+  const motion::Trajectory& motion = *step.lines.motions[place.motion];
+  const Duration almost = std::max(motion.duration() - Duration(1), Duration::zero());
+  left.segment_end = motion.end().position;
+  left.at_segment_end = withLines(step.command, restOf(step.lines, {place.motion, almost}, arm));
+  return left;
+}
+
 std::deque<Left> Trail::left(const arm::ArmModel& arm) const {
   std::deque<Left> left;
   Place place = place_;
   if (!goToMotion(place)) place = Place();
   for (std::size_t i = place.step; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
-    Left next{step.command, step.ended ? 0 : step.goal, std::nullopt};
-    std::size_t motion = 0;
-    if (i == place.step) {
-      auto rest = planning::restOf(step.lines, place.on_lines, arm);
-      if (rest.empty()) continue;
-      motion = place.on_lines.motion;
-      next.command = withLines(std::move(next.command), std::move(rest));
+    const bool is_first = i == place.step;
+    const bool is_done = is_first && step.ended && !step.lines.motions.empty() &&
+                         restOf(step.lines, place.on_lines, arm).empty();
+    if (is_done) continue;
+    left.push_back(leftOf(step, is_first ? place.on_lines : planning::PlaceOnLines(), arm));
+    // Also at its begin, which is a corner where it was blended into: what is an offset would end elsewhere.
+    if (is_first && !step.lines.motions.empty()) {
+      left.back().command = withLines(step.command, restOf(step.lines, place.on_lines, arm));
     }
-    if (motion < step.lines.motions.size()) {
-      next.segment_end = step.lines.motions[motion]->end().position;
-    }
-    left.push_back(std::move(next));
   }
   return left;
 }

@@ -26,7 +26,7 @@ class Trail {
   /// It has ended for its goal. With a tag: so is all in front of it, and it itself, for the robot, too.
   void ended(blocks::GoalId goal, blocks::CommandKey key, bool with_tag);
   /// The robot stands, and there is nothing left in the controller's queue.
-  void clear() { steps_.clear(); }
+  void clear() { *this = Trail(); }
   [[nodiscard]] bool empty() const { return steps_.empty(); }
 
   /// A status frame of now.
@@ -46,6 +46,8 @@ class Trail {
     planning::PlannedLines lines;
     Instant since{};
   };
+  [[nodiscard]] static Left leftOf(const Step& step, const planning::PlaceOnLines& place,
+                                   const arm::ArmModel& arm);
   /// Of all motions on it, in their order.
   struct Place {
     std::size_t step = 0;

@@ -106,6 +106,7 @@ inline constexpr int kManualMode = 0x229;  // none under this number yet: load_p
 inline constexpr int kShutDown = 0x230;
 inline constexpr int kBaseUnknown = 0x231;
 // 0x232 is of the services of the tables: tables/refusal.h.
+inline constexpr int kInterruption = 0x233;  ///< nothing is interrupted, or nothing can be
 // The connection.
 inline constexpr int kHostInvalid = 0x240;
 inline constexpr int kPortRange = 0x241;
@@ -157,6 +158,16 @@ inline constexpr int kNotEnabled = 0x8C05;
 inline constexpr int kNotSynchronized = 0x8C06;
 inline constexpr int kInterrupted = 0x8C30;
 }  // namespace interface_error
+
+/// SRCI's numbers, of the way back to where the robot was interrupted.
+namespace return_error {
+inline constexpr int kTooFar = 0x8C07;
+inline constexpr int kToolDiffers = 0x8C22;
+inline constexpr int kLoadDiffers = 0x8C23;
+inline constexpr int kFrameDiffers = 0x8C24;
+inline constexpr int kReturnMode = 0x8D30;
+inline constexpr int kTrajectoryMode = 0x8D36;
+}  // namespace return_error
 
 /// SRCI's GroupJog; those of frames and tools: tables/refusal.h.
 namespace jog_error {

@@ -22,6 +22,8 @@ struct PathPace {
   double highest = std::numeric_limits<double>::infinity();
   double highest_of_all = std::numeric_limits<double>::infinity();  ///< with what is sent
   bool can_restart = false;  ///< what the controller has can be taken back
+  /// What was taken back is being stopped, or planned from where the robot stands.
+  bool is_restarting = false;
 };
 
 /// Work that needs nothing of its run, for any thread; what it finds.

@@ -132,6 +132,18 @@ class Run {
   virtual void advance(Instant /*now*/) {}
   [[nodiscard]] virtual std::optional<Instant> nextDeadline() const { return std::nullopt; }
 
+  /// How it goes on behind an interruption, in which the robot is stopped, may be moved elsewhere, and is
+  /// brought back.
+  enum class GoesOn {
+    ByCommands,  ///< what is left of the commands that the controller had is sent for it
+    ByItself,    ///< it plans what is left anew (PathControlled::restart())
+    Never
+  };
+  [[nodiscard]] virtual GoesOn goesOn() const { return GoesOn::ByCommands; }
+  /// Its time stands still until it is put back, and it is told of nothing.
+  virtual void setAside(Instant /*now*/) {}
+  virtual void putBack(Instant /*now*/) {}
+
   /// nullptr: it loads no paths.
   [[nodiscard]] virtual PathControlled* paths() { return nullptr; }
 

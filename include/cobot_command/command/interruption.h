@@ -1,0 +1,34 @@
+// Interrupting what is under way so that it can go on later, from where the robot stood (SRCI:
+// GroupInterrupt, GroupContinue).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "cobot_command/arm/types.h"
+#include "cobot_command/robot/active_frames.h"
+
+namespace cobot_command::command {
+
+// SRCI's numbers, of the two services alone.
+inline constexpr int kContinueNotEnabled = 0x8C01;     ///< emergency stop, or an error of the controller
+inline constexpr int kContinueNotThere = 0x8C02;       ///< the robot is not where it was interrupted
+inline constexpr int kContinueWhileStopping = 0x8C43;  ///< the robot moves, or is being stopped
+
+struct InterruptAnswer {
+  bool success = false;
+  int error_id = 0;
+  std::string message;  ///< in plain words
+};
+/// Called once: at once, or when the robot stands.
+using InterruptReply = std::function<void(const InterruptAnswer& answer)>;
+
+/// Where the robot was interrupted, and in which frames.
+struct PrimaryPosition {
+  arm::JointVector joints;                      ///< [rad]
+  std::optional<arm::JointVector> segment_end;  ///< of the motion that it was at [rad]; none: it was at none
+  robot::ActiveFrames frames;
+};
+
+}  // namespace cobot_command::command

@@ -1,0 +1,171 @@
+#include "arbiter/interrupt_desk.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::command {
+namespace {
+
+/// A joint that differs by more is elsewhere: what the streams of real controllers round is far less.
+constexpr double kElsewhere = degToRad(0.1);
+constexpr const char* kInterrupted = "interrupted by the service interrupt";
+
+InterruptAnswer refusal(int error_id, std::string message) {
+  return {false, error_id, std::move(message)};
+}
+
+InterruptAnswer toAnswer(const blocks::Failure& failure) {
+  return refusal(failure.error_id, failure.found);
+}
+
+}  // namespace
+
+void InterruptDesk::interrupt(const InterruptReply& reply, Instant now) {
+  if (const auto objection = objectionToInterrupting(); objection.error_id != 0) {
+    reply(objection);
+    return;
+  }
+  waiting_.push_back(reply);
+  fire(Event::Asked, now);
+}
+
+InterruptAnswer InterruptDesk::objectionToInterrupting() const {
+  if (state_ == State::Interrupted) {
+    return refusal(blocks::own_error::kInterruption, "it is interrupted already: continue lets it go on");
+  }
+  if (const auto objections = parts_.keeper.objectionsToCommands(); !objections.empty()) {
+    return toAnswer(objections.front());
+  }
+  if (state_ == State::Stopping) return {};
+  if (desks_.stops.busy()) return refusal(kContinueWhileStopping, "the robot is being stopped");
+  const bool is_there = turns_.run() != nullptr || !desks_.queue.empty() || desks_.window.mayMove() ||
+                        parts_.forecast.loose().mayMove() || turns_.goesOn();
+  if (!is_there) {
+    return refusal(blocks::own_error::kInterruption, "nothing is under way, and nothing waits");
+  }
+  if (!parts_.robot.joints()) {
+    return refusal(blocks::own_error::kStartUnknown,
+                   "the status stream does not tell where the robot stands: use stop, which keeps nothing");
+  }
+  if (const auto why = turns_.objectionToAnInterruption()) {
+    return refusal(blocks::own_error::kInterruption,
+                   fmt::format("what is under way could not go on later: {}; use stop, which keeps nothing, "
+                               "or PAUSE of program_control, which leaves the robot where it is",
+                               *why));
+  }
+  return {};
+}
+
+void InterruptDesk::goOn(const InterruptReply& reply, Instant now) {
+  if (const auto objection = objectionToGoingOn(); objection.error_id != 0) {
+    reply(objection);
+    return;
+  }
+  fire(Event::Continued, now);
+  reply({true, 0, "goes on from where it was interrupted"});
+}
+
+InterruptAnswer InterruptDesk::objectionToGoingOn() const {
+  if (state_ == State::Stopping) return refusal(kContinueWhileStopping, "the robot is being stopped");
+  if (!desks_.aside.isThere()) {
+    return refusal(blocks::own_error::kInterruption, "nothing is interrupted");
+  }
+  if (parts_.guard.deniesResume()) {
+    return refusal(blocks::interface_error::kInterrupted, parts_.permit.text());
+  }
+  if (!parts_.keeper.isRobotEnabled(parts_.robot)) {
+    return refusal(kContinueNotEnabled,
+                   "emergency stop, an error of the controller, or no link: see command_status");
+  }
+  const bool moves = desks_.stops.busy() || turns_.run() != nullptr || !desks_.queue.empty() ||
+                     parts_.forecast.loose().mayMove() || parts_.robot.moving().value_or(false);
+  if (moves)
+    return refusal(kContinueWhileStopping, "the robot moves, or another goal is under way: wait for it");
+  if (!parts_.robot.joints()) {
+    return refusal(blocks::own_error::kStartUnknown,
+                   "the status stream does not tell where the robot stands");
+  }
+  const PrimaryPosition& position = *desks_.aside.position();
+  if (!isAt(position.joints) && !(position.segment_end && isAt(*position.segment_end))) {
+    return refusal(kContinueNotThere,
+                   fmt::format("{} from where it was interrupted; allowed: 0.1 deg: use return_to_primary",
+                               awayText(position.joints)));
+  }
+  const auto difference = differenceIn(position.frames, parts_.forecast.frames());
+  if (difference && !desks_.aside.allowsOtherFrames()) {
+    return refusal(difference->error_id,
+                   difference->found + ": set it as it was, or use return_to_primary with allow_differences");
+  }
+  return {};
+}
+
+void InterruptDesk::look(Instant now) {
+  if (state_ == State::Interrupted && !desks_.aside.isThere()) fire(Event::NothingLeft, now);
+  if (state_ != State::Stopping) return;
+  if (!turns_.isStoppingForLater()) {
+    fire(Event::NothingLeft, now);
+  } else if (turns_.hasStoppedForLater()) {
+    fire(Event::Stands, now);
+  }
+}
+
+void InterruptDesk::fire(Event event, Instant now) {
+  const auto row = findTransition<InterruptTable>(state_, event);
+  if (!row) return;
+  state_ = row->to;
+  switch (row->action) {
+    case InterruptAction::None:
+      return;
+    case InterruptAction::Stop:
+      turns_.stopForLater(kInterrupted, now);
+      return;
+    case InterruptAction::SetAside:
+      setAside(now);
+      return;
+    case InterruptAction::TellLost:
+      answer(refusal(blocks::own_error::kInterruption,
+                     "what was under way ended before it could be set aside: see its result"));
+      return;
+    case InterruptAction::PutBack:
+      putBack(now);
+      return;
+  }
+}
+
+void InterruptDesk::setAside(Instant now) {
+  Aside aside = turns_.takeAside(now);
+  PrimaryPosition position{*parts_.robot.joints(), std::nullopt, parts_.forecast.frames()};
+  if (!aside.left.empty()) position.segment_end = aside.left.front().segment_end;
+  desks_.aside.put(std::move(aside), std::move(position), now);
+  const std::size_t waiting = desks_.aside.waiting();
+  const auto block = desks_.aside.block();
+  answer({true, 0,
+          fmt::format("interrupted{}; {} wait{}: continue lets it go on from here",
+                      desks_.aside.underWay() != 0 ? fmt::format(": {}", toString(*block)) : "", waiting,
+                      waiting == 1 ? "s" : "")});
+}
+
+void InterruptDesk::putBack(Instant now) {
+  const bool behind_segment = !isAt(desks_.aside.position()->joints);
+  turns_.putBack(desks_.aside.take(behind_segment, now), now);
+}
+
+bool InterruptDesk::isAt(const arm::JointVector& place) const {
+  return (*parts_.robot.joints() - place).cwiseAbs().maxCoeff() <= kElsewhere;
+}
+
+std::string InterruptDesk::awayText(const arm::JointVector& place) const {
+  Eigen::Index joint = 0;
+  const double away = (*parts_.robot.joints() - place).cwiseAbs().maxCoeff(&joint);
+  return fmt::format("J{} is {:.2f} deg", joint + 1, radToDeg(away));
+}
+
+void InterruptDesk::answer(const InterruptAnswer& answer) {
+  for (const InterruptReply& reply : std::exchange(waiting_, {})) reply(answer);
+}
+
+}  // namespace cobot_command::command

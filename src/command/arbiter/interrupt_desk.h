@@ -1,0 +1,50 @@
+// Clients that interrupt what is under way, and let it go on (states: interrupt_states.h).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arbiter/core_parts.h"
+#include "arbiter/interrupt_states.h"
+#include "arbiter/turns.h"
+#include "sending/set_aside.h"
+
+#include "cobot_command/command/interruption.h"
+
+namespace cobot_command::command {
+
+class InterruptDesk {
+ public:
+  /// All have to live longer.
+  InterruptDesk(const CoreParts& parts, const ArbiterDesks& desks, Turns& turns)
+      : parts_(parts), desks_(desks), turns_(turns) {}
+
+  /// Stops what is under way, and keeps it with all that waits. `reply`: when the robot stands.
+  void interrupt(const InterruptReply& reply, Instant now);
+  /// What was interrupted goes on, if the robot is where it was.
+  void goOn(const InterruptReply& reply, Instant now);
+  /// Behind each event, before anything begins.
+  void look(Instant now);
+
+ private:
+  using State = InterruptState;
+  using Event = InterruptEvent;
+
+  void fire(Event event, Instant now);
+  void setAside(Instant now);
+  void putBack(Instant now);
+  [[nodiscard]] InterruptAnswer objectionToInterrupting() const;
+  [[nodiscard]] InterruptAnswer objectionToGoingOn() const;
+  /// How far the robot is from there [deg], and which joint that is.
+  [[nodiscard]] std::string awayText(const arm::JointVector& place) const;
+  [[nodiscard]] bool isAt(const arm::JointVector& place) const;
+  void answer(const InterruptAnswer& answer);
+
+  CoreParts parts_;
+  ArbiterDesks desks_;
+  Turns& turns_;
+  State state_ = State::None;
+  std::vector<InterruptReply> waiting_;
+};
+
+}  // namespace cobot_command::command

@@ -1,0 +1,192 @@
+#include "sending/set_aside.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+
+namespace cobot_command::command {
+namespace {
+
+constexpr double kSameMass = 0.001;  // [kg]
+
+bool isSame(const std::optional<arm::Pose>& a, const std::string& name_of_a,
+            const std::optional<arm::Pose>& b, const std::string& name_of_b) {
+  return a && b ? arm::isSamePose(*a, *b) : !a && !b && name_of_a == name_of_b;
+}
+
+std::string nameOf(const std::string& name) {
+  return name.empty() ? "given by value" : name;
+}
+
+constexpr const char* kInterrupted =
+    "interrupted: continue lets it go on, from where the robot was interrupted";
+
+}  // namespace
+
+void tellReports(blocks::Run& run, std::map<blocks::GoalId, tables::Hold>& holds, OutputBoard& board,
+                 std::vector<Action>& actions) {
+  blocks::RunReports& reports = run.reports();
+  for (auto& [goal, progress] : reports.takeProgress()) {
+    board.progress(run.block(), goal, std::move(progress));
+  }
+  for (auto& news : reports.takeNews()) actions.emplace_back(RunTold{run.block(), std::move(news)});
+  for (auto& [goal, outcome] : reports.takeEnded()) {
+    holds.erase(goal);
+    board.end(run.block(), goal, std::move(outcome));
+  }
+}
+
+std::optional<blocks::Failure> differenceIn(const robot::ActiveFrames& then, const robot::ActiveFrames& now) {
+  namespace id = blocks::return_error;
+  if (!isSame(then.tcp, then.tcp_name, now.tcp, now.tcp_name)) {
+    return blocks::Failure{
+        id::kToolDiffers,
+        fmt::format("the TCP was {}, and is {}", nameOf(then.tcp_name), nameOf(now.tcp_name)), ""};
+  }
+  if (then.tool_mass && now.tool_mass && std::abs(*then.tool_mass - *now.tool_mass) > kSameMass) {
+    return blocks::Failure{
+        id::kLoadDiffers,
+        fmt::format("the tool had {:.3f} kg, and has {:.3f} kg", *then.tool_mass, *now.tool_mass), ""};
+  }
+  if (!isSame(then.base, then.base_name, now.base, now.base_name)) {
+    return blocks::Failure{
+        id::kFrameDiffers,
+        fmt::format("the base was {}, and is {}", nameOf(then.base_name), nameOf(now.base_name)), ""};
+  }
+  return std::nullopt;
+}
+
+// --- Interrupted, and going on.
+
+void SetAside::put(Aside aside, PrimaryPosition position, Instant now) {
+  aside_ = std::move(aside);
+  position_ = std::move(position);
+  allows_other_frames_ = false;
+  if (aside_.run) {
+    aside_.run->setAside(now);
+    tellReports(*aside_.run, aside_.holds, board_, actions_);
+    blocks::Progress progress;
+    progress.phase = blocks::Phase::Held;
+    progress.text = kInterrupted;
+    board_.progress(aside_.run->block(), aside_.run->goal(), std::move(progress));
+  }
+  int place = 0;
+  for (Waiting& waiting : aside_.waiting) tell(waiting, ++place);
+}
+
+void SetAside::tell(Waiting& waiting, int place) {
+  waiting.told_place = place;
+  blocks::Progress progress;
+  progress.phase = blocks::Phase::Queued;
+  progress.place_in_queue = place;
+  progress.text = kInterrupted;
+  board_.progress(blockOf(waiting.goal), waiting.id, std::move(progress));
+}
+
+std::optional<blocks::Block> SetAside::block() const {
+  if (aside_.run) return aside_.run->block();
+  return aside_.waiting.empty() ? std::nullopt : std::optional(blocks::blockOf(aside_.waiting.front().goal));
+}
+
+Aside SetAside::take(bool behind_segment, Instant now) {
+  position_.reset();
+  if (aside_.run) aside_.run->putBack(now);
+  Aside aside = std::exchange(aside_, {});
+  if (behind_segment && !aside.left.empty()) {
+    aside.left.front().command = std::move(aside.left.front().at_segment_end);
+  }
+  return aside;
+}
+
+// --- Meanwhile.
+
+void SetAside::push(Waiting waiting) {
+  tell(waiting, static_cast<int>(aside_.waiting.size()) + 1);
+  aside_.waiting.push_back(std::move(waiting));
+}
+
+bool SetAside::cancel(blocks::GoalId goal, const std::string& why, Instant now) {
+  if (aside_.run && aside_.run->serves(goal)) {
+    dropWaiting(fmt::format("the command in front of it, {}, was cancelled", toString(aside_.run->block())));
+    aside_.run->cancel(why, now);
+    endRun(blocks::commandAborted(why), now);
+    endIfOver();
+    return true;
+  }
+  const auto found = std::find_if(aside_.waiting.begin(), aside_.waiting.end(),
+                                  [goal](const Waiting& waiting) { return waiting.id == goal; });
+  if (found == aside_.waiting.end()) return false;
+  const blocks::Block block = blocks::blockOf(found->goal);
+  aside_.waiting.erase(found);
+  board_.end(block, goal, blocks::commandAborted(why));
+  endIfOver();
+  return true;
+}
+
+int SetAside::finish(blocks::FinishAfter after, const std::string& why, Instant now) {
+  const int dropped = dropWaiting(why);
+  if (aside_.run) {
+    aside_.run->finish(after, now);
+    tellReports(*aside_.run, aside_.holds, board_, actions_);
+    if (aside_.run->outcome()) endRun({}, now);
+  }
+  endIfOver();
+  return dropped;
+}
+
+void SetAside::drop(const std::string& why, Instant now) {
+  dropWaiting(why);
+  if (aside_.run) {
+    aside_.run->interrupt(why, now);
+    endRun(blocks::commandAborted(why), now);
+  }
+  endIfOver();
+}
+
+void SetAside::linkLost(const std::string& reason, Instant now) {
+  dropWaiting("the link was lost: " + reason);
+  if (aside_.run) {
+    const blocks::Failure lost{blocks::motion_error::kLinkDropped, reason, ""};
+    aside_.run->linkLost(reason, std::nullopt, now);
+    const blocks::Block block = aside_.left.empty() ? aside_.run->block() : aside_.left.front().command.block;
+    endRun(toOutcome(block, blocks::Ending::Aborted, lost), now);
+  }
+  endIfOver();
+}
+
+int SetAside::dropWaiting(const std::string& why) {
+  const auto waiting = std::exchange(aside_.waiting, {});
+  for (const Waiting& one : waiting) {
+    board_.end(blocks::blockOf(one.goal), one.id, blocks::commandAborted(why));
+  }
+  return static_cast<int>(waiting.size());
+}
+
+/// Nothing more is sent of it, also not what it would set back behind itself.
+void SetAside::endRun(const blocks::Outcome& of_commands, Instant now) {
+  const auto run = std::exchange(aside_.run, nullptr);
+  for (const Left& left : std::exchange(aside_.left, {})) {
+    if (left.goal != 0 && !run->outcome()) run->commandEnded(left.command.key, of_commands, now);
+  }
+  const blocks::Failure never_sent{blocks::own_error::kShutDown, of_commands.error_description, ""};
+  if (const auto next = run->outcome() ? std::nullopt : run->next()) {
+    run->commandRefused(next->key, never_sent, now);
+  }
+  tellReports(*run, aside_.holds, board_, actions_);
+  aside_.holds.clear();
+  board_.end(run->block(), run->goal(), run->outcome().value_or(of_commands));
+}
+
+void SetAside::endIfOver() {
+  const bool is_over = !aside_.run && aside_.waiting.empty() && aside_.left.empty();
+  if (is_over) position_.reset();
+}
+
+}  // namespace cobot_command::command
