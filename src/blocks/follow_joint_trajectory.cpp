@@ -9,7 +9,7 @@
 #include "trajectory/trajectory_run.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {

@@ -9,7 +9,7 @@
 #include "shared/parameter_checks.h"
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/tables/refusal.h"
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/check_sequence.h"
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 

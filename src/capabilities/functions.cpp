@@ -6,8 +6,6 @@ namespace cobot_command::capabilities {
 namespace {
 
 constexpr bool kNeedsArm = true;
-constexpr std::string_view kPaused =
-    "the project is paused and let go; to move elsewhere in between is not built yet";
 
 }  // namespace
 
@@ -33,8 +31,9 @@ const std::vector<Function>& functions() {
       {"MoveDirectRelative", "action move_relative"},
       {"MoveCircularAbsolute", "action move_circle"},
       {"GroupStop", "action stop"},
-      {"GroupInterrupt", "action program_control, service stop_on_path", Offer::Partly, kPaused},
-      {"GroupContinue", "action program_control, service resume_path", Offer::Partly, kPaused},
+      {"GroupInterrupt", "service interrupt", Offer::Partly,
+       "a jog, a trajectory, or a script of more than motions and outputs, is stopped or paused", kNeedsArm},
+      {"GroupContinue", "service continue", Offer::Whole, {}, kNeedsArm},
       {"CalculateForwardKinematic", "service forward_kinematics", Offer::Whole, {}, kNeedsArm},
       {"CalculateInverseKinematic", "service inverse_kinematics", Offer::Whole, {}, kNeedsArm},
       {"CalculateFrame", "service calculate_frame"},
@@ -54,7 +53,7 @@ const std::vector<Function>& functions() {
       {"WriteRobotSWLimits", "service write_software_limits", Offer::Partly,
        "limits of what this layer plans, at most those of the model", kNeedsArm},
       {"GroupJog", "action jog", Offer::Whole, {}, kNeedsArm},
-      {"ReturnToPrimary", "", Offer::NotBuilt},
+      {"ReturnToPrimary", "action return_to_primary", Offer::Whole, {}, kNeedsArm},
       {"retrace", "", Offer::NotBuilt},
       {"WaitTime", "", Offer::NotBuilt},
       {"ReadDigitalOutputs", "", Offer::NotBuilt},

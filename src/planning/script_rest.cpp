@@ -42,6 +42,16 @@ bool moves(const ScriptCommand& command) {
   return std::visit([](const auto& one) { return kMoves<std::decay_t<decltype(one)>>; }, command);
 }
 
+/// What is left of it is said as a target in the base, wherever it was.
+bool needsFrames(const ScriptCommand& command) {
+  return std::visit(
+      Overloaded{
+          [](const script::Circle&) { return true; }, [](const script::MoveLine&) { return true; },
+          [](const script::MovePLine& move) { return move.format.target != DataFormat::Target::Joint; },
+          [](const auto&) { return false; }},
+      command);
+}
+
 bool mayBeResumed(const ScriptCommand& command, bool with_motions) {
   return std::visit(
       [with_motions](const auto& one) {
@@ -149,7 +159,8 @@ std::optional<std::string> whyNotResumable(const PlannedLines& lines) {
   }
   const auto motions = std::count_if(commands.begin(), commands.end(), moves);
   if (static_cast<std::size_t>(motions) != lines.motions.size()) return "nobody has planned its way";
-  if (with_motions && !(lines.start.base && lines.start.tcp)) {
+  const bool needs_frames = std::any_of(commands.begin(), commands.end(), needsFrames);
+  if (needs_frames && !(lines.start.base && lines.start.tcp)) {
     return "its base or TCP is one of the project whose value is not known";
   }
   return std::nullopt;

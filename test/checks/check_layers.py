@@ -32,6 +32,7 @@ ALLOWED = {
     "ros/kinematics": {"common", "capabilities", "arm", "tables", "kinematics"},
     "ros/robot_data": {"common", "capabilities", "arm", "link"},
     "ros/files": {"common", "arm", "path", "blocks"},
+    "ros/interruption": {"common", "command"},
     "ros/dynamics": {"common", "capabilities", "arm", "blocks", "command"},
     "ros/exchange": {"common", "blocks", "command"},
     "ros/messages": {"common", "command"},
@@ -42,15 +43,15 @@ ALLOWED = {
     "ros/simulation": {"common", "script", "arm", "link", "simulator", "runtime/simulation"},
 }
 # The wings of a room, and what each may use of it besides itself, wings and headers; what stands in the room's own folder may use
-# them all. Above is what a wing may use of other rooms, where it is less than what its room may.
+# them all; "*.h": each header of the room itself. Above is what a wing may use of other rooms, where it is less than what its room may.
 WINGS = {
-    "blocks/jog": {"goal.h", "jog.h", "shared"},
-    "blocks/list": {"goal.h", "shared"},
-    "blocks/chain": {"goal.h", "list", "shared"},
-    "blocks/paths": {"chain", "goal.h", "list", "shared"},
-    "blocks/runs": {"goal.h", "list", "shared"},
+    "blocks/jog": {"jog.h", "list", "shared"},
+    "blocks/list": {"*.h", "shared"},
+    "blocks/chain": {"list", "shared"},
+    "blocks/paths": {"chain", "list", "shared"},
+    "blocks/runs": {"list", "shared"},
     "blocks/shared": set(),
-    "blocks/trajectory": {"follow_joint_trajectory.h", "goal.h", "shared"},
+    "blocks/trajectory": {"follow_joint_trajectory.h", "list", "shared"},
     "command/arbiter": {"actions.h", "board", "connecting", "core_ports.h", "dynamics", "exchange", "finish.h", "forecast", "interruption.h", "path_requests.h", "paths", "planning_job.h", "queue", "runs",
                         "sending", "speed_override.h", "stops", "sync", "waiting_goals.h"},
     "command/board": {"actions.h"},
@@ -89,7 +90,8 @@ WINGS = {
     "ros/paths": {"shared"},
     "ros/dynamics": {"shared"},
     "ros/exchange": {"action_parts", "shared"},
-    "ros/command": {"dynamics", "exchange", "files", "kinematics", "messages", "paths", "robot_data", "shared", "tables"},
+    "ros/interruption": {"shared"},
+    "ros/command": {"dynamics", "exchange", "files", "interruption", "kinematics", "messages", "paths", "robot_data", "shared", "tables"},
     "ros/action_parts": {"command", "shared"},
     "ros/actions": {"action_parts", "command", "shared"},
     "ros/simulation": {"shared"},
@@ -147,6 +149,8 @@ def faults_of_wing(file, number, room, line):
     if not in_a_wing or not included or included.group(1) not in (None, room):
         return
     used = included.group(2).rstrip("/") or ("" if included.group(1) or not (file.parent / included.group(3)).exists() else wing)
+    if not used and "*.h" in WINGS[f"{room}/{wing}"]:
+        return
     if not {used or included.group(3)} & (WINGS[f"{room}/{wing}"] | {wing}):
         yield f"{file}:{number}: the wing {room}/{wing} may not use {room}/{used or 'its own folder'}: {line}"
 

@@ -29,13 +29,13 @@ class CheckLayers(unittest.TestCase):
                     self.assertIn("some.cpp:2: link/ is core and must not include ROS", faults_of(line)[0])
 
     def test_finds_rooms_above(self):
-        for line in ('#include "cobot_command/blocks/goal.h"', "#include <cobot_command/blocks/goal.h>"):
+        for line in ('#include "cobot_command/blocks/list/goal.h"', "#include <cobot_command/blocks/list/goal.h>"):
             self.assertIn("link/ may not use blocks/", "".join(faults_of(line)))
 
     def test_finds_what_a_wing_may_not_use(self):
         for line in ('#include "core_impl.h"', '#include "stops/stop_run.h"', '#include "cobot_command/command/command_core.h"'):
             self.assertIn("the wing command/board may not use", "".join(faults_of(line, "command", "board")))
-        self.assertIn("the wing blocks/shared", "".join(faults_of('#include "cobot_command/blocks/goal.h"', "blocks", "shared")))
+        self.assertIn("the wing blocks/shared", "".join(faults_of('#include "cobot_command/blocks/list/goal.h"', "blocks", "shared")))
 
     def test_leaves_what_a_wing_may_use(self):
         for line in ('#include "runs/command_run.h"', '#include "forecast/forecast.h"', '#include "stops/stop_run.h"'):

@@ -12,7 +12,7 @@
 #include "block_goals.h"
 #include "fuzz_input.h"
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::fuzz {
@@ -196,6 +196,14 @@ class AnyGoal {
     begin();
     vary(goal.mode, goal.directions, goal.speed, goal.increment_mm, goal.increment_deg, goal.frame,
          goal.tool);
+    return goal;
+  }
+
+  blocks::ReturnToPrimaryGoal any(const blocks::ReturnToPrimaryGoal* /*kind*/) {
+    auto goal = testing::good<blocks::ReturnToPrimaryGoal>();
+    begin();
+    vary(goal.return_mode, goal.trajectory_mode, goal.speed, goal.distance_limit, goal.allow_differences);
+    if (varied()) goal.place.reset();
     return goal;
   }
 

@@ -119,6 +119,12 @@ class Examples(MotionTestCase):
         self.robot.establish()
         self.assertIn("5.00 deg: the increment was made", self.run_client("jog.py", "--deg", "5", closed=False))
 
+    def test_interrupt_brings_the_robot_back_and_lets_its_motion_go_on(self):
+        output = self.run_client("interrupt.py")
+        for words in ("interrupt: interrupted: move_relative", "the way back: done", "the motion that was interrupted: done", "beginning: done"):
+            self.assertIn(words, output)
+        self.assert_stands_at(HOME, streamed=False)
+
     def test_jog_tells_why_it_was_refused(self):
         self.assertIn("16#26", self.run_client("jog.py", "--speed", "101", exit_status=1))
 

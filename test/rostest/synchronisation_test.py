@@ -8,6 +8,7 @@ from cobot_command.msg import (DataSets, ExchangeConfigurationGoal, ExchangeParC
 from cobot_command.srv import ReadFrame
 from cobot_goals import BUFFERED, HOME, circle, cycle, path, path_to_joints, POSE, relative, script, step, step_of_joint, to_joints, turn
 from cobot_test import CobotTestCase, Latest
+from interrupting import ask, interrupt, way_back
 from waiting import wait_until
 
 
@@ -112,6 +113,28 @@ class Synchronisation(CobotTestCase):
         self.assert_done(busy.finish())
         self.assert_done(waits.finish())
         self.group.wait_for(lambda s: s.sequence == GroupState.IDLE, "an idle robot")
+        self.end(exchange)
+
+    def test_refuses_the_way_back_of_an_interrupted_motion_for_the_same_reasons(self):
+        exchange = self.enable_at_home()
+        interrupt(self.robot)
+        self.end(exchange)
+        self.assert_rejected(self.robot.run(way_back()), 0x8C05)
+        self.robot.operate("set_tcp", "gripper", Transformation(z=160))
+        exchange = self.enable(ExchangeParCmd.NO_ENABLE)
+        self.group.wait_for(lambda s: "gripper" in s.out_of_sync, "the difference")
+        self.assert_rejected(self.robot.run(way_back()), 0x8C06, "160")
+        self.change_it_back()
+        self.end(exchange)
+        exchange = self.enable(ExchangeParCmd.INTERRUPT_AT_ONCE)
+        self.group.wait_for(lambda s: s.ri_state == GroupState.RI_SYNCHRONIZED, "data in sync")
+        self.assert_done(self.robot.run(way_back()))
+        self.change_the_pendant()
+        wait_until(lambda: self.robot.run(way_back())[1].error_id == 0x8C30, "the reaction")
+        self.assert_rejected(self.robot.run(way_back()), 0x8C30)
+        answer = ask("continue")
+        self.assertEqual(hex(answer.error_id), "0x8c30", answer.message)
+        self.change_it_back()
         self.end(exchange)
 
     def test_leaves_the_stop_alone(self):

@@ -8,6 +8,7 @@ from actionlib_msgs.msg import GoalStatus
 from cobot_command.msg import CommandStatus, StopGoal
 from cobot_goals import ABORTING, HOME, SLOWLY, motions, path, path_to_joints, step_of_joint, to_joints, turn
 from cobot_test import CobotTestCase, Latest
+from interrupting import interrupt, way_back
 
 OTHER = "other/"
 TAG = 2  # both ask for it by their command_id
@@ -60,6 +61,15 @@ class TwoClients(CobotTestCase):
                     outcome = self.run_until_the_other_stops_it(goal)
                 self.assert_aborted(outcome, 0x228, "from its target")
                 self.assert_done(self.robot.run(to_joints(*HOME)))
+
+    def test_are_told_so_on_their_way_back_from_an_interruption(self):
+        interrupt(self.robot, turn(60, 0, 0, 0, 0, 0, **SLOWLY))
+        self.assert_done(self.robot.run(turn(0, 20, 0, 0, 0, 0)))
+        outcome = self.run_until_the_other_stops_it(way_back(speed=2))
+        if outcome[1].error_id == 0x226:
+            outcome = self.run_until_the_other_stops_it(way_back(speed=2))
+        self.assert_aborted(outcome, 0x228, "from its target")
+        self.assert_done(self.robot.run(StopGoal()))
 
     def run_until_the_other_stops_it(self, goal):
         first = self.robot.start_slowly(goal)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/units.h"
 
@@ -151,6 +151,17 @@ inline blocks::JogGoal good() {
   goal.mode = static_cast<int>(blocks::JogMode::Axes);
   goal.directions[0] = 1;
   goal.increment_deg = 10;
+  return goal;
+}
+
+/// Of the TM5-900 at 0, 0, 90, 0, 90, 0: joint 1 was 10 degrees further when it was interrupted.
+template <>
+inline blocks::ReturnToPrimaryGoal good() {
+  blocks::ReturnToPrimaryGoal goal;
+  goal.trajectory_mode = static_cast<int>(blocks::ReturnTrajectory::Ptp);
+  const arm::Pose there = arm::toPose({530.9, -30.6, 461.05, 180, 0, 100});
+  goal.place = blocks::ReturnPlace{
+      {arm::toJointVector({10, 0, 90, 0, 90, 0}), there, 92.7}, std::nullopt, std::nullopt};
   return goal;
 }
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 
 namespace cobot_command::testing {
 

@@ -10,7 +10,7 @@
 #include "source_tree.h"
 #include <gtest/gtest.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 
 namespace cobot_command::testing {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cobot_command/arm/arm_model.h"
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/core_ports.h"

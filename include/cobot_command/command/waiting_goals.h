@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/outcome.h"
 
 namespace cobot_command::command {

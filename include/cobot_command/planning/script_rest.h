@@ -32,10 +32,9 @@ struct PlaceOnLines {
 /// it are taken up as a whole.
 [[nodiscard]] std::optional<std::string> whyNotResumable(const PlannedLines& lines);
 
-/// Behind the place: the motion there to its end, and all that follows it. Empty: nothing is left. The
-/// end of an arc that is next to straight is a line; what is left of an arc angle, and is more
-/// than 300 degrees, becomes several arcs, between which the arm rests. Precondition: whyNotResumable() is
-/// nothing, and base and TCP are known.
+/// Behind the place: the motion there to its end, and all that follows it. Empty: nothing is left. The end of
+/// an arc that is next to straight is a line; what is left of an arc angle, and is more than 300 degrees,
+/// becomes several arcs, between which the arm rests. Precondition: whyNotResumable() is nothing.
 [[nodiscard]] std::vector<script::ScriptCommand> restOf(const PlannedLines& lines, const PlaceOnLines& place,
                                                         const arm::ArmModel& arm);
 

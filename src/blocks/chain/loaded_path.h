@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/order.h"
 #include "cobot_command/blocks/shared/planning_scene.h"
 #include "cobot_command/common/path_settings.h"

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/command.h"
 
 namespace cobot_command::blocks {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 
 namespace cobot_command::blocks {
 namespace {

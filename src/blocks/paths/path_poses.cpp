@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/path/path_planner.h"

@@ -11,7 +11,7 @@
 
 #include "runs/pick_and_place_states.h"
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/run.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/robot/reason_wait.h"

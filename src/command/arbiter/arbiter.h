@@ -35,7 +35,10 @@ class Arbiter {
 
   // --- Goals.
   /// Executes it, has it wait, or ends it.
-  void take(blocks::GoalId id, const blocks::Goal& goal, Instant now) { front_desk_.take(id, goal, now); }
+  void take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
+    const auto way_back = interrupts_.withPlace(goal);
+    front_desk_.take(id, way_back ? *way_back : goal, now);
+  }
   void cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest);
   FinishReport finish(blocks::FinishAfter after, Instant now, std::optional<blocks::GoalId> newest);
   /// All are to end as CommandAborted; a robot that moves is told to stop.

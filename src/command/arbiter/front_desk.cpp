@@ -137,6 +137,8 @@ void FrontDesk::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::Buf
   const bool begins_a_hold =
       !is_behind_others && !takes_over && motionsOf(goal) > 0 && turns_.occupancy().robotStands();
   if (begins_a_hold) parts_.hold.begin(id, now);
+  const auto* const way_back = std::get_if<blocks::ReturnToPrimaryGoal>(&goal);
+  if (way_back != nullptr && way_back->allow_differences) desks_.aside.allowOtherFrames();
   Waiting waiting;
   waiting.id = id;
   waiting.goal = goal;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/units.h"
 
@@ -83,8 +84,9 @@ InterruptAnswer InterruptDesk::objectionToGoingOn() const {
   }
   const bool moves = desks_.stops.busy() || turns_.run() != nullptr || !desks_.queue.empty() ||
                      parts_.forecast.loose().mayMove() || parts_.robot.moving().value_or(false);
-  if (moves)
+  if (moves) {
     return refusal(kContinueWhileStopping, "the robot moves, or another goal is under way: wait for it");
+  }
   if (!parts_.robot.joints()) {
     return refusal(blocks::own_error::kStartUnknown,
                    "the status stream does not tell where the robot stands");
@@ -101,6 +103,26 @@ InterruptAnswer InterruptDesk::objectionToGoingOn() const {
                    difference->found + ": set it as it was, or use return_to_primary with allow_differences");
   }
   return {};
+}
+
+std::optional<blocks::Goal> InterruptDesk::withPlace(const blocks::Goal& goal) const {
+  const auto* const way_back = std::get_if<blocks::ReturnToPrimaryGoal>(&goal);
+  const auto joints = parts_.robot.joints();
+  const arm::ArmModel* const arm = parts_.forecast.arm();
+  if (way_back == nullptr || !desks_.aside.isThere() || !joints || arm == nullptr) return std::nullopt;
+  const PrimaryPosition& position = *desks_.aside.position();
+  const robot::ActiveFrames frames = parts_.forecast.frames();
+  const arm::Pose tcp = frames.tcp.value_or(arm::Pose::Identity());
+  const arm::Pose now = arm::forwardKinematics(*arm, *joints) * tcp;
+  const auto targetAt = [&](const arm::JointVector& at) {
+    const arm::Pose there = arm::forwardKinematics(*arm, at) * tcp;
+    return blocks::ReturnTarget{at, there, mToMm((there.translation() - now.translation()).norm())};
+  };
+  blocks::ReturnPlace place{targetAt(position.joints), std::nullopt, differenceIn(position.frames, frames)};
+  if (position.segment_end) place.segment_end = targetAt(*position.segment_end);
+  blocks::ReturnToPrimaryGoal filled = *way_back;
+  filled.place = std::move(place);
+  return blocks::Goal(std::move(filled));
 }
 
 void InterruptDesk::look(Instant now) {

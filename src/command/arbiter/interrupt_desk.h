@@ -1,6 +1,7 @@
 // Clients that interrupt what is under way, and let it go on (states: interrupt_states.h).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "arbiter/turns.h"
 #include "sending/set_aside.h"
 
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/command/interruption.h"
 
 namespace cobot_command::command {
@@ -23,6 +25,8 @@ class InterruptDesk {
   void interrupt(const InterruptReply& reply, Instant now);
   /// What was interrupted goes on, if the robot is where it was.
   void goOn(const InterruptReply& reply, Instant now);
+  /// A way back, with where that ends; nothing: it is another goal, or nothing is interrupted.
+  [[nodiscard]] std::optional<blocks::Goal> withPlace(const blocks::Goal& goal) const;
   /// Behind each event, before anything begins.
   void look(Instant now);
 

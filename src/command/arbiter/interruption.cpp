@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/list/goal_rules.h"
 
 namespace cobot_command::command {

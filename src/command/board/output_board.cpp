@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/failure.h"
 
 namespace cobot_command::command {

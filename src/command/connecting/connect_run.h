@@ -11,7 +11,7 @@
 #include "board/output_board.h"
 #include "connecting/connect_run_states.h"
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/failure.h"
 #include "cobot_command/link/script_link.h"
 #include "cobot_command/link/status_link.h"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/capabilities/functions.h"
 #include "cobot_command/command/waiting_goals.h"

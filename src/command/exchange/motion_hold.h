@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/common/time.h"
 

@@ -16,7 +16,7 @@
 #include "forecast/plan_desk.h"
 #include "forecast/planned_queue.h"
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/speed_override.h"
 #include "cobot_command/robot/burden.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 
 namespace cobot_command::command {
 namespace {

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/common/units.h"
+
 namespace cobot_command::command {
 namespace {
 
@@ -26,8 +29,18 @@ std::string holdText(const robot::RobotWatch& robot, const CommandOrder& order, 
 
 }  // namespace
 
-CommandReports::CommandReports(const CommandOrder& order, const robot::RobotWatch& robot, CommandClock& clock)
-    : order_(order), robot_(robot), clock_(clock) {}
+CommandReports::CommandReports(const CommandOrder& order, const robot::RobotWatch& robot, CommandClock& clock,
+                               const arm::ArmModel* arm)
+    : order_(order), robot_(robot), clock_(clock), arm_(arm) {}
+
+std::optional<double> CommandReports::distance() const {
+  const auto joints = robot_.joints();
+  if (arm_ == nullptr || !joints || !order_.plan || order_.plan->motions.empty()) return std::nullopt;
+  const auto tcpAt = [this](const arm::JointVector& at) -> Eigen::Vector3d {
+    return (arm::forwardKinematics(*arm_, at) * order_.plan->tcp).translation();
+  };
+  return mToMm((tcpAt(order_.plan->motions.back()->end().position) - tcpAt(*joints)).norm());
+}
 
 void CommandReports::tell(blocks::Phase phase, std::string text, Instant now) {
   const Duration executed = clock_.executed(now);
@@ -37,6 +50,7 @@ void CommandReports::tell(blocks::Phase phase, std::string text, Instant now) {
   progress.phase = phase;
   progress.command_id_ack = order_.command_id_ack;
   progress.text = std::move(text);
+  progress.distance_mm = distance();
   if (order_.plan) {
     const Duration planned = order_.plan->duration;
     progress.planned = planned;

@@ -1,6 +1,7 @@
 // What is told of one command while it is under way.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "forecast/command_order.h"
 #include "runs/command_clock.h"
 
+#include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/robot/robot_watch.h"
@@ -16,8 +18,9 @@ namespace cobot_command::command {
 
 class CommandReports {
  public:
-  /// All have to live longer.
-  CommandReports(const CommandOrder& order, const robot::RobotWatch& robot, CommandClock& clock);
+  /// All have to live longer. `arm`: nullptr: no model.
+  CommandReports(const CommandOrder& order, const robot::RobotWatch& robot, CommandClock& clock,
+                 const arm::ArmModel* arm);
 
   void tell(blocks::Phase phase, std::string text, Instant now);
   /// It is executed, or waits for the motion in front of it.
@@ -33,9 +36,12 @@ class CommandReports {
   [[nodiscard]] std::vector<blocks::Progress> take() { return std::exchange(progress_, {}); }
 
  private:
+  [[nodiscard]] std::optional<double> distance() const;
+
   const CommandOrder& order_;
   const robot::RobotWatch& robot_;
   CommandClock& clock_;
+  const arm::ArmModel* arm_;
   blocks::Phase phase_ = blocks::Phase::Sent;
   Instant told_at_{};
   std::vector<blocks::Progress> progress_;

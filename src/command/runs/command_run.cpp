@@ -34,7 +34,7 @@ CommandRun::CommandRun(CommandOrder order, const RunContext& context, Instant no
       sent_at_(now),
       clock_(now, context.settings.unplanned_motion_timeout),
       evidence_(context.robot, context.settings, context.arm, order_.target),
-      reports_(order_, context.robot, clock_),
+      reports_(order_, context.robot, clock_, context.arm),
       stop_in_front_(context.stop.last()) {
   script_id_ =
       context_.link.sendScript(fmt::format("{}", fmt::join(order_.lines, "\r\n")), now, order_.reply_timeout);

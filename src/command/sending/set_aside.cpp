@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 

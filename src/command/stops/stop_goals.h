@@ -7,7 +7,7 @@
 #include "board/output_board.h"
 #include "stops/stop_run.h"
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 
 namespace cobot_command::command {
 

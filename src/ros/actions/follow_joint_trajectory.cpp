@@ -16,7 +16,7 @@
 #include <control_msgs/FollowJointTrajectoryAction.h>
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/foreign_text.h"

@@ -1,6 +1,6 @@
 #include "command/action_servers.h"
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 
 namespace cobot_command::ros_adapter {
 namespace {

@@ -9,6 +9,7 @@
 #include "dynamics/arm_of_now.h"
 #include "dynamics/dynamics_services.h"
 #include "exchange/exchange_services.h"
+#include "interruption/interruption_services.h"
 #include "kinematics/kinematics_services.h"
 #include "messages/message_services.h"
 #include "paths/path_publisher.h"
@@ -97,6 +98,8 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   messages_ = messageServices(node);
   exchange_ = std::make_unique<ExchangeServices>(
       node, [this](const blocks::ExchangeSettings& settings) { return runtime_->updateExchange(settings); });
+  interruption_ = std::make_unique<InterruptionServices>(
+      node, [this] { return runtime_->interrupt(); }, [this] { return runtime_->goOn(); });
   const auto arm = [this] { return arm_->get(); };
   kinematics_ = std::make_unique<KinematicsServices>(
       node, KinematicsServices::Sources{arm, [this] { return tables_->tables(); }});

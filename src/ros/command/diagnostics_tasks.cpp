@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/ros/command/diagnostics.h"
 

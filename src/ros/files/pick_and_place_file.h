@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/common/result.h"
 
 namespace cobot_command::ros_adapter {

@@ -309,6 +309,16 @@ std::optional<std::future<std::vector<command::Message>>> CommandRuntime::messag
       [=](auto& core, const auto& reply, Instant /*now*/) { reply(core.messages(least, after_id)); });
 }
 
+std::optional<std::future<command::InterruptAnswer>> CommandRuntime::interrupt() {
+  return ask<command::InterruptAnswer>(
+      [](auto& core, const auto& reply, Instant now) { core.interrupt(reply, now); });
+}
+
+std::optional<std::future<command::InterruptAnswer>> CommandRuntime::goOn() {
+  return ask<command::InterruptAnswer>(
+      [](auto& core, const auto& reply, Instant now) { core.goOn(reply, now); });
+}
+
 void CommandRuntime::keepJogging() {
   impl_->post([](auto& core, Instant now) { core.keepJogging(now); });
 }

@@ -3,7 +3,7 @@
 
 #include "dynamics_cell.h"
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 
 namespace cobot_command::testing {
 namespace {

@@ -4,7 +4,7 @@
 #include "../load_path/path_goals.h"
 #include "dynamics_cell.h"
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 
 namespace cobot_command::testing {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "dynamics_cell.h"
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/script/script_command.h"
 
 namespace cobot_command::testing {

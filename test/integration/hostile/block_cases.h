@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/simulator/robot_state.h"
 

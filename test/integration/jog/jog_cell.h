@@ -7,7 +7,7 @@
 #include "core_and_robot.h"
 #include <gtest/gtest.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/common/units.h"
 
 namespace cobot_command::testing {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/failure.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/outcome.h"
 
@@ -51,6 +51,8 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios trajectoryScenarios();
 /// Jogs, the same.
 [[nodiscard]] Scenarios jogScenarios();
+/// Ways back to where the robot was interrupted: their goals and plans.
+[[nodiscard]] Scenarios returnScenarios();
 /// Sequences and cycles of them.
 [[nodiscard]] Scenarios sequenceScenarios();
 

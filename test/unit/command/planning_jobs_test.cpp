@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 
 namespace cobot_command::testing {
 namespace {

@@ -190,9 +190,12 @@ TEST(LinesThatCannotBeResumed, areNamed) {
   PlannedLines unplanned = planned({kTurn});
   unplanned.motions.clear();
   EXPECT_TRUE(whyNotResumable(unplanned));
-  PlannedLines unknown = planned({kTurn});
+  PlannedLines unknown = planned({R"(Move_Line("TAP",0,30,-60,10,0,25,100,200,0,false))"});
   unknown.start.base.reset();
   EXPECT_NE(whyNotResumable(unknown)->find("base"), std::string::npos);
+  PlannedLines in_joints = planned({kTurn});
+  in_joints.start.base.reset();
+  EXPECT_EQ(whyNotResumable(in_joints), std::nullopt) << "its target is in joints";
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 #include "cobot_command/ProgramControlAction.h"
 #include "cobot_command/RunScriptAction.h"
 #include "cobot_command/StopAction.h"
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/ros/command/action_bridge.h"
 
 namespace cobot_command::ros_adapter {

@@ -3,7 +3,7 @@
 #include <control_msgs/FollowJointTrajectoryAction.h>
 #include <gmock/gmock.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/ros/command/action_bridge.h"
 

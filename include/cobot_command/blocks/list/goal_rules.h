@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/command.h"
 #include "cobot_command/blocks/shared/run.h"
 #include "cobot_command/tables/table_store.h"

@@ -60,8 +60,10 @@ struct Progress {
   double fraction = 0;                ///< of the motion, 0..1; estimated by time, 1 only at the end
   std::optional<Duration> planned;    ///< of the whole motion
   std::optional<Duration> remaining;  ///< of the motion, as far as it could be planned
-  std::string text;                   ///< for people: "connection refused: no project running, trying again"
-  Detail detail;                      ///< as in Outcome, but mostly of another kind
+  std::optional<double>
+      distance_mm;   ///< of the TCP to where the motion ends, straight, as the arm stands now
+  std::string text;  ///< for people: "connection refused: no project running, trying again"
+  Detail detail;     ///< as in Outcome, but mostly of another kind
 };
 
 }  // namespace cobot_command::blocks

@@ -16,7 +16,7 @@
 
 #include <ros/node_handle.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/ros/command/goal_intake.h"
 #include "cobot_command/ros/command/tidy_action_server.h"

@@ -31,6 +31,7 @@ namespace cobot_command::ros_adapter {
 class ArmOfNow;
 class DynamicsServices;
 class ExchangeServices;
+class InterruptionServices;
 class KinematicsServices;
 class MessageServices;
 class PathPublisher;
@@ -93,6 +94,7 @@ class CommandNode {
   std::unique_ptr<PathServices> path_services_;
   std::unique_ptr<MessageServices> messages_;
   std::unique_ptr<ExchangeServices> exchange_;
+  std::unique_ptr<InterruptionServices> interruption_;
   std::unique_ptr<KinematicsServices> kinematics_;
   std::unique_ptr<RobotDataPublisher> robot_data_;
   std::unique_ptr<DynamicsServices> dynamics_;

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/ros/command/goal_lookups.h"
 
 namespace cobot_command::ros_adapter {

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/ros/command/goal_lookups.h"

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "cobot_command/arm/arm_model.h"
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/command/command_core.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/connection.h"
@@ -71,6 +71,9 @@ class CommandRuntime {
   std::optional<std::future<std::optional<command::ReferenceDynamics>>> referenceDynamics();
   std::optional<std::future<command::DynamicsAnswer>> writeLimits(command::SoftwareLimits limits);
   std::optional<std::future<std::optional<command::LimitsReport>>> limits();
+  /// See CommandCore; the answers as with setFeedrate(), and finish().
+  std::optional<std::future<command::InterruptAnswer>> interrupt();
+  std::optional<std::future<command::InterruptAnswer>> goOn();
   /// See CommandCore; counts from when the core's thread comes to it.
   void keepJogging();
   /// See CommandCore.

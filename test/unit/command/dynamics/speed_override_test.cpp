@@ -5,7 +5,7 @@
 #include "status_frames.h"
 #include <gmock/gmock.h>
 
-#include "cobot_command/blocks/goal.h"
+#include "cobot_command/blocks/list/goal.h"
 
 namespace cobot_command::testing {
 namespace {

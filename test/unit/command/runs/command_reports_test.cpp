@@ -23,7 +23,7 @@ class CommandReportsTest : public ::testing::Test {
   CommandOrder order;
   robot::RobotWatch robot;
   CommandClock clock{kStart - 10s, 300s};
-  CommandReports reports{order, robot, clock};
+  CommandReports reports{order, robot, clock, nullptr};
 };
 
 TEST_F(CommandReportsTest, tellWhatIsNewSinceTheLastCall) {

@@ -1,5 +1,5 @@
 // The errors of path loading: those of the manual under their own, decimal numbers, and this layer's.
-#include "cobot_command/blocks/load_path.h"
+#include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/path/path_refusal.h"
 

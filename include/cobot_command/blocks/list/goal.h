@@ -22,6 +22,7 @@
 #include "cobot_command/blocks/move_relative.h"
 #include "cobot_command/blocks/pick_and_place.h"
 #include "cobot_command/blocks/program_control.h"
+#include "cobot_command/blocks/return_to_primary.h"
 #include "cobot_command/blocks/run_script.h"
 #include "cobot_command/blocks/set_output.h"
 #include "cobot_command/blocks/shared/block.h"
@@ -50,7 +51,8 @@ using Goal = std::variant<
     LoadPathGoal,
     FollowJointTrajectoryGoal,
     ExchangeConfigurationGoal,
-    JogGoal
+    JogGoal,
+    ReturnToPrimaryGoal
     >;
 // clang-format on
 

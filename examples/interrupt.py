@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""Interrupts a motion, moves the robot elsewhere, brings it back, and lets the motion go on: joint 1 turns by some degrees, is
+interrupted on its way, joint 2 moves away by two degrees, `return_to_primary` leads back, `continue` lets joint 1 go on to where
+it was to go. Then joint 1 turns back. A link that is there already is used, and stays; else it makes one, and closes it.
+
+Exit status: 0 when all of it went so, 1 with the reason when not.
+"""
+import argparse
+import signal
+import sys
+import threading
+
+import actionlib
+import rospy
+from actionlib import CommState
+from actionlib_msgs.msg import GoalStatus
+
+from cobot_command.msg import (CommandStatus, ConnectAction, ConnectGoal, MoveRelativeAction, MoveRelativeGoal, ReturnToPrimaryAction,
+                               ReturnToPrimaryGoal, Transformation)
+from cobot_command.srv import Interruption
+
+LINK_TIMEOUT = 30.0  # [s]
+LONGEST = 120.0  # [s] of a motion
+INTERRUPTED_AT = 0.3  # of its way
+AWAY = 2.0  # [deg]
+
+
+class Failed(Exception):
+    """What did not go as it should."""
+
+
+def client(name, kind):
+    found = actionlib.ActionClient(name, kind)
+    if not found.wait_for_server(rospy.Duration(LINK_TIMEOUT)):
+        raise Failed(f"nobody serves {name}: is the command node running?")
+    return found
+
+
+def link():
+    """The goal of a link of one's own; None: there is one."""
+    def state():
+        return rospy.wait_for_message("command_status", CommandStatus, LINK_TIMEOUT).link_state
+
+    if state() == CommandStatus.READY:
+        return None
+    handle = client("connect", ConnectAction).send_goal(ConnectGoal(timeout=LINK_TIMEOUT))
+    deadline = rospy.Time.now() + rospy.Duration(LINK_TIMEOUT)
+    while state() != CommandStatus.READY:
+        if handle.get_comm_state() == CommState.DONE or rospy.Time.now() > deadline:
+            raise Failed("no link: " + (handle.get_result().error_description if handle.get_result() else "no answer"))
+        rospy.sleep(0.05)
+    return handle
+
+
+def wait(handle, seconds):
+    """Until it has ended, or for so long."""
+    deadline = rospy.Time.now() + rospy.Duration(seconds)
+    while handle.get_comm_state() != CommState.DONE and rospy.Time.now() < deadline:
+        if rospy.is_shutdown():
+            raise Failed("told to end")
+        rospy.sleep(0.01)
+    return handle.get_comm_state() == CommState.DONE
+
+
+def expect_done(handle, what):
+    if not wait(handle, LONGEST):
+        handle.cancel()
+        raise Failed(f"{what} has no end: it was cancelled")
+    result = handle.get_result()
+    if handle.get_terminal_state() != GoalStatus.SUCCEEDED:
+        raise Failed(f"{what}: error 16#{result.error_id:X}: {result.error_description}. {result.remedy}")
+    print(f"{what}: done", flush=True)
+
+
+def ask(service):
+    answer = rospy.ServiceProxy(service, Interruption)()
+    if not answer.success:
+        raise Failed(f"{service}: 16#{answer.error_id:X}: {answer.message}")
+    print(f"{service}: {answer.message}", flush=True)
+
+
+def turn(moves, j1, j2, speed, on_feedback=None):
+    goal = MoveRelativeGoal(movement_command=MoveRelativeGoal.PTP, data_format=MoveRelativeGoal.JPP,
+                            target_position=Transformation(x=j1, y=j2), speed=speed, accel_time=300)
+    return moves.send_goal(goal, feedback_cb=on_feedback)
+
+
+def demonstrate(options):
+    moves, ways_back = client("move_relative", MoveRelativeAction), client("return_to_primary", ReturnToPrimaryAction)
+    for service in ("interrupt", "continue"):
+        rospy.wait_for_service(service, LINK_TIMEOUT)
+    on_its_way = threading.Event()
+    motion = turn(moves, options.degrees, 0, options.speed, lambda _, f: f.progress >= INTERRUPTED_AT and on_its_way.set())
+    while not on_its_way.wait(0.01):
+        if rospy.is_shutdown() or motion.get_comm_state() == CommState.DONE:
+            raise Failed(f"the motion was not interrupted: {motion.get_result().error_description if motion.get_result() else 'told to end'}")
+    ask("interrupt")
+    expect_done(turn(moves, 0, AWAY, options.speed), "away")
+    back = ReturnToPrimaryGoal(return_mode=ReturnToPrimaryGoal.INTERRUPT_POSITION, trajectory_mode=ReturnToPrimaryGoal.PTP,
+                               speed=options.speed)
+    expect_done(ways_back.send_goal(back), "the way back")
+    ask("continue")
+    expect_done(motion, "the motion that was interrupted")
+    expect_done(turn(moves, -options.degrees, 0, options.speed), "back to the beginning")
+
+
+def run(options):
+    own_link = link()
+    try:
+        demonstrate(options)
+    finally:
+        if own_link:
+            own_link.cancel()
+            wait(own_link, LINK_TIMEOUT)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--degrees", type=float, default=30.0, help="of joint 1")
+    parser.add_argument("--speed", type=int, default=5, help="[%%] of the rated speeds")
+    options = parser.parse_args(rospy.myargv()[1:])
+    rospy.init_node("interrupt_example", anonymous=True)
+    signal.signal(signal.SIGTERM, lambda *_: rospy.signal_shutdown("told to end"))
+    try:
+        run(options)
+    except (Failed, rospy.ROSException, rospy.ServiceException) as why:
+        print(f"Failed: {why}", flush=True)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
