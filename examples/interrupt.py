@@ -6,22 +6,24 @@ it was to go. Then joint 1 turns back. A link that is there already is used, and
 Exit status: 0 when all of it went so, 1 with the reason when not.
 """
 import argparse
+import math
 import signal
 import sys
-import threading
 
 import actionlib
 import rospy
 from actionlib import CommState
 from actionlib_msgs.msg import GoalStatus
+from sensor_msgs.msg import JointState
 
 from cobot_command.msg import (CommandStatus, ConnectAction, ConnectGoal, MoveRelativeAction, MoveRelativeGoal, ReturnToPrimaryAction,
                                ReturnToPrimaryGoal, Transformation)
 from cobot_command.srv import Interruption
 
 LINK_TIMEOUT = 30.0  # [s]
+PATIENCE = 5.0  # [s]
 LONGEST = 120.0  # [s] of a motion
-INTERRUPTED_AT = 0.3  # of its way
+INTERRUPTED_AT = 1 / 3  # of its way
 AWAY = 2.0  # [deg]
 
 
@@ -79,21 +81,26 @@ def ask(service):
     print(f"{service}: {answer.message}", flush=True)
 
 
-def turn(moves, j1, j2, speed, on_feedback=None):
+def turn(moves, j1, j2, speed):
     goal = MoveRelativeGoal(movement_command=MoveRelativeGoal.PTP, data_format=MoveRelativeGoal.JPP,
                             target_position=Transformation(x=j1, y=j2), speed=speed, accel_time=300)
-    return moves.send_goal(goal, feedback_cb=on_feedback)
+    return moves.send_goal(goal)
+
+
+def joint_1():
+    """[deg]"""
+    return math.degrees(rospy.wait_for_message("joint_states", JointState, PATIENCE).position[0])
 
 
 def demonstrate(options):
     moves, ways_back = client("move_relative", MoveRelativeAction), client("return_to_primary", ReturnToPrimaryAction)
     for service in ("interrupt", "continue"):
         rospy.wait_for_service(service, LINK_TIMEOUT)
-    on_its_way = threading.Event()
-    motion = turn(moves, options.degrees, 0, options.speed, lambda _, f: f.progress >= INTERRUPTED_AT and on_its_way.set())
-    while not on_its_way.wait(0.01):
-        if rospy.is_shutdown() or motion.get_comm_state() == CommState.DONE:
-            raise Failed(f"the motion was not interrupted: {motion.get_result().error_description if motion.get_result() else 'told to end'}")
+    begin = joint_1()
+    motion = turn(moves, options.degrees, 0, options.speed)
+    while abs(joint_1() - begin) < INTERRUPTED_AT * abs(options.degrees):
+        if motion.get_comm_state() == CommState.DONE:
+            raise Failed(f"the motion ended too early: {motion.get_result().error_description}")
     ask("interrupt")
     expect_done(turn(moves, 0, AWAY, options.speed), "away")
     back = ReturnToPrimaryGoal(return_mode=ReturnToPrimaryGoal.INTERRUPT_POSITION, trajectory_mode=ReturnToPrimaryGoal.PTP,
