@@ -24,6 +24,9 @@ ErrorTable ProgramControlGoal::errors() {
           "the controller answered CPERR F1: the flow is not in a Listen node, which is left to it to say")
       .shared(interface_error::kInterrupted,
               "RESUME, and enabled data are out of sync, for which a sync_reaction has interrupted the robot")
+      .row(own_error::kOverrideZero, "The speed override is 0 %",
+           "Raise it with change_speed_override: that lets the robot go on",
+           "RESUME, and the robot is held by a speed override of 0")
       .row(own_error::kProgramCommandUnknown, "Command unknown", "Use 0 (Pause) or 1 (Resume)",
            "command is neither 0 nor 1");
 }

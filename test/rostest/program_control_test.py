@@ -4,6 +4,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import ProgramControlGoal, RobotStatus
+from cobot_command.srv import ChangeSpeedOverride
 from cobot_goals import BUFFERED, MODERATELY, turn
 from motion_checks import MotionTestCase
 
@@ -21,6 +22,15 @@ class ProgramControl(MotionTestCase):
         self.assert_done(self.robot.run(RESUME))
         self.assert_done(sent.finish())
         self.assert_stands_at((20, 0, 90, 0, 90, 0))
+
+    def test_does_not_resume_a_robot_that_the_speed_override_holds(self):
+        sent = self.robot.start_slowly(turn(20, 0, 0, 0, 0, 0, **MODERATELY))
+        override = rospy.ServiceProxy("change_speed_override", ChangeSpeedOverride)
+        self.assertTrue(override(0).success)
+        self.robot.wait_for_standstill()
+        self.assert_rejected(self.robot.run(RESUME), 0x234, "override")
+        self.assertTrue(override(100).success)
+        self.assert_done(sent.finish())
 
     def test_gives_a_paused_motion_the_time_that_the_pause_took(self):
         sent = self.robot.start_slowly(turn(20, 0, 0, 0, 0, 0, **MODERATELY))

@@ -83,6 +83,7 @@ void FrontDesk::sendBeside(blocks::GoalId id, const blocks::Goal& goal, Instant 
   Failures failures = rules.violations();
   append(failures, only_connection ? parts_.keeper.objectionsToATry() : parts_.keeper.objectionsToCommands());
   append(failures, parts_.permit.objectionsTo(traits));
+  if (traits.resumes && parts_.speed.isZero()) failures.push_back({blocks::own_error::kOverrideZero, "", ""});
   if (!tried_anyway && parts_.robot.emergencyStop()) {
     failures.push_back({blocks::own_error::kEmergencyStop, "", ""});
   }

@@ -23,7 +23,7 @@ void SpeedDesk::set(double percent, const OverrideReply& reply, Instant now) {
     return;
   }
   const double share = core_.speed.share();
-  core_.speed.set(percent);
+  core_.speed.set(percent + 0.0);  // no "-0 %"
   if (core_.speed.share() != share) core_.speeds_changed();
   if (core_.speed.isZero()) {
     hold(reply, now);

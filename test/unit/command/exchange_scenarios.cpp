@@ -72,9 +72,17 @@ Scenarios interfaceScenarios(const Goal& goal) {
 Scenarios resumeScenarios() {
   ProgramControlGoal resume;
   resume.command = static_cast<int>(ProgramCommand::Resume);
-  return {{Row{kBlock<ProgramControlGoal>, interface_error::kInterrupted}, [=] {
+  return {{Row{kBlock<ProgramControlGoal>, interface_error::kInterrupted},
+           [=] {
              ExchangeRig rig;
              interrupt(rig);
+             return *rig.outcome(rig.submit(resume));
+           }},
+          {Row{kBlock<ProgramControlGoal>, own_error::kOverrideZero}, [=] {
+             CoreRig rig;
+             rig.connect();
+             rig.core.setSpeedOverride(
+                 0, [](const auto& /*answer*/) {}, rig.now);
              return *rig.outcome(rig.submit(resume));
            }}};
 }

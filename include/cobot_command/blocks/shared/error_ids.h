@@ -106,6 +106,7 @@ inline constexpr int kManualMode = 0x229;  // none under this number yet: load_p
 inline constexpr int kShutDown = 0x230;
 inline constexpr int kBaseUnknown = 0x231;
 // 0x232 is of the services of the tables: tables/refusal.h.
+inline constexpr int kOverrideZero = 0x234;  ///< of the speed: it holds the robot
 inline constexpr int kInterruption = 0x233;  ///< nothing is interrupted, or nothing can be
 // The connection.
 inline constexpr int kHostInvalid = 0x240;
