@@ -200,6 +200,7 @@ void Arbiter::proceed(Instant now) {
   }
   desk_.proceed(now);
   interruption_.proceed();
+  interrupts_.look(now);  // also when nothing is begun any more: who asked is to be answered
   turns_.tellPlaces();
 }
 
