@@ -19,7 +19,7 @@ else()
   set(headers ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
   set(share ${CATKIN_PACKAGE_SHARE_DESTINATION})
   set(package ${CATKIN_PACKAGE_SHARE_DESTINATION}/cmake)
-  catkin_install_python(PROGRAMS examples/jog.py examples/load_path.py examples/pick_and_place.py examples/tour.py rviz/fleet_rviz.py DESTINATION ${programs})
+  catkin_install_python(PROGRAMS examples/exchange_configuration.py examples/interrupt.py examples/jog.py examples/load_path.py examples/pick_and_place.py examples/tour.py rviz/fleet_rviz.py DESTINATION ${programs})
   install(DIRECTORY config launch rviz DESTINATION ${share})
 endif()
 

@@ -35,7 +35,8 @@ void checkPlace(ParameterChecks& checks, const ReturnToPrimaryGoal& goal) {
   if (!goal.place) return;
   const auto target = targetOf(goal);
   checks.require(target.has_value(), return_error::kReturnMode,
-                 "return_mode is 1 (END_POSITION), and no motion was under way");
+                 "return_mode is 1 (END_POSITION), and the robot was at no motion whose end is known: use 0 "
+                 "(INTERRUPT_POSITION)");
   const bool is_limited = goal.distance_limit > 0 && target;
   checks.require(!is_limited || target->distance_mm <= goal.distance_limit, return_error::kTooFar,
                  fmt::format("the TCP is {:.1f} mm away; allowed by distance_limit: {} mm",
@@ -55,7 +56,8 @@ ErrorTable ReturnToPrimaryGoal::errors() {
       .motion()
       .shared({own_error::kNotListening, own_error::kEmergencyStop, own_error::kRobotError,
                own_error::kStopNotConfirmed, own_error::kOrphanMoves, own_error::kBaseUnknown})
-      .shared(motion_error::kOtherBlockBusy, "another command is Busy: the way back waits for none")
+      .shared(motion_error::kOtherBlockBusy,
+              "another command is Busy, or the robot moves: the way back waits for none")
       .condition(own_error::kNotPlannable,
                  "cannot occur: within its ranges nothing is refused for another reason than those above")
       .condition(own_error::kBaseUnknown,
@@ -73,7 +75,8 @@ ErrorTable ReturnToPrimaryGoal::errors() {
            "the active TCP is another one than when the robot was interrupted, without allow_differences")
       .row(return_error::kLoadDiffers, "The load differs from that of the interruption",
            "Set it as it was (change_load, change_tcp), or give allow_differences",
-           "the mass of the tool is another one than when the robot was interrupted, without "
+           "the mass of the tool, or of what it holds, is another one than when the robot was interrupted, "
+           "without "
            "allow_differences")
       .row(return_error::kFrameDiffers, "The base differs from that of the interruption",
            "Set it as it was (change_base), or give allow_differences",
@@ -81,7 +84,7 @@ ErrorTable ReturnToPrimaryGoal::errors() {
       .row(return_error::kReturnMode, "Return mode invalid", kSetInRange,
            "return_mode is neither 0 (INTERRUPT_POSITION) nor 1 (END_POSITION); or it is 1, and the robot "
            "was at no "
-           "motion when it was interrupted")
+           "motion, or at a path, which has no such end")
       .row(return_error::kTrajectoryMode, "Trajectory mode invalid", kSetInRange,
            "trajectory_mode is neither 1 (LINEAR) nor 2 (PTP)");
 }
@@ -90,6 +93,7 @@ GoalTraits traitsOf(const ReturnToPrimaryGoal& goal) {
   GoalTraits traits;
   traits.awaits_motion = true;
   traits.may_move = true;
+  traits.needs_standstill = true;
   traits.needs_base = !isPtp(goal);
   return traits;
 }

@@ -47,7 +47,7 @@ void GroupDesk::tell() {
 
 Sequence GroupDesk::sequence() const {
   const bool is_there =
-      parts_.arbiter.turns().run() != nullptr || !parts_.arbiter.queue().empty() || parts_.arbiter.mayMove();
+      parts_.arbiter.turns().isAnythingThere() || !parts_.arbiter.queue().empty() || parts_.arbiter.mayMove();
   if (parts_.guard.interrupts() || parts_.arbiter.aside().isThere()) return Sequence::Interrupted;
   if (!is_there) return Sequence::Idle;
   return parts_.robot.held() ? Sequence::Interrupted : Sequence::Executing;

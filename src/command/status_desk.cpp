@@ -60,7 +60,7 @@ void StatusDesk::describe(CommandStatus& status) const {
   status.status_diagnosis = parts_.links.status().diagnosis();
   status.last_connected = connect.lastConnected();
   status.last_lost = connect.lastLost();
-  status.commands_under_way = parts_.arbiter.turns().run() != nullptr || next_is_planned ? 1 : 0;
+  status.commands_under_way = parts_.arbiter.turns().isAnythingThere() || next_is_planned ? 1 : 0;
   const SetAside& aside = parts_.arbiter.aside();
   status.commands_waiting = static_cast<int>(parts_.arbiter.queue().size()) - (next_is_planned ? 1 : 0) +
                             static_cast<int>(aside.underWay() + aside.waiting());

@@ -24,11 +24,17 @@ struct InterruptAnswer {
 /// Called once: at once, or when the robot stands.
 using InterruptReply = std::function<void(const InterruptAnswer& answer)>;
 
-/// Where the robot was interrupted, and in which frames.
+/// What targets, and the model of the controller, stand on.
+struct Setup {
+  robot::ActiveFrames frames;
+  std::optional<double> load;  ///< as it was commanded [kg]; nothing: not, or not known any more
+};
+
+/// Where the robot was interrupted, and how it was set up.
 struct PrimaryPosition {
   arm::JointVector joints;                      ///< [rad]
   std::optional<arm::JointVector> segment_end;  ///< of the motion that it was at [rad]; none: it was at none
-  robot::ActiveFrames frames;
+  Setup setup;
 };
 
 }  // namespace cobot_command::command

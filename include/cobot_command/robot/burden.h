@@ -28,6 +28,9 @@ class Burden {
   /// Somebody else may have changed it.
   void forget() { *this = {}; }
 
+  /// Of what the tool holds, as it was commanded [kg]; nothing: it was not, or nobody knows.
+  [[nodiscard]] std::optional<double> load() const { return load_.mass; }
+
   /// Nothing when it can carry what is known of. `active` counts where it tells the mass of the tool; not
   /// every stream does.
   [[nodiscard]] std::optional<TooMuch> tooMuchFor(const arm::ArmModel& arm, const ActiveFrames& active) const;

@@ -48,7 +48,12 @@ void Arbiter::cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalI
     parts_.exchange.cancel(now);
     return;
   }
-  if (aside_.cancel(id, "cancelled while it was interrupted", now)) return;
+  if (aside_.cancel(id, "cancelled while it was interrupted", now)) {
+    if (!aside_.isThere() && queue_.empty()) {  // those that have not come to the core yet fall, too
+      queue_.dropAll("the command in front of it was cancelled", newest.value_or(queue_.newest()));
+    }
+    return;
+  }
   const blocks::Run* const run = turns_.run();
   ConnectRun& connect = parts_.keeper.run();
   const bool has_the_turn = run == nullptr && queue_.plansTheNext() && queue_.front().id == id;
@@ -87,6 +92,7 @@ FinishReport Arbiter::finish(blocks::FinishAfter after, Instant now, std::option
   found.dropped = queue_.dropBehindTurn(kNothingBehindFinish, newest.value_or(queue_.newest()));
   found.dropped += aside_.finish(after, kNothingBehindFinish, now);
   found.under_way = turns_.occupancy().busyWith();
+  if (!found.under_way) found.under_way = aside_.block();
   turns_.finish(after, now);
   return found;
 }
@@ -128,6 +134,7 @@ void Arbiter::linkLost(const std::string& reason, Instant now) {
 }
 
 void Arbiter::disconnected(const std::string& reason, Instant now) {
+  aside_.linkLost(reason, now);
   pause_.linkLost();
   parts_.guard.linkLost();
   stop_.linkLost(reason);
@@ -211,7 +218,7 @@ bool Arbiter::idle() const {
 }
 
 bool Arbiter::underWay() const {
-  return turns_.run() != nullptr || !queue_.empty() || aside_.isThere() || mayBeMovedByUs();
+  return turns_.isAnythingThere() || !queue_.empty() || aside_.isThere() || mayBeMovedByUs();
 }
 
 bool Arbiter::mayMove() const {

@@ -62,7 +62,9 @@ bool FrontDesk::rejected(blocks::GoalId id, const blocks::Goal& goal, const Fail
 void FrontDesk::connect(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
   const auto& target = std::get<blocks::ConnectGoal>(goal);
   const bool may_move = parts_.forecast.loose().mayMove() || desks_.stops.busy();
-  if (rejected(id, goal, parts_.keeper.objectionsTo(target, turns_.occupancy().busyWith(), may_move))) return;
+  const auto busy = turns_.occupancy().busyWith();
+  const auto block = busy ? busy : desks_.aside.block();
+  if (rejected(id, goal, parts_.keeper.objectionsTo(target, block, may_move))) return;
   parts_.keeper.execute(id, target, now);
 }
 
@@ -113,6 +115,9 @@ void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, const block
   const blocks::BufferMode mode = of_interface.empty() ? traits.buffer_mode : blocks::BufferMode::Aborting;
   append(failures, turns_.occupancy().objectionsToAny(mode, traits.needs_automatic));
   append(failures, of_interface);
+  if (failures.empty() && turns_.isStoppingForLater() && mode == blocks::BufferMode::Refuse) {
+    failures.push_back({blocks::motion_error::kOtherBlockBusy, "what is under way is being interrupted", ""});
+  }
   if (failures.empty() && traits.needs_standstill && !turns_.occupancy().robotStands()) {
     failures.push_back({blocks::motion_error::kOtherBlockBusy, "the robot moves", ""});
   }
@@ -126,7 +131,9 @@ void FrontDesk::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::Buf
     turns_.abortAll(fmt::format("taken over by {}", toString(blockOf(goal))), id, now);
     if (desks_.stops.mayMoveOtherwise() && !desks_.stops.busy()) desks_.stops.ask(now);
   }
-  if (mode == blocks::BufferMode::Buffered && desks_.aside.isThere()) {
+  // Its own wish: behind another one of its kind a path counts as one that waits.
+  const bool waits = blocks::GoalRules(goal).traits().buffer_mode == blocks::BufferMode::Buffered;
+  if (waits && desks_.aside.isThere()) {
     Waiting waiting;
     waiting.id = id;
     waiting.goal = goal;
@@ -139,7 +146,7 @@ void FrontDesk::enqueue(blocks::GoalId id, const blocks::Goal& goal, blocks::Buf
       !is_behind_others && !takes_over && motionsOf(goal) > 0 && turns_.occupancy().robotStands();
   if (begins_a_hold) parts_.hold.begin(id, now);
   const auto* const way_back = std::get_if<blocks::ReturnToPrimaryGoal>(&goal);
-  if (way_back != nullptr && way_back->allow_differences) desks_.aside.allowOtherFrames();
+  if (way_back != nullptr && way_back->allow_differences) desks_.aside.allowSetupBehind(id);
   Waiting waiting;
   waiting.id = id;
   waiting.goal = goal;

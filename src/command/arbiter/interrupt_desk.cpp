@@ -20,7 +20,7 @@ InterruptAnswer refusal(int error_id, std::string message) {
 }
 
 InterruptAnswer toAnswer(const blocks::Failure& failure) {
-  return refusal(failure.error_id, failure.found);
+  return refusal(failure.error_id, failure.found.empty() ? "see doc/errors.md" : failure.found);
 }
 
 }  // namespace
@@ -43,8 +43,8 @@ InterruptAnswer InterruptDesk::objectionToInterrupting() const {
   }
   if (state_ == State::Stopping) return {};
   if (desks_.stops.busy()) return refusal(kContinueWhileStopping, "the robot is being stopped");
-  const bool is_there = turns_.run() != nullptr || !desks_.queue.empty() || desks_.window.mayMove() ||
-                        parts_.forecast.loose().mayMove() || turns_.goesOn();
+  const bool is_there = turns_.isAnythingThere() || !desks_.queue.empty() || desks_.window.mayMove() ||
+                        parts_.forecast.loose().mayMove();
   if (!is_there) {
     return refusal(blocks::own_error::kInterruption, "nothing is under way, and nothing waits");
   }
@@ -52,7 +52,7 @@ InterruptAnswer InterruptDesk::objectionToInterrupting() const {
     return refusal(blocks::own_error::kStartUnknown,
                    "the status stream does not tell where the robot stands: use stop, which keeps nothing");
   }
-  if (const auto why = turns_.objectionToAnInterruption()) {
+  if (const auto why = whyNotLater()) {
     return refusal(blocks::own_error::kInterruption,
                    fmt::format("what is under way could not go on later: {}; use stop, which keeps nothing, "
                                "or PAUSE of program_control, which leaves the robot where it is",
@@ -61,13 +61,27 @@ InterruptAnswer InterruptDesk::objectionToInterrupting() const {
   return {};
 }
 
+std::optional<std::string> InterruptDesk::whyNotLater() const {
+  using GoesOn = blocks::Run::GoesOn;
+  const GoesOn goes_on = turns_.run() != nullptr ? turns_.run()->goesOn() : GoesOn::ByCommands;
+  if (goes_on == GoesOn::Never) return fmt::format("{} cannot", toString(turns_.run()->block()));
+  if (goes_on == GoesOn::ByCommands) return turns_.sender().objectionToResuming();
+  if (turns_.sender().hasSent() && parts_.forecast.loose().mayMove()) {
+    return "a blended motion in front of the path is under way";
+  }
+  const blocks::PathPace pace = desks_.paths.pace();
+  const bool can_restart = desks_.window.empty() || pace.can_restart || pace.is_restarting;
+  return can_restart ? std::nullopt
+                     : std::optional<std::string>("the path comes to its end, or is being stopped");
+}
+
 void InterruptDesk::goOn(const InterruptReply& reply, Instant now) {
   if (const auto objection = objectionToGoingOn(); objection.error_id != 0) {
     reply(objection);
     return;
   }
   fire(Event::Continued, now);
-  reply({true, 0, "goes on from where it was interrupted"});
+  reply({true, 0, goesOnText()});
 }
 
 InterruptAnswer InterruptDesk::objectionToGoingOn() const {
@@ -75,14 +89,16 @@ InterruptAnswer InterruptDesk::objectionToGoingOn() const {
   if (!desks_.aside.isThere()) {
     return refusal(blocks::own_error::kInterruption, "nothing is interrupted");
   }
-  if (parts_.guard.deniesResume()) {
-    return refusal(blocks::interface_error::kInterrupted, parts_.permit.text());
+  blocks::GoalTraits moving;
+  moving.may_move = true;
+  if (const auto objections = parts_.permit.objectionsTo(moving); !objections.empty()) {
+    return toAnswer(objections.front());
   }
   if (!parts_.keeper.isRobotEnabled(parts_.robot)) {
     return refusal(kContinueNotEnabled,
                    "emergency stop, an error of the controller, or no link: see command_status");
   }
-  const bool moves = desks_.stops.busy() || turns_.run() != nullptr || !desks_.queue.empty() ||
+  const bool moves = desks_.stops.busy() || turns_.isAnythingThere() || !desks_.queue.empty() ||
                      parts_.forecast.loose().mayMove() || parts_.robot.moving().value_or(false);
   if (moves) {
     return refusal(kContinueWhileStopping, "the robot moves, or another goal is under way: wait for it");
@@ -97,8 +113,7 @@ InterruptAnswer InterruptDesk::objectionToGoingOn() const {
                    fmt::format("{} from where it was interrupted; allowed: 0.1 deg: use return_to_primary",
                                awayText(position.joints)));
   }
-  const auto difference = differenceIn(position.frames, parts_.forecast.frames());
-  if (difference && !desks_.aside.allowsOtherFrames()) {
+  if (const auto difference = desks_.aside.objectionTo(setup())) {
     return refusal(difference->error_id,
                    difference->found + ": set it as it was, or use return_to_primary with allow_differences");
   }
@@ -118,7 +133,7 @@ std::optional<blocks::Goal> InterruptDesk::withPlace(const blocks::Goal& goal) c
     const arm::Pose there = arm::forwardKinematics(*arm, at) * tcp;
     return blocks::ReturnTarget{at, there, mToMm((there.translation() - now.translation()).norm())};
   };
-  blocks::ReturnPlace place{targetAt(position.joints), std::nullopt, differenceIn(position.frames, frames)};
+  blocks::ReturnPlace place{targetAt(position.joints), std::nullopt, differenceIn(position.setup, setup())};
   if (position.segment_end) place.segment_end = targetAt(*position.segment_end);
   blocks::ReturnToPrimaryGoal filled = *way_back;
   filled.place = std::move(place);
@@ -160,9 +175,15 @@ void InterruptDesk::fire(Event event, Instant now) {
 
 void InterruptDesk::setAside(Instant now) {
   Aside aside = turns_.takeAside(now);
-  PrimaryPosition position{*parts_.robot.joints(), std::nullopt, parts_.forecast.frames()};
+  PrimaryPosition position{*parts_.robot.joints(), std::nullopt, setup()};
   if (!aside.left.empty()) position.segment_end = aside.left.front().segment_end;
   desks_.aside.put(std::move(aside), std::move(position), now);
+  if (desks_.aside.isEmpty()) {  // it was done in that very moment
+    desks_.aside.drop(kInterrupted, now);
+    answer(refusal(blocks::own_error::kInterruption,
+                   "what was under way was done before it could be interrupted"));
+    return;
+  }
   const std::size_t waiting = desks_.aside.waiting();
   const auto block = desks_.aside.block();
   answer({true, 0,
@@ -173,7 +194,25 @@ void InterruptDesk::setAside(Instant now) {
 
 void InterruptDesk::putBack(Instant now) {
   const bool behind_segment = !isAt(desks_.aside.position()->joints);
-  turns_.putBack(desks_.aside.take(behind_segment, now), now);
+  Aside aside = desks_.aside.take(behind_segment, now);
+  if (aside.run) {
+    blocks::Progress progress;
+    progress.phase =
+        parts_.speed.isZero() || parts_.robot.held() ? blocks::Phase::Held : blocks::Phase::Active;
+    progress.text = goesOnText();
+    parts_.board.progress(aside.run->block(), aside.run->goal(), std::move(progress));
+  }
+  turns_.putBack(std::move(aside), now);
+}
+
+Setup InterruptDesk::setup() const {
+  return {parts_.forecast.frames(), parts_.forecast.load()};
+}
+
+std::string InterruptDesk::goesOnText() const {
+  if (parts_.speed.isZero()) return "goes on when the speed override is above 0 %";
+  if (parts_.robot.held()) return "goes on when the robot is not held any more: by a pause, or a safeguard";
+  return "goes on from where it was interrupted";
 }
 
 bool InterruptDesk::isAt(const arm::JointVector& place) const {

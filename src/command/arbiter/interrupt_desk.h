@@ -38,9 +38,13 @@ class InterruptDesk {
   void setAside(Instant now);
   void putBack(Instant now);
   [[nodiscard]] InterruptAnswer objectionToInterrupting() const;
+  /// Why what is under way could not go on later; nothing: it can.
+  [[nodiscard]] std::optional<std::string> whyNotLater() const;
   [[nodiscard]] InterruptAnswer objectionToGoingOn() const;
   /// How far the robot is from there [deg], and which joint that is.
   [[nodiscard]] std::string awayText(const arm::JointVector& place) const;
+  [[nodiscard]] Setup setup() const;
+  [[nodiscard]] std::string goesOnText() const;
   [[nodiscard]] bool isAt(const arm::JointVector& place) const;
   void answer(const InterruptAnswer& answer);
 

@@ -14,7 +14,8 @@ void Interruption::look(Instant now) {
   seen.judged = parts_.sync.isJudged();
   seen.in_sync = parts_.sync.isInSync();
   seen.robot_enabled = parts_.keeper.isRobotEnabled(parts_.robot);
-  seen.anything_there = turns_.run() != nullptr || !desks_.queue.empty() || parts_.forecast.loose().mayMove();
+  seen.anything_there =
+      turns_.isAnythingThere() || !desks_.queue.empty() || parts_.forecast.loose().mayMove();
   seen.moves = moves();
   parts_.guard.look(seen, now);
   if (parts_.guard.takePause()) pause_.pauseForGood(now);
@@ -28,7 +29,7 @@ void Interruption::look(Instant now) {
 }
 
 bool Interruption::moves() const {
-  return turns_.run() != nullptr || parts_.forecast.loose().mayMove() || desks_.window.mayMove();
+  return turns_.isAnythingThere() || parts_.forecast.loose().mayMove() || desks_.window.mayMove();
 }
 
 void Interruption::stopWithout(Instant now) {

@@ -63,7 +63,7 @@ Origin Occupancy::originNow(Instant now) const {
 }
 
 std::size_t Occupancy::waiting() const {
-  return queue_.size() + (run_ && run_->chain() != nullptr ? run_->chain()->waiting() : 0);
+  return queue_.size() + aside_.waiting() + (run_ && run_->chain() != nullptr ? run_->chain()->waiting() : 0);
 }
 
 blocks::BufferMode Occupancy::modeOf(blocks::Block block, const blocks::GoalTraits& traits) const {

@@ -12,6 +12,7 @@
 #include "arbiter/stop_desk.h"
 #include "queue/goal_queue.h"
 #include "runs/command_window.h"
+#include "sending/set_aside.h"
 
 #include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/blocks/shared/run.h"
@@ -22,8 +23,15 @@ class Occupancy {
  public:
   /// `run`: whose turn it is. All have to live longer. `frames`: see CommandCore.
   Occupancy(const CoreParts& parts, const GoalQueue& queue, const StopDesk& stops,
-            const CommandWindow& window, const std::unique_ptr<blocks::Run>& run, blocks::FrameFinder frames)
-      : parts_(parts), queue_(queue), stops_(stops), window_(window), run_(run), frames_(std::move(frames)) {}
+            const CommandWindow& window, const SetAside& aside, const std::unique_ptr<blocks::Run>& run,
+            blocks::FrameFinder frames)
+      : parts_(parts),
+        queue_(queue),
+        stops_(stops),
+        window_(window),
+        aside_(aside),
+        run_(run),
+        frames_(std::move(frames)) {}
 
   /// What a command would have to wait for; nothing: it would not.
   [[nodiscard]] std::optional<blocks::Block> busyWith() const;
@@ -62,6 +70,7 @@ class Occupancy {
   const GoalQueue& queue_;
   const StopDesk& stops_;
   const CommandWindow& window_;
+  const SetAside& aside_;
   const std::unique_ptr<blocks::Run>& run_;
   blocks::FrameFinder frames_;
 };

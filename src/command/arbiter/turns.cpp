@@ -10,11 +10,21 @@
 #include "cobot_command/common/deadline.h"
 
 namespace cobot_command::command {
+namespace {
+
+/// By the speed override, or the interface. What a run sets back behind itself, say, still goes out.
+bool isHeld(const blocks::Command& command, const CoreParts& parts) {
+  const bool is_held = parts.speed.isZero() || parts.permit.interrupts();
+  return is_held && command.order(arm::Pose::Identity()).moves;
+}
+
+}  // namespace
 
 Turns::Turns(const CoreParts& parts, const ArbiterDesks& desks, blocks::FrameFinder frames)
     : parts_(parts),
       desks_(desks),
-      occupancy_(parts, desks.queue, desks.stops, desks.window, under_way_.run, std::move(frames)),
+      occupancy_(parts, desks.queue, desks.stops, desks.window, desks.aside, under_way_.run,
+                 std::move(frames)),
       sender_({parts.settings, parts.forecast, desks.planning,
                [this](Instant now) { return occupancy_.originNow(now); }},
               parts.forecast, desks.window),
@@ -43,7 +53,7 @@ bool Turns::continueRun(Instant now) {
   }
   const auto command = under_way_.run->next();
   if (!command) return false;
-  if (isHeld(*command)) {
+  if (isHeld(*command, parts_)) {
     sender_.forget();  // its plan is made anew when it goes on, with all the time that a plan has
     return false;
   }
@@ -68,16 +78,10 @@ bool Turns::continueRun(Instant now) {
   return true;
 }
 
-/// What it sets back behind itself, say, still goes out.
-bool Turns::isHeld(const blocks::Command& command) const {
-  const bool is_held = parts_.speed.isZero() || parts_.permit.interrupts();
-  return is_held && command.order(arm::Pose::Identity()).moves;
-}
-
 bool Turns::continueLeft(Instant now) {
   if (!desks_.window.empty()) return false;
   const Left left = sender_.left();
-  if (isHeld(left.command)) {
+  if (isHeld(left.command, parts_)) {
     sender_.forget();
     return false;
   }
@@ -110,9 +114,33 @@ void Turns::refuseLeft(const Left& left, const blocks::Failure& failure, Instant
 
 void Turns::endLeft(const blocks::Outcome& outcome, Instant now) {
   for (const Left& left : sender_.dropLeft()) {
-    if (left.goal == 0 || !under_way_.run || under_way_.run->outcome()) continue;
-    under_way_.run->commandEnded(left.command.key, outcome, now);
+    if (left.goal != 0 && !kept_) kept_ = Untold{left.command.key, left.command.block};
   }
+  const auto untold = std::exchange(kept_, std::nullopt);
+  if (!untold || !under_way_.run || under_way_.run->outcome()) return;
+  if (desks_.window.empty()) {
+    under_way_.run->commandEnded(untold->key, outcome, now);
+  } else {
+    owed_ = untold;  // it ends with what is in front of it
+  }
+}
+
+void Turns::endNobodys(const CommandWindow::Ended& ended, Instant now) {
+  using blocks::Ending;
+  if (const auto owed = std::exchange(owed_, std::nullopt); owed && under_way_.run) {
+    const bool failed = ended.outcome.ending == Ending::Aborted;
+    under_way_.run->commandEnded(
+        owed->key,
+        failed ? toOutcome(owed->block, Ending::Aborted, failureOf(ended.block, ended.outcome))
+               : blocks::commandAborted(ended.outcome.error_description),
+        now);
+    if (ended.outcome.ending == Ending::Done) desks_.stops.askIfMoving(now);
+    return;
+  }
+  if (ended.outcome.ending != Ending::Aborted) return;
+  Left left;
+  left.command.block = ended.block;
+  refuseLeft(left, {ended.outcome.error_id, ended.outcome.error_description, ""}, now);
 }
 
 // --- Ends.
@@ -132,13 +160,13 @@ void Turns::endCommand(CommandWindow::Ended ended, Instant now) {
   const bool is_stopped = ended.outcome.ending == blocks::Ending::CommandAborted;
   const bool is_kept = stops_for_later_ && is_stopped &&
                        (!under_way_.run || under_way_.run->goesOn() == blocks::Run::GoesOn::ByCommands);
-  if (is_kept) return;
+  if (is_kept) {
+    if (!CommandSender::isNobodys(ended.key)) kept_ = Untold{ended.key, ended.block};
+    return;
+  }
   sender_.ended(ended);
   if (CommandSender::isNobodys(ended.key)) {
-    if (is_stopped || ended.outcome.ending == blocks::Ending::Done) return;
-    Left left;
-    left.command.block = ended.block;
-    refuseLeft(left, {ended.outcome.error_id, ended.outcome.error_description, ""}, now);
+    endNobodys(ended, now);
     return;
   }
   if (ended.leaves_node && under_way_.run->leavesNode() && parts_.keeper.objectionsToCommands().empty()) {
@@ -160,16 +188,20 @@ void Turns::endRun(Instant now) {
   desks_.paths.leave();
   parts_.jog.serve(under_way_.run->jog(), now);
   stopping_.reset();
-  stops_for_later_ = false;
+  kept_.reset();
+  owed_.reset();
   finishes_behind_motion_ = false;
   const auto done = std::exchange(under_way_.run, nullptr);
   desks_.queue.forgetTurn();  // what was to join it begins by itself
   under_way_.holds.clear();
   if (done->failed()) {
+    stops_for_later_ = false;
     if (done->leavesMotions()) desks_.stops.askIfMoving(now);
     // Before the end of the goal itself: its error is what the block shows then.
     desks_.queue.dropAll(fmt::format("the command in front of it, {}, failed", toString(done->block())));
   }
+  desks_.aside.ended(done->goal(), done->outcome()->ending == blocks::Ending::Done,
+                     {parts_.forecast.frames(), parts_.forecast.load()});
   parts_.board.end(done->block(), done->goal(), *done->outcome());
 }
 
@@ -177,6 +209,7 @@ void Turns::cancel(const std::string& why, Instant now) {
   stops_for_later_ = false;
   if (isBetweenCommands()) {
     static_cast<void>(sender_.dropLeft());
+    kept_.reset();
     stopBetweenCommands(why, now);
     return;
   }
@@ -223,7 +256,13 @@ void Turns::stopBetweenCommands(const std::string& why, Instant now) {
 }
 
 void Turns::stopEnded(const StopRun::Result& result, Instant now) {
-  if (result.failed()) stops_for_later_ = false;
+  if (result.failed() && std::exchange(stops_for_later_, false) && desks_.window.empty() && under_way_.run &&
+      !under_way_.run->outcome()) {
+    const auto next = under_way_.run->next();
+    const blocks::Block block = next ? next->block : under_way_.run->block();
+    under_way_.run->commandEnded(next ? next->key : 0,
+                                 toOutcome(block, blocks::Ending::Aborted, result.failure), now);
+  }
   if (!stopping_ || stopping_->stop != result.number || !under_way_.run || under_way_.run->outcome()) return;
   const auto next = under_way_.run->next();
   const auto key = next ? next->key : 0;
@@ -282,8 +321,8 @@ void Turns::linkLost(const std::string& reason, Instant now) {
   stops_for_later_ = false;
   desks_.aside.linkLost(reason, now);
   desks_.window.linkLost(reason, now);
-  if (sender_.goesOn()) {
-    const blocks::Block block = sender_.left().command.block;
+  if (sender_.goesOn() || kept_) {
+    const blocks::Block block = kept_ ? kept_->block : sender_.left().command.block;
     endLeft(toOutcome(block, blocks::Ending::Aborted, {blocks::motion_error::kLinkDropped, reason, ""}), now);
   }
   const auto patience =
@@ -312,21 +351,6 @@ std::optional<Instant> Turns::nextDeadline() const {
 
 // --- Interruptions.
 
-std::optional<std::string> Turns::objectionToAnInterruption() const {
-  using GoesOn = blocks::Run::GoesOn;
-  const GoesOn goes_on = under_way_.run ? under_way_.run->goesOn() : GoesOn::ByCommands;
-  if (stopping_) return "it is being stopped";
-  if (goes_on == GoesOn::Never) return fmt::format("{} cannot", toString(under_way_.run->block()));
-  if (goes_on == GoesOn::ByCommands) return sender_.objectionToResuming();
-  if (sender_.hasSent() && parts_.forecast.loose().mayMove()) {
-    return "a blended motion in front of the path is under way";
-  }
-  const blocks::PathPace pace = desks_.paths.pace();
-  const bool can_restart = desks_.window.empty() || pace.can_restart || pace.is_restarting;
-  return can_restart ? std::nullopt
-                     : std::optional<std::string>("the path comes to its end, or is being stopped");
-}
-
 void Turns::stopForLater(const std::string& why, Instant now) {
   stops_for_later_ = true;
   sender_.forget();
@@ -345,7 +369,10 @@ bool Turns::hasStoppedForLater() const {
 Aside Turns::takeAside(Instant now) {
   if (std::exchange(finishes_behind_motion_, false)) under_way_.run->finish(blocks::FinishAfter::Move, now);
   stops_for_later_ = false;
+  kept_.reset();
   Aside aside;
+  const bool by_itself = under_way_.run && under_way_.run->goesOn() == blocks::Run::GoesOn::ByItself;
+  if (by_itself) sender_.queueDone();
   aside.left = sender_.takeLeft();
   for (Left& left : sender_.dropLeft()) aside.left.push_back(std::move(left));
   aside.run = std::exchange(under_way_.run, nullptr);

@@ -48,8 +48,7 @@ class Turns {
   void tellPlaces();
 
   // --- An interruption: what is under way is taken from the controller, to go on later.
-  /// Why it could not go on; nothing: it can.
-  [[nodiscard]] std::optional<std::string> objectionToAnInterruption() const;
+  [[nodiscard]] const CommandSender& sender() const { return sender_; }
   /// Nothing is begun any more, until it is set aside or has ended for another reason.
   void stopForLater(const std::string& why, Instant now);
   [[nodiscard]] bool isStoppingForLater() const { return stops_for_later_; }
@@ -58,8 +57,8 @@ class Turns {
   [[nodiscard]] Aside takeAside(Instant now);
   /// Precondition: nothing is under way, and nothing waits.
   void putBack(Aside aside, Instant now);
-  /// Rests of commands that were taken from the controller are still to be sent.
-  [[nodiscard]] bool goesOn() const { return sender_.goesOn(); }
+  /// A goal is under way, or what was taken from the controller is still to be sent.
+  [[nodiscard]] bool isAnythingThere() const { return under_way_.run || sender_.goesOn(); }
 
   void queueDone() { sender_.queueDone(); }
   void stopEnded(const StopRun::Result& result, Instant now);
@@ -72,11 +71,11 @@ class Turns {
   bool continueRun(Instant now);
   /// The same of what was taken from the controller.
   bool continueLeft(Instant now);
+  /// Of a command that nobody is told of any more.
+  void endNobodys(const CommandWindow::Ended& ended, Instant now);
   void refuseLeft(const Left& left, const blocks::Failure& failure, Instant now);
   /// What of it the run waits for ends so.
   void endLeft(const blocks::Outcome& outcome, Instant now);
-  /// By the speed override, or the interface: what moves has to wait.
-  [[nodiscard]] bool isHeld(const blocks::Command& command) const;
   void interrupt(const std::string& why, Instant now);
   void cancelWindow(const std::string& why, Instant now);
   /// Its last command was blended and is done, but moves the robot still; the next one is not out yet.
@@ -98,6 +97,14 @@ class Turns {
   };
   std::optional<Stopping> stopping_;
   bool stops_for_later_ = false;
+  /// A command that the run waits for, and that nothing is at the controller of: stopped to go on later, or
+  /// not sent again yet when it was cancelled, with others of its chain in front of it.
+  struct Untold {
+    blocks::CommandKey key = 0;
+    blocks::Block block{};
+  };
+  std::optional<Untold> kept_;
+  std::optional<Untold> owed_;
   bool finishes_behind_motion_ = false;  ///< it was to be finished between two commands
 };
 

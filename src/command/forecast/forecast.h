@@ -43,6 +43,8 @@ class Forecast {
   [[nodiscard]] double speedShare() const { return speed_.share(); }
   /// That the next command will be taken in.
   [[nodiscard]] robot::ActiveFrames frames() const { return frames_.frames(); }
+  /// What the tool holds, as far as it was commanded [kg].
+  [[nodiscard]] std::optional<double> load() const { return burden_.load(); }
   /// Motions that no goal waits for.
   [[nodiscard]] const robot::LooseMotion& loose() const { return loose_; }
 

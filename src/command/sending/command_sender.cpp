@@ -17,7 +17,7 @@ void CommandSender::send(const blocks::Command& command, blocks::GoalId goal, bo
 
 void CommandSender::see(const robot::RobotWatch& robot, Instant now) {
   if (trail_.empty() || !robot.joints()) return;
-  trail_.see(*robot.joints(), now);
+  trail_.see(*robot.joints(), robot.moving().value_or(true) && !robot.held(), now);
 }
 
 void CommandSender::ended(const CommandWindow::Ended& ended) {

@@ -18,7 +18,8 @@ constexpr double kSameMass = 0.001;  // [kg]
 
 bool isSame(const std::optional<arm::Pose>& a, const std::string& name_of_a,
             const std::optional<arm::Pose>& b, const std::string& name_of_b) {
-  return a && b ? arm::isSamePose(*a, *b) : !a && !b && name_of_a == name_of_b;
+  if (a && b) return arm::isSamePose(*a, *b);
+  return name_of_a == name_of_b && (!name_of_a.empty() || (!a && !b));
 }
 
 std::string nameOf(const std::string& name) {
@@ -43,22 +44,29 @@ void tellReports(blocks::Run& run, std::map<blocks::GoalId, tables::Hold>& holds
   }
 }
 
-std::optional<blocks::Failure> differenceIn(const robot::ActiveFrames& then, const robot::ActiveFrames& now) {
+std::optional<blocks::Failure> differenceIn(const Setup& then, const Setup& now) {
   namespace id = blocks::return_error;
-  if (!isSame(then.tcp, then.tcp_name, now.tcp, now.tcp_name)) {
-    return blocks::Failure{
-        id::kToolDiffers,
-        fmt::format("the TCP was {}, and is {}", nameOf(then.tcp_name), nameOf(now.tcp_name)), ""};
+  const robot::ActiveFrames& a = then.frames;
+  const robot::ActiveFrames& b = now.frames;
+  if (!isSame(a.tcp, a.tcp_name, b.tcp, b.tcp_name)) {
+    return blocks::Failure{id::kToolDiffers,
+                           fmt::format("the TCP was {}, and is {}", nameOf(a.tcp_name), nameOf(b.tcp_name)),
+                           ""};
   }
-  if (then.tool_mass && now.tool_mass && std::abs(*then.tool_mass - *now.tool_mass) > kSameMass) {
+  if (a.tool_mass && b.tool_mass && std::abs(*a.tool_mass - *b.tool_mass) > kSameMass) {
     return blocks::Failure{
         id::kLoadDiffers,
-        fmt::format("the tool had {:.3f} kg, and has {:.3f} kg", *then.tool_mass, *now.tool_mass), ""};
+        fmt::format("the tool had {:.3f} kg, and has {:.3f} kg", *a.tool_mass, *b.tool_mass), ""};
   }
-  if (!isSame(then.base, then.base_name, now.base, now.base_name)) {
+  if (now.load && std::abs(then.load.value_or(0) - *now.load) > kSameMass) {
+    return blocks::Failure{
+        id::kLoadDiffers,
+        fmt::format("the load was {:.3f} kg, and is {:.3f} kg", then.load.value_or(0), *now.load), ""};
+  }
+  if (!isSame(a.base, a.base_name, b.base, b.base_name)) {
     return blocks::Failure{
         id::kFrameDiffers,
-        fmt::format("the base was {}, and is {}", nameOf(then.base_name), nameOf(now.base_name)), ""};
+        fmt::format("the base was {}, and is {}", nameOf(a.base_name), nameOf(b.base_name)), ""};
   }
   return std::nullopt;
 }
@@ -68,7 +76,8 @@ std::optional<blocks::Failure> differenceIn(const robot::ActiveFrames& then, con
 void SetAside::put(Aside aside, PrimaryPosition position, Instant now) {
   aside_ = std::move(aside);
   position_ = std::move(position);
-  allows_other_frames_ = false;
+  allowing_ = 0;
+  allowed_.reset();
   if (aside_.run) {
     aside_.run->setAside(now);
     tellReports(*aside_.run, aside_.holds, board_, actions_);
@@ -88,6 +97,17 @@ void SetAside::tell(Waiting& waiting, int place) {
   progress.place_in_queue = place;
   progress.text = kInterrupted;
   board_.progress(blockOf(waiting.goal), waiting.id, std::move(progress));
+}
+
+void SetAside::ended(blocks::GoalId goal, bool done, const Setup& setup) {
+  if (goal != allowing_ || goal == 0) return;
+  allowing_ = 0;
+  if (done) allowed_ = setup;
+}
+
+std::optional<blocks::Failure> SetAside::objectionTo(const Setup& setup) const {
+  if (allowed_ && !differenceIn(*allowed_, setup)) return std::nullopt;
+  return differenceIn(position_->setup, setup);
 }
 
 std::optional<blocks::Block> SetAside::block() const {
@@ -114,6 +134,10 @@ void SetAside::push(Waiting waiting) {
 
 bool SetAside::cancel(blocks::GoalId goal, const std::string& why, Instant now) {
   if (aside_.run && aside_.run->serves(goal)) {
+    if (aside_.run->chain() != nullptr && aside_.run->chain()->takeOut(goal, why, now)) {
+      tellReports(*aside_.run, aside_.holds, board_, actions_);
+      return true;
+    }
     dropWaiting(fmt::format("the command in front of it, {}, was cancelled", toString(aside_.run->block())));
     aside_.run->cancel(why, now);
     endRun(blocks::commandAborted(why), now);
@@ -143,6 +167,7 @@ int SetAside::finish(blocks::FinishAfter after, const std::string& why, Instant 
 
 void SetAside::drop(const std::string& why, Instant now) {
   dropWaiting(why);
+  if (!aside_.run) aside_.left.clear();
   if (aside_.run) {
     aside_.run->interrupt(why, now);
     endRun(blocks::commandAborted(why), now);
@@ -151,7 +176,9 @@ void SetAside::drop(const std::string& why, Instant now) {
 }
 
 void SetAside::linkLost(const std::string& reason, Instant now) {
+  if (!isThere()) return;
   dropWaiting("the link was lost: " + reason);
+  if (!aside_.run) aside_.left.clear();
   if (aside_.run) {
     const blocks::Failure lost{blocks::motion_error::kLinkDropped, reason, ""};
     aside_.run->linkLost(reason, std::nullopt, now);
@@ -185,8 +212,7 @@ void SetAside::endRun(const blocks::Outcome& of_commands, Instant now) {
 }
 
 void SetAside::endIfOver() {
-  const bool is_over = !aside_.run && aside_.waiting.empty() && aside_.left.empty();
-  if (is_over) position_.reset();
+  if (isEmpty()) position_.reset();
 }
 
 }  // namespace cobot_command::command

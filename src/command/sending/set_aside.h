@@ -22,9 +22,8 @@ namespace cobot_command::command {
 void tellReports(blocks::Run& run, std::map<blocks::GoalId, tables::Hold>& holds, OutputBoard& board,
                  std::vector<Action>& actions);
 
-/// In which frames the robot is to be brought back: those that it was interrupted in; nothing: it is so.
-[[nodiscard]] std::optional<blocks::Failure> differenceIn(const robot::ActiveFrames& then,
-                                                          const robot::ActiveFrames& now);
+/// How the robot is set up otherwise than when it was interrupted; nothing: it is so.
+[[nodiscard]] std::optional<blocks::Failure> differenceIn(const Setup& then, const Setup& now);
 
 class SetAside {
  public:
@@ -36,9 +35,13 @@ class SetAside {
   [[nodiscard]] bool isThere() const { return position_.has_value(); }
   /// Nothing unless isThere().
   [[nodiscard]] const std::optional<PrimaryPosition>& position() const { return position_; }
-  /// It may go on in other frames than those that it was interrupted in.
-  void allowOtherFrames() { allows_other_frames_ = true; }
-  [[nodiscard]] bool allowsOtherFrames() const { return allows_other_frames_; }
+  /// It may go on as the robot is set up when that goal is done, whatever that was before.
+  void allowSetupBehind(blocks::GoalId goal) { allowing_ = goal; }
+  void ended(blocks::GoalId goal, bool done, const Setup& setup);
+  /// Why it may not go on so; nothing: it may. Precondition: isThere().
+  [[nodiscard]] std::optional<blocks::Failure> objectionTo(const Setup& setup) const;
+  /// Nothing of it can go on.
+  [[nodiscard]] bool isEmpty() const { return !aside_.run && aside_.waiting.empty() && aside_.left.empty(); }
   /// Goals that are under way (0, 1), and that wait.
   [[nodiscard]] std::size_t underWay() const { return aside_.run ? 1 : 0; }
   [[nodiscard]] std::size_t waiting() const { return aside_.waiting.size(); }
@@ -68,7 +71,8 @@ class SetAside {
   std::vector<Action>& actions_;
   Aside aside_;
   std::optional<PrimaryPosition> position_;
-  bool allows_other_frames_ = false;
+  blocks::GoalId allowing_ = 0;
+  std::optional<Setup> allowed_;
 };
 
 }  // namespace cobot_command::command

@@ -8,13 +8,17 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/units.h"
+
 namespace cobot_command::command {
 namespace {
 
 /// So much further than its plan says the robot may have come between two frames.
 constexpr double kFaster = 1.5;
-constexpr Duration kAhead = std::chrono::milliseconds(300);
-constexpr Duration kStep = std::chrono::milliseconds(10);
+constexpr Duration kAhead = std::chrono::milliseconds(200);
+constexpr Duration kStep = std::chrono::milliseconds(2);
+/// So near to the nearest place another one is as good [rad].
+constexpr double kSamePlace = degToRad(0.02);
 
 /// What is left of the lines, in place of all of them.
 blocks::Command withLines(blocks::Command command, std::vector<script::ScriptCommand> left) {
@@ -81,27 +85,53 @@ bool Trail::goToMotion(Place& place) const {
   return false;
 }
 
-void Trail::see(const arm::JointVector& joints, Instant now) {
-  const Duration since = seen_at_ ? now - *seen_at_ : Duration::zero();
-  seen_at_ = now;
+std::vector<Trail::Sample> Trail::samplesAhead(const arm::JointVector& joints, Duration most) const {
+  std::vector<Sample> samples;
+  std::optional<arm::JointVector> before;
   Place at = place_;
-  if (!goToMotion(at)) return;
-  Duration ahead = kAhead + std::chrono::duration_cast<Duration>(since * kFaster);
-  double nearest = std::numeric_limits<double>::infinity();
-  while (ahead >= Duration::zero() && goToMotion(at)) {
+  for (Duration ahead{}; ahead <= most && goToMotion(at); ahead += kStep) {
     const motion::Trajectory& motion = *motionAt(at);
-    const double away = (motion.at(at.on_lines.time).position - joints).cwiseAbs().maxCoeff();
-    if (away < nearest) {
-      nearest = away;
-      place_ = at;
-    }
+    const arm::JointVector position = motion.at(at.on_lines.time).position;
+    const double step = before ? (position - *before).cwiseAbs().maxCoeff() : 0.0;
+    samples.push_back({at, ahead, (position - joints).cwiseAbs().maxCoeff(), step});
+    before = position;
     if (at.on_lines.time >= motion.duration()) {
       at.on_lines = {at.on_lines.motion + 1, Duration::zero()};
     } else {
       at.on_lines.time = std::min(at.on_lines.time + kStep, motion.duration());
     }
-    ahead -= kStep;
   }
+  return samples;
+}
+
+/// Where a way turns back on itself, places on both sides of the corner are equally near: then the time says
+/// which it is.
+void Trail::see(const arm::JointVector& joints, bool moves, Instant now) {
+  const Duration since = seen_at_ && moves ? now - *seen_at_ : Duration::zero();
+  seen_at_ = now;
+  const auto samples = samplesAhead(joints, kAhead + std::chrono::duration_cast<Duration>(since * kFaster));
+  if (samples.empty()) return;
+  const auto nearest = std::min_element(samples.begin(), samples.end(),
+                                        [](const Sample& a, const Sample& b) { return a.away < b.away; });
+  const auto early = [since](const Sample& sample) {
+    return sample.ahead < since ? since - sample.ahead : sample.ahead - since;
+  };
+  const Sample* best = nullptr;
+  for (auto sample = samples.begin(); sample != samples.end(); ++sample) {
+    const bool is_behind_nearer = sample != samples.begin() && std::prev(sample)->away < sample->away;
+    const bool is_before_nearer =
+        std::next(sample) != samples.end() && std::next(sample)->away < sample->away;
+    if (sample->away > nearest->away + kSamePlace + sample->step) continue;
+    const bool is_nearest_around = !is_behind_nearer && !is_before_nearer;
+    if (best == nullptr || (is_nearest_around && early(*sample) < early(*best))) best = &*sample;
+    // What comes behind the end of a motion has not begun for certain, as long as the robot may be there
+    // still.
+    if (sample->place.on_lines.time >= motionAt(sample->place)->duration()) break;
+  }
+  place_ = best->place;
+  std::size_t done = 0;
+  while (done < place_.step && steps_[done].ended) ++done;
+  drop(done);
 }
 
 // --- What is left.
@@ -133,17 +163,22 @@ std::deque<Left> Trail::left(const arm::ArmModel& arm) const {
   std::deque<Left> left;
   Place place = place_;
   if (!goToMotion(place)) place = Place();
+  bool is_behind_motion = false;
   for (std::size_t i = place.step; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
     const bool is_first = i == place.step;
-    const bool is_done = is_first && step.ended && !step.lines.motions.empty() &&
-                         restOf(step.lines, place.on_lines, arm).empty();
+    const bool moves = !step.lines.motions.empty();
+    const bool is_over = is_first && moves && restOf(step.lines, place.on_lines, arm).empty();
+    // With no motion in front of it, what the controller has accepted is done.
+    const bool is_done = step.ended && (is_over || (!moves && !is_behind_motion));
     if (is_done) continue;
-    left.push_back(leftOf(step, is_first ? place.on_lines : planning::PlaceOnLines(), arm));
-    // Also at its begin, which is a corner where it was blended into: what is an offset would end elsewhere.
-    if (is_first && !step.lines.motions.empty()) {
-      left.back().command = withLines(step.command, restOf(step.lines, place.on_lines, arm));
+    const planning::PlaceOnLines at = is_first ? place.on_lines : planning::PlaceOnLines();
+    left.push_back(leftOf(step, at, arm));
+    // Also at its begin: the robot need not stand exactly where an offset was to begin.
+    if (moves && !is_behind_motion) {
+      left.back().command = withLines(step.command, restOf(step.lines, at, arm));
     }
+    is_behind_motion = is_behind_motion || moves;
   }
   return left;
 }

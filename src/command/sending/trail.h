@@ -29,8 +29,8 @@ class Trail {
   void clear() { *this = Trail(); }
   [[nodiscard]] bool empty() const { return steps_.empty(); }
 
-  /// A status frame of now.
-  void see(const arm::JointVector& joints, Instant now);
+  /// A status frame of now. `moves`: only then time has gone on for what the robot is at.
+  void see(const arm::JointVector& joints, bool moves, Instant now);
 
   /// Why it could not be taken up again; nothing: it can.
   [[nodiscard]] std::optional<std::string> objection() const;
@@ -53,6 +53,14 @@ class Trail {
     std::size_t step = 0;
     planning::PlaceOnLines on_lines;
   };
+  /// A place in front of the robot, as far as it may have come.
+  struct Sample {
+    Place place;
+    Duration ahead{};  ///< by the plan
+    double away = 0;   ///< of the joint that is furthest from there [rad]
+    double step = 0;   ///< of it, from the sample before
+  };
+  [[nodiscard]] std::vector<Sample> samplesAhead(const arm::JointVector& joints, Duration most) const;
   [[nodiscard]] const motion::Trajectory* motionAt(const Place& place) const;
   /// The first motion from there on; its own one too. False: there is none.
   [[nodiscard]] bool goToMotion(Place& place) const;

@@ -166,7 +166,7 @@ TEST_F(WhileMotionsAreInterrupted, anotherBaseHasToBeSetBack) {
   expectDenied(0x8C24, "base");
 }
 
-TEST_F(WhileMotionsAreInterrupted, nothingGoesOnUnderAnEmergencyStop) {
+TEST_F(WhileMotionsAreInterrupted, aSafeguardThatWasOpenIsForgotten) {
   rig.operate(simulator::SetSafeguard{true});
   rig.pass(500ms);
   rig.operate(simulator::SetSafeguard{false});
