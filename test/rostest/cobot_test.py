@@ -84,11 +84,12 @@ class Latest:
 
     def wait_for_return(self, before, away, back, what):
         """Until a message after `before` was `away`, however briefly, and the last one is `back`."""
-        def returned(last):
-            since = itertools.dropwhile(lambda m: m is not before, self._messages)
-            return any(away(m) for m in since) and back(last)
+        def find():
+            since = list(itertools.dropwhile(lambda m: m is not before, self._messages))
+            return since[-1] if back(since[-1]) and any(away(m) for m in since) else None
 
-        self.wait_for(returned, what)
+        with self._changed:
+            self._await(find, what)
 
 
 class Sent:
