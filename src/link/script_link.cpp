@@ -182,6 +182,16 @@ void ScriptLink::lifesignDue(Instant now) {
   fire(Event::NoAnswer, now);
 }
 
+/// What an earlier connection of this start taught says more than that there is a new one; why there was none
+/// counts until the question has been asked for long enough.
+void ScriptLink::tellThatItAsks() {
+  if (!isBeforeConnection(trouble_)) return;
+  std::string text = fmt::format("connected to {}:{}, asking for the Listen node", host_, port_);
+  const bool is_first = trouble_ == Trouble::NotTriedYet;
+  if (!is_first) text += "; before that: " + diagnosis_;
+  diagnose(is_first ? Trouble::Silent : trouble_, std::move(text));
+}
+
 void ScriptLink::diagnose(Trouble trouble, std::string diagnosis) {
   if (trouble_ == trouble && diagnosis_ == diagnosis) return;
   trouble_ = trouble;
@@ -216,11 +226,7 @@ void ScriptLink::act(ScriptLinkAction action, Instant now) {
       connection_ = wire_.open(Channel::Script, host_, port_, settings_.open_timeout);
       return;
     case ScriptLinkAction::Probe:
-      // What an earlier connection of this start taught says more than that there is a new one.
-      if (isBeforeConnection(trouble_)) {
-        diagnose(Trouble::Silent,
-                 fmt::format("connected to {}:{}, asking for the Listen node", host_, port_));
-      }
+      tellThatItAsks();
       askForNode(now);
       return;
     case ScriptLinkAction::Lose:

@@ -87,6 +87,23 @@ TEST(Connect, tellsItsTroublesApartAtTheTimeout) {
   }
 }
 
+/// A proxy takes what it then cannot hand on.
+TEST(Connect, keepsWhyThereWasNoConnectionUntilItsQuestionIsUnanswered) {
+  CoreRig rig;
+  rig.answers_lifesigns = false;
+  const Instant late = rig.now + 9s;
+  const Outcome outcome = timedOut(rig, [&] {
+    if (rig.now < late) {
+      rig.failOpen(FailureKind::Other);
+    } else {
+      rig.open();
+    }
+  });
+  EXPECT_EQ(outcome.error_id, connect_error::kConnection) << outcome.error_description;
+  EXPECT_THAT(outcome.error_description, HasSubstr("asking for the Listen node; before that: "));
+  EXPECT_THAT(outcome.error_description, HasSubstr("as the system says"));
+}
+
 TEST(Connect, saysThatNothingAnswers) {
   CoreRig rig;
   rig.answers_lifesigns = false;
