@@ -50,6 +50,7 @@ class Planning(CobotTestCase):
             burst = [self.robot.send(sequence(*slow_lines(200))) for _ in range(8)]
             checks += [check.wait_until_known() for check in burst]
         self.assertGreater(sum(not self.was_refused(check) for check in checks), 60)
+        self.assert_rejected(next(check for check in checks if self.was_refused(check)).finish(), 0x216)
         self.assert_rejected(self.robot.run(slow_lines(1, check_only=True)[0]), 0x216)
         for check in checks:
             check.cancel()
