@@ -28,6 +28,18 @@ bool isBeforeConnection(Trouble trouble) {
   }
 }
 
+struct Diagnosis {
+  Trouble trouble;
+  std::string text;
+};
+
+/// Why there was no connection before counts until the question has been asked for long enough.
+Diagnosis asking(const std::string& peer, Trouble before, const std::string& diagnosis) {
+  std::string text = fmt::format("connected to {}, asking for the Listen node", peer);
+  if (before == Trouble::NotTriedYet) return {Trouble::Silent, std::move(text)};
+  return {before, text + "; before that: " + diagnosis};
+}
+
 }  // namespace
 
 ScriptLink::ScriptLink(const LinkSettings& settings, Wire& wire) : settings_(settings), wire_(wire) {}
@@ -182,16 +194,6 @@ void ScriptLink::lifesignDue(Instant now) {
   fire(Event::NoAnswer, now);
 }
 
-/// What an earlier connection of this start taught says more than that there is a new one; why there was none
-/// counts until the question has been asked for long enough.
-void ScriptLink::tellThatItAsks() {
-  if (!isBeforeConnection(trouble_)) return;
-  std::string text = fmt::format("connected to {}:{}, asking for the Listen node", host_, port_);
-  const bool is_first = trouble_ == Trouble::NotTriedYet;
-  if (!is_first) text += "; before that: " + diagnosis_;
-  diagnose(is_first ? Trouble::Silent : trouble_, std::move(text));
-}
-
 void ScriptLink::diagnose(Trouble trouble, std::string diagnosis) {
   if (trouble_ == trouble && diagnosis_ == diagnosis) return;
   trouble_ = trouble;
@@ -226,7 +228,11 @@ void ScriptLink::act(ScriptLinkAction action, Instant now) {
       connection_ = wire_.open(Channel::Script, host_, port_, settings_.open_timeout);
       return;
     case ScriptLinkAction::Probe:
-      tellThatItAsks();
+      // What an earlier connection of this start taught says more than that there is a new one.
+      if (isBeforeConnection(trouble_)) {
+        auto [trouble, text] = asking(fmt::format("{}:{}", host_, port_), trouble_, diagnosis_);
+        diagnose(trouble, std::move(text));
+      }
       askForNode(now);
       return;
     case ScriptLinkAction::Lose:

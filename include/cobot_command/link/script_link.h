@@ -102,7 +102,6 @@ class ScriptLink {
   void fire(ScriptLinkEvent event, Instant now);
   void act(ScriptLinkAction action, Instant now);
   void diagnose(Trouble trouble, std::string diagnosis);
-  void tellThatItAsks();
   void askForNode(Instant now);
   void lifesignDue(Instant now);
   void drop();
