@@ -86,7 +86,7 @@ class Latest:
         """Until a message after `before` was `away`, however briefly, and the last one is `back`."""
         def find():
             since = list(itertools.dropwhile(lambda m: m is not before, self._messages))
-            return since[-1] if back(since[-1]) and any(away(m) for m in since) else None
+            return since[-1] if any(away(m) for m in since) and back(since[-1]) else None
 
         with self._changed:
             self._await(find, what)
