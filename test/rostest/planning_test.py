@@ -52,8 +52,8 @@ class Planning(CobotTestCase):
         self.assertGreater(sum(not self.was_refused(check) for check in checks), 60)
         self.assert_rejected(next(check for check in checks if self.was_refused(check)).finish(), 0x216)
         self.assert_rejected(self.robot.run(slow_lines(1, check_only=True)[0]), 0x216)
-        for check in checks:
-            check.cancel()
+        # By one message: of many at once, a loaded machine loses some, and each check that is left takes its whole budget.
+        self.robot.client("check_sequence").cancel_all_goals()
         for check in checks:
             state, result = check.finish()
             self.assertTrue(state == GoalStatus.RECALLED or result.error_id in (0x216, 0x20C), (state, result))
