@@ -118,7 +118,8 @@ std::optional<Origin> CommandWindow::end(Instant now) const {
 }
 
 bool CommandWindow::goesOn() const {
-  return std::all_of(ordered_.begin(), ordered_.end(), [](const Sent& sent) { return sent.run.underWay(); });
+  return std::all_of(ordered_.begin(), ordered_.end(),
+                     [](const Sent& sent) { return sent.run.accepted() && sent.run.underWay(); });
 }
 
 bool CommandWindow::mayMove() const {

@@ -54,7 +54,8 @@ class CommandWindow {
   [[nodiscard]] bool nothingBeside() const { return beside_.empty(); }
   /// Where the next one starts, behind the last one: nothing when that is not planned, or is being stopped.
   [[nodiscard]] std::optional<Origin> end(Instant now) const;
-  /// None of them is being verified, explained or stopped: what is sent now comes behind them.
+  /// All of them are accepted, and none is being verified, explained or stopped: what is sent now comes
+  /// behind them, and begins where they end.
   [[nodiscard]] bool goesOn() const;
   /// The controller may be moving the robot for one of them.
   [[nodiscard]] bool mayMove() const;

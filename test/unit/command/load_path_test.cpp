@@ -108,6 +108,16 @@ TEST_F(LoadPathTest, refusesWrongPointsAsTheyCome) {
   EXPECT_EQ(reportOf(id).error_index, 2);
 }
 
+TEST_F(LoadPathTest, sendsNothingBehindAPvtThatMayBeRefused) {
+  const GoalId id = rig.submit(good<LoadPathGoal>());
+  const std::string first = rig.takeScript().id;
+  EXPECT_TRUE(rig.nothingSent()) << "it would begin where the robot is not";
+  rig.reply(first, false, {1});
+  ASSERT_NE(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(id)->error_id, motion_error::kRejected);
+  EXPECT_TRUE(rig.nothingSent());
+}
+
 TEST_F(LoadPathTest, goesInManualModeWhereThatIsAllowed) {
   link::LinkSettings settings;
   settings.path.in_manual_mode = true;
