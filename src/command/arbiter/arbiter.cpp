@@ -129,8 +129,6 @@ void Arbiter::linkLost(const std::string& reason, Instant now) {
   stop_.linkLost(reason);
   pause_.linkLost();
   parts_.guard.linkLost();
-  parts_.paths.linkLost();
-  parts_.jog.linkLost();
 }
 
 void Arbiter::disconnected(const std::string& reason, Instant now) {
@@ -139,6 +137,8 @@ void Arbiter::disconnected(const std::string& reason, Instant now) {
   parts_.guard.linkLost();
   stop_.linkLost(reason);
   window_.besideLinkLost(reason, now);
+  parts_.paths.disconnected();
+  parts_.jog.disconnected();
   settle(now);
 }
 

@@ -29,7 +29,7 @@ class PathDesk {
   void hold(bool held);
   /// The controller makes no PVT, by what it has said since the link was made.
   [[nodiscard]] bool isPvtRefused() const { return pvt_refused_; }
-  void linkLost() { pvt_refused_ = false; }
+  void disconnected() { pvt_refused_ = false; }
   /// Tells a run how it is controlled now, behind every event; what it wants of automatic objects, it gets.
   void serve(blocks::PathControlled& run, Instant now);
 

@@ -18,7 +18,7 @@ class JogDesk {
   }
   /// The controller takes no velocities, by what it has said since the link was made.
   [[nodiscard]] bool isVelocityRefused() const { return velocity_refused_; }
-  void linkLost() { velocity_refused_ = false; }
+  void disconnected() { velocity_refused_ = false; }
 
  private:
   bool kept_ = false;

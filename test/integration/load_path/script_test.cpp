@@ -96,11 +96,28 @@ TEST_F(LoadPathScript, isWhatAutoChoosesOnceTheControllerHasRefusedToEnterAPvt) 
   expectDone(other);
   EXPECT_EQ(reportOf(other).execution, Execution::Script);
   EXPECT_EQ(reportOf(other).execution_reason, "the controller has refused to enter a PVT");
-  cell.dropConnections();
-  cell.connect();
-  const GoalId last = cell.submit(goal);
-  expectDone(last);
-  EXPECT_EQ(reportOf(last).execution, Execution::Pvt) << "another controller may be there";
+}
+
+TEST_F(LoadPathScript, isNotChosenByAutoForWhatWasRefusedOnAnotherLink) {
+  LoadPathGoal goal = turns(3, false);
+  GoalId link{};
+  const auto executionBehind = [&](const std::function<void()>& end_link) {
+    cell.operate(simulator::SetFault{"refuse_script", true, 1, 0, "1"});
+    EXPECT_EQ(cell.endOf(cell.submit(goal)).error_id, motion_error::kRejected);
+    end_link();
+    link = cell.connect();
+    const GoalId id = cell.submit(goal);
+    expectDone(id);
+    return reportOf(id).execution;
+  };
+  EXPECT_EQ(executionBehind([&] { cell.dropConnections(); }), Execution::Pvt)
+      << "another controller may be there";
+  EXPECT_EQ(executionBehind([&] {
+              cell.cancel(link);
+              cell.endOf(link);
+            }),
+            Execution::Pvt)
+      << "closed on purpose";
 }
 
 TEST_F(LoadPathScript, isJoinedByOtherGoals) {
