@@ -1,7 +1,7 @@
 // The way back to where the robot was interrupted.
 #include "interrupted_robot.h"
 
-#include "cobot_command/blocks/return_to_primary.h"
+#include "cobot_command/blocks/ways_back/return_to_primary.h"
 
 namespace cobot_command::testing {
 namespace {

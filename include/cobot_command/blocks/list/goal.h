@@ -22,12 +22,12 @@
 #include "cobot_command/blocks/move_relative.h"
 #include "cobot_command/blocks/pick_and_place.h"
 #include "cobot_command/blocks/program_control.h"
-#include "cobot_command/blocks/return_to_primary.h"
 #include "cobot_command/blocks/run_script.h"
 #include "cobot_command/blocks/set_output.h"
 #include "cobot_command/blocks/shared/block.h"
 #include "cobot_command/blocks/stop.h"
 #include "cobot_command/blocks/wait_for_input.h"
+#include "cobot_command/blocks/ways_back/return_to_primary.h"
 
 namespace cobot_command::blocks {
 

@@ -1,4 +1,4 @@
-#include "cobot_command/blocks/return_to_primary.h"
+#include "cobot_command/blocks/ways_back/return_to_primary.h"
 
 #include <algorithm>
 #include <cmath>
