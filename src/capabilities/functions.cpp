@@ -54,7 +54,7 @@ const std::vector<Function>& functions() {
        "limits of what this layer plans, at most those of the model", kNeedsArm},
       {"GroupJog", "action jog", Offer::Whole, {}, kNeedsArm},
       {"ReturnToPrimary", "action return_to_primary", Offer::Whole, {}, kNeedsArm},
-      {"retrace", "", Offer::NotBuilt},
+      {"retrace", "action retrace", Offer::Partly, "of paths of load_path", kNeedsArm},
       {"WaitTime", "", Offer::NotBuilt},
       {"ReadDigitalOutputs", "", Offer::NotBuilt},
       {"work areas", "", Offer::NoWay, "a TM controller does not offer them to a Listen node"},

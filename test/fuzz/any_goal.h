@@ -207,6 +207,13 @@ class AnyGoal {
     return goal;
   }
 
+  blocks::RetraceGoal any(const blocks::RetraceGoal* /*kind*/) {
+    blocks::RetraceGoal goal;
+    begin();
+    vary(goal.point, goal.method_id, goal.speed, goal.buffer_mode);
+    return goal;
+  }
+
   blocks::StopGoal any(const blocks::StopGoal* /*kind*/) { return {}; }
 
   blocks::ChangeLoadGoal any(const blocks::ChangeLoadGoal* /*kind*/) {

@@ -165,6 +165,14 @@ inline blocks::ReturnToPrimaryGoal good() {
   return goal;
 }
 
+/// To where the path was begun, as fast as that was.
+template <>
+inline blocks::RetraceGoal good() {
+  blocks::RetraceGoal goal;
+  goal.speed = 100;
+  return goal;
+}
+
 template <class Goal, class Change>
 [[nodiscard]] Goal with(const Change& change) {
   Goal goal = good<Goal>();

@@ -52,6 +52,7 @@ void LoadPathRun::commandStarted(CommandKey key) {
     restore_.started();
   } else {
     goals_.pieces().sendNext();
+    record_.sent(goals_.pieces());
   }
 }
 
@@ -102,19 +103,19 @@ void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant n
     return;
   }
   if (restarting_ && state_ == State::Following && outcome.ending == Ending::CommandAborted) {
-    goals_.takeBack(key, now);
+    record_.came(goals_.takeBack(key, now));
     return;
   }
   const bool was_first = pieces.sent().isFirst(key);
   const std::size_t behind = pieces.sent().take(key).behind();
   if (was_first) waits_from_ = now;
   if (outcome.ending != Ending::Done) {
-    if (was_first) goals_.pieceEnded();
+    if (was_first) record_.came(goals_.pieceEnded(now));
     endEarly(outcome, now);
     return;
   }
   done(behind, now);
-  goals_.pieceEnded();
+  record_.came(goals_.pieceEnded(now));
   if (!pieces.sent().empty()) {
     goals_.begin(now);
   } else if (state_ != State::Following) {
@@ -176,6 +177,7 @@ void LoadPathRun::done(std::size_t points, Instant now) {
 void LoadPathRun::robotChanged(const robot::RobotWatch& robot, Instant now) {
   if (outcome()) return;
   goals_.robotChanged(robot, now);
+  record_.robotChanged(robot);
   if (state_ == State::Following) {
     if (auto deviation = goals_.deviation()) fail(*std::move(deviation), now);
   }
@@ -196,6 +198,7 @@ void LoadPathRun::goOnFrom(const robot::RobotWatch& robot, Instant now) {
   restarting_ = false;
   if (robot.joints()) {
     goals_.rewind(*robot.joints(), now);
+    record_.stopped(*robot.joints());
     return;
   }
   fail({own_error::kRestNotPlanned, "the status stream does not tell where the robot stands", ""}, now);

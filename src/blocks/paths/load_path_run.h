@@ -9,6 +9,7 @@
 
 #include "paths/load_path_states.h"
 #include "paths/path_goals.h"
+#include "paths/path_record.h"
 #include "paths/path_restore.h"
 
 #include "cobot_command/blocks/shared/path_controlled.h"
@@ -52,6 +53,7 @@ class LoadPathRun final : public Run, public PathControlled {
   [[nodiscard]] bool isPvtRefused() const override { return pvt_refused_; }
   [[nodiscard]] std::optional<PathWork> takeReplan() override;
   [[nodiscard]] std::optional<std::string> replanned(const Detail& found) override;
+  [[nodiscard]] path::DrivenPath driven() const override { return record_.driven(); }
 
   [[nodiscard]] GoalChain* chain() override { return state_ == State::Following ? &goals_ : nullptr; }
   [[nodiscard]] bool serves(GoalId goal) const override { return goals_.pieces().memberOf(goal).has_value(); }
@@ -75,6 +77,7 @@ class LoadPathRun final : public Run, public PathControlled {
   void done(std::size_t points, Instant now);
 
   PathGoals goals_;
+  PathRecord record_;
   State state_ = State::Following;
   Instant waits_from_;   ///< for a goal that joins, with nothing at the controller
   PathRestore restore_;  ///< goes out behind a stop

@@ -95,9 +95,11 @@ void PathGoals::begin(Instant now) {
   status_clock_.begin(now);
 }
 
-void PathGoals::pieceEnded() {
+std::optional<PathStand> PathGoals::pieceEnded(Instant now) {
+  const std::optional<PathStand> stand = progress_.standAt(now);
   progress_.end();
   piece_end_.reset();
+  return stand;
 }
 
 bool PathGoals::done(std::size_t points, Instant now) {
@@ -113,12 +115,11 @@ bool PathGoals::done(std::size_t points, Instant now) {
   return false;
 }
 
-void PathGoals::takeBack(CommandKey key, Instant now) {
-  if (progress_.isUnderWay() && chain_.sent().isFirst(key)) {
-    stand_ = progress_.standAt(now);
-    pieceEnded();
-  }
+std::optional<PathStand> PathGoals::takeBack(CommandKey key, Instant now) {
+  std::optional<PathStand> stand;
+  if (progress_.isUnderWay() && chain_.sent().isFirst(key)) stand = stand_ = pieceEnded(now);
   chain_.sent().takeBack(key);
+  return stand;
 }
 
 void PathGoals::rewind(const arm::JointVector& joints, Instant now) {

@@ -42,12 +42,13 @@ class PathGoals final : public GoalChain {
   void progressed(const Progress& progress, Instant now);
   /// The first piece moves the robot, as the one in front of it is done.
   void begin(Instant now);
-  void pieceEnded();
+  /// Where the robot has come to on it; nothing: it was not under way.
+  std::optional<PathStand> pieceEnded(Instant now);
   /// By a tag: the points in front of that one are done. True: that is the whole chain, whose last goal is to
   /// end with it.
   [[nodiscard]] bool done(std::size_t points, Instant now);
   /// That command was stopped, to be planned anew from where the robot stands.
-  void takeBack(CommandKey key, Instant now);
+  std::optional<PathStand> takeBack(CommandKey key, Instant now);
   /// All that was sent is done, or taken back.
   void rewind(const arm::JointVector& joints, Instant now);
   void robotChanged(const robot::RobotWatch& robot, Instant now);

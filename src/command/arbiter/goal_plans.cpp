@@ -54,6 +54,7 @@ blocks::PlanningScene GoalPlans::sceneOf(const blocks::Goal& goal) const {
   scene.jog_stop_time = parts_.settings.jog_stop_time;
   scene.angle_tolerance = parts_.settings.angle_tolerance;
   scene.path = parts_.settings.path;
+  scene.driven = parts_.paths.driven(parts_.keeper.run().target());
   return scene;
 }
 

@@ -185,7 +185,7 @@ void Turns::endRun(Instant now) {
   if (!under_way_.run->outcome()) return;
   assert(desks_.window.empty());
   sender_.forget();
-  desks_.paths.leave();
+  desks_.paths.leave(parts_.keeper.run().target());
   parts_.jog.serve(under_way_.run->jog(), now);
   stopping_.reset();
   kept_.reset();
@@ -378,7 +378,7 @@ Aside Turns::takeAside(Instant now) {
   aside.run = std::exchange(under_way_.run, nullptr);
   aside.holds = std::exchange(under_way_.holds, {});
   aside.waiting = desks_.queue.takeAll();
-  desks_.paths.leave();
+  desks_.paths.leave(parts_.keeper.run().target());
   return aside;
 }
 

@@ -1,5 +1,7 @@
 #include "paths/path_desk.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 namespace cobot_command::command {
@@ -46,6 +48,26 @@ void PathDesk::serve(blocks::PathControlled& run, Instant now) {
     switchAutomatic(*wanted);
     run.use(served(), now);
   }
+}
+
+void PathDesk::leave(const blocks::PathControlled& run, const blocks::ConnectGoal& controller) {
+  path::DrivenPath driven = run.driven();
+  if (driven.isEmpty() && !driven.isCutShort()) return;
+  driven_ = driven.isEmpty() ? nullptr : std::make_shared<const path::DrivenPath>(std::move(driven));
+  driven_on_ = controller;
+}
+
+void PathDesk::bringTo(Duration place) {
+  if (driven_ == nullptr) return;
+  path::DrivenPath driven = *driven_;
+  driven.bringTo(place);
+  driven_ = std::make_shared<const path::DrivenPath>(std::move(driven));
+}
+
+std::shared_ptr<const path::DrivenPath> PathDesk::driven(const blocks::ConnectGoal& controller) const {
+  const bool is_same = driven_on_.host == controller.host && driven_on_.port == controller.port &&
+                       driven_on_.status_port == controller.status_port;
+  return is_same ? driven_ : nullptr;
 }
 
 void PathDesk::switchAutomatic(const path::TrackingFlags& wanted) {

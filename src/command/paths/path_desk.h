@@ -1,14 +1,17 @@
 // What paths are controlled by from outside of their goals: kept, changed and told.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cobot_command/blocks/connect.h"
 #include "cobot_command/blocks/shared/path_controlled.h"
 #include "cobot_command/command/actions.h"
 #include "cobot_command/command/path_requests.h"
 #include "cobot_command/command/speed_override.h"
+#include "cobot_command/path/driven_path.h"
 #include "cobot_command/path/path_controls.h"
 
 namespace cobot_command::command {
@@ -33,6 +36,14 @@ class PathDesk {
   /// Tells a run how it is controlled now, behind every event; what it wants of automatic objects, it gets.
   void serve(blocks::PathControlled& run, Instant now);
 
+  // --- The way that the robot has driven of the last path that moved it.
+  /// That run, on that controller, is over, or set aside.
+  void leave(const blocks::PathControlled& run, const blocks::ConnectGoal& controller);
+  /// The robot was brought to there, along the way.
+  void bringTo(Duration place);
+  /// nullptr: none is remembered of that controller.
+  [[nodiscard]] std::shared_ptr<const path::DrivenPath> driven(const blocks::ConnectGoal& controller) const;
+
  private:
   void switchAutomatic(const path::TrackingFlags& wanted);
   void use(const path::PathControls& controls);
@@ -41,6 +52,8 @@ class PathDesk {
   std::vector<Action>& actions_;
   path::PathControls controls_;
   bool pvt_refused_ = false;
+  std::shared_ptr<const path::DrivenPath> driven_;
+  blocks::ConnectGoal driven_on_;
 };
 
 }  // namespace cobot_command::command

@@ -11,6 +11,7 @@ constexpr blocks::GoalId kNoGoal = 0;
 }  // namespace
 
 void PathTurn::serve(blocks::Run& run, Instant now) {
+  run_ = &run;
   paths_ = run.paths();
   if (paths_ == nullptr) return;
   desk_.serve(*paths_, now);
@@ -20,8 +21,12 @@ void PathTurn::serve(blocks::Run& run, Instant now) {
   }
 }
 
-void PathTurn::leave() {
+void PathTurn::leave(const blocks::ConnectGoal& controller) {
   planning_.drop(kNoGoal);
+  if (paths_ != nullptr) desk_.leave(*paths_, controller);
+  if (run_ == nullptr) return;
+  if (const auto place = run_->placeOnTheWay()) desk_.bringTo(*place);
+  run_ = nullptr;
   paths_ = nullptr;
 }
 

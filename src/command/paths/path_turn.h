@@ -22,8 +22,8 @@ class PathTurn {
   void restart() {
     if (paths_ != nullptr) paths_->restart();
   }
-  /// It is over.
-  void leave();
+  /// It is over, or set aside; it was on that controller.
+  void leave(const blocks::ConnectGoal& controller);
   /// Of the run; what is with none, when it loads no paths.
   [[nodiscard]] blocks::PathPace pace() const {
     return paths_ != nullptr ? paths_->pace() : blocks::PathPace();
@@ -35,6 +35,7 @@ class PathTurn {
   PathDesk& desk_;
   PlanDesk& planning_;
   std::vector<Action>& actions_;
+  const blocks::Run* run_ = nullptr;
   blocks::PathControlled* paths_ = nullptr;
 };
 

@@ -47,13 +47,14 @@ Scenarios allScenarios() {
   all.merge(trajectoryScenarios());
   all.merge(jogScenarios());
   all.merge(returnScenarios());
+  all.merge(retraceScenarios());
   all.merge(linkScenarios(good<FollowJointTrajectoryGoal>()));
   all.merge(turnScenarios(good<FollowJointTrajectoryGoal>()));
   all.merge(linkScenarios(good<PickAndPlaceGoal>()));
   all.merge(turnScenarios(good<PickAndPlaceGoal>()));
   for (const Goal& goal :
        {Goal(good<LoadPathGoal>()), Goal(good<FollowJointTrajectoryGoal>()), Goal(good<PickAndPlaceGoal>()),
-        Goal(good<JogGoal>()), Goal(good<ReturnToPrimaryGoal>())}) {
+        Goal(good<JogGoal>()), Goal(good<ReturnToPrimaryGoal>()), Goal(good<RetraceGoal>())}) {
     all.merge(interfaceScenarios(goal));
   }
   all.merge(resumeScenarios());

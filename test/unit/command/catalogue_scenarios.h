@@ -53,6 +53,8 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios jogScenarios();
 /// Ways back to where the robot was interrupted: their goals and plans.
 [[nodiscard]] Scenarios returnScenarios();
+/// Ways back along a path: their goals and plans, and how they end on the wire.
+[[nodiscard]] Scenarios retraceScenarios();
 /// Sequences and cycles of them.
 [[nodiscard]] Scenarios sequenceScenarios();
 

@@ -1,11 +1,21 @@
 #include "wire_faults.h"
 
+#include "block_goals.h"
 #include "status_frames.h"
 #include <gtest/gtest.h>
 
 namespace cobot_command::testing {
 
 using namespace std::chrono_literals;
+
+namespace {
+
+/// Of the command that was sent last.
+void tellTag(CoreRig& rig, protocol::TagState state = protocol::TagState::Complete) {
+  rig.tag(rig.latest().open_tags.at(0), state);
+}
+
+}  // namespace
 
 blocks::Outcome endOf(CoreRig& rig, blocks::GoalId id) {
   rig.discardSent();
@@ -20,7 +30,7 @@ void lose(CoreRig& rig, const std::string& /*script_id*/) {
 
 void tellTheEndTooEarly(CoreRig& rig, const std::string& script_id) {
   rig.reply(script_id);
-  rig.tag(1);
+  tellTag(rig);
   for (int i = 0; i < 2; ++i) {
     rig.status(StatusFrames().moving());
     rig.pass(500ms);
@@ -35,7 +45,22 @@ void standAt(const std::vector<float>& joints_deg, CoreRig& rig, const std::stri
     rig.status(StatusFrames().at(joints_deg));
   }
   rig.takeTagQuery();
-  rig.tag(1, protocol::TagState::Unknown);
+  tellTag(rig, protocol::TagState::Unknown);
+}
+
+void driveAPath(CoreRig& rig, float begin, blocks::Execution execution) {
+  rig.stream(StatusFrames().at({begin, 0, 90, 0, 90, 0}));
+  rig.submit(with<blocks::LoadPathGoal>([execution](auto& g) {
+    g.path = {pathPoint({0, 0, 90, 0, 90, 0})};
+    g.number_of_moves = 1;
+    g.execution = static_cast<int>(execution);
+    if (execution == blocks::Execution::Script) g.path[0].speed = 1.8;  // 1 %
+    g.allow_approximation = true;
+  }));
+  while (rig.isPlanning()) rig.finishPlan();
+  rig.reply(rig.takeScript().id);
+  tellTag(rig);
+  rig.stream(StatusFrames());
 }
 
 Scenario scenarioOf(const blocks::Goal& goal, const WireFault& fault) {
@@ -43,6 +68,7 @@ Scenario scenarioOf(const blocks::Goal& goal, const WireFault& fault) {
     CoreRig rig(*arm::ArmModel::named("tm5-900"), link::LinkSettings{});
     rig.connect();
     rig.status(StatusFrames());
+    if (blocks::blockOf(goal) == blocks::kBlock<blocks::RetraceGoal>) driveAPath(rig);
     const blocks::GoalId id = rig.submit(goal);
     fault(rig, rig.takeScript().id);
     return endOf(rig, id);
@@ -76,9 +102,9 @@ Scenarios wireScenariosOfATurn(const blocks::Goal& goal, float end) {
       {row(motion_error::kReceiveTag), overdue([](CoreRig& rig) { rig.pass(1s); })},
       {row(motion_error::kMotionFailed), overdue([end](CoreRig& rig) {
          rig.status(StatusFrames().at({end, 0, 90, 0, 90, 0}));
-         rig.tag(1, protocol::TagState::Incomplete);
+         tellTag(rig, protocol::TagState::Incomplete);
        })},
-      {row(own_error::kTagLost), overdue([](CoreRig& rig) { rig.tag(1, protocol::TagState::Unknown); })},
+      {row(own_error::kTagLost), overdue([](CoreRig& rig) { tellTag(rig, protocol::TagState::Unknown); })},
       {row(own_error::kStoppedElsewhere), scenarioOf(goal,
                                                      [](CoreRig& rig, const std::string& id) {
                                                        standAt({3, 0, 90, 0, 90, 0}, rig, id);

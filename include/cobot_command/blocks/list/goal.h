@@ -27,6 +27,7 @@
 #include "cobot_command/blocks/shared/block.h"
 #include "cobot_command/blocks/stop.h"
 #include "cobot_command/blocks/wait_for_input.h"
+#include "cobot_command/blocks/ways_back/retrace.h"
 #include "cobot_command/blocks/ways_back/return_to_primary.h"
 
 namespace cobot_command::blocks {
@@ -52,7 +53,8 @@ using Goal = std::variant<
     FollowJointTrajectoryGoal,
     ExchangeConfigurationGoal,
     JogGoal,
-    ReturnToPrimaryGoal
+    ReturnToPrimaryGoal,
+    RetraceGoal
     >;
 // clang-format on
 

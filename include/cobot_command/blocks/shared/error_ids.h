@@ -144,6 +144,9 @@ inline constexpr int kPvtTooLong = 0x277;
 inline constexpr int kDeviationRange = 0x278;
 inline constexpr int kPathUnreadable = 0x279;
 inline constexpr int kPoseTemplate = 0x27A;
+inline constexpr int kNothingDriven = 0x27B;
+inline constexpr int kPointNotDriven = 0x27C;
+inline constexpr int kNotOnTheWay = 0x27D;
 // Trajectories.
 inline constexpr int kTrajectoryInvalid = 0x2A0;
 inline constexpr int kJointNames = 0x2A1;

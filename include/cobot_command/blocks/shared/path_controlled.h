@@ -8,6 +8,7 @@
 
 #include "cobot_command/blocks/shared/detail.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/path/driven_path.h"
 #include "cobot_command/path/path_controls.h"
 
 namespace cobot_command::blocks {
@@ -48,6 +49,8 @@ class PathControlled {
   /// The answer; none: it took too long. Returns what speaks against the new feedrate, so that what is loaded
   /// keeps its old one.
   [[nodiscard]] virtual std::optional<std::string> replanned(const Detail& found) = 0;
+  /// As far as the robot has come until now.
+  [[nodiscard]] virtual path::DrivenPath driven() const = 0;
 
  protected:
   ~PathControlled() = default;

@@ -144,6 +144,9 @@ class Run {
   virtual void setAside(Instant /*now*/) {}
   virtual void putBack(Instant /*now*/) {}
 
+  /// About where the robot is on the way that the last path has driven; nothing: it does not go along that.
+  [[nodiscard]] virtual std::optional<Duration> placeOnTheWay() const { return std::nullopt; }
+
   /// nullptr: it loads no paths.
   [[nodiscard]] virtual PathControlled* paths() { return nullptr; }
 

@@ -1,0 +1,195 @@
+#include "cobot_command/blocks/ways_back/retrace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "shared/parameter_checks.h"
+#include "ways_back/retrace_run.h"
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/list/goal.h"
+#include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/blocks/shared/refusal_failure.h"
+#include "cobot_command/common/result.h"
+#include "cobot_command/motion/planner.h"
+#include "cobot_command/path/pvt_block.h"
+#include "cobot_command/path/retrace.h"
+
+namespace cobot_command::blocks {
+namespace {
+
+using path::DrivenPath;
+using path::Retrace;
+
+constexpr double kLeastSpeed = 1;  // [%]
+constexpr double kDefaultSpeed = 25;
+constexpr double kPercent = 100;
+
+/// What its plan hands to its run.
+struct RetraceOrder {
+  Order order;
+  RetraceWay way;
+};
+
+std::string rangeText(const DrivenPath& driven, int method) {
+  const auto range = driven.passedOf(method);
+  if (!range) return fmt::format("none of load_path {}", method);
+  return fmt::format("{}..{} of load_path {}", range->first, range->last, method);
+}
+
+Failure notDriven(const RetraceGoal& goal, const DrivenPath& driven, int method) {
+  const std::string what = goal.point == RetraceGoal::kStart
+                               ? fmt::format("the start of load_path {}", method)
+                               : fmt::format("point {} of load_path {}", goal.point, method);
+  return {own_error::kPointNotDriven,
+          fmt::format("{} was not driven past, or is not remembered; allowed: {}, -1 (START), -2 (END)", what,
+                      rangeText(driven, method)),
+          ""};
+}
+
+struct Target {
+  Duration time{};
+  std::optional<arm::JointVector> joints;
+};
+
+Result<Target, Failure> targetOf(const RetraceGoal& goal, const DrivenPath& driven) {
+  if (goal.point == RetraceGoal::kEnd) {
+    if (driven.stood()) return Target{driven.reached(), driven.stood()};
+    return refuse(Failure{own_error::kPointNotDriven,
+                          "where the robot was when it left the path is not known for certain", ""});
+  }
+  const int method = goal.method_id == 0 ? driven.lastGoal() : goal.method_id;
+  const auto time =
+      goal.point == RetraceGoal::kStart ? driven.beginOf(method) : driven.passed(method, goal.point);
+  if (!time) return refuse(notDriven(goal, driven, method));
+  return Target{*time, std::nullopt};
+}
+
+std::optional<Failure> objectionTo(const PlanningScene& scene) {
+  if (scene.arm == nullptr) return Failure{own_error::kNoModel, "", ""};
+  if (!scene.start || !scene.start->joints) return Failure{own_error::kStartUnknown, "", ""};
+  if (scene.driven == nullptr) return Failure{own_error::kNothingDriven, "", ""};
+  if (scene.is_pvt_refused) {
+    return Failure{own_error::kPvtUnavailable, "the controller has refused to enter a PVT", ""};
+  }
+  return std::nullopt;
+}
+
+Result<Retrace, Failure> retraceOf(const RetraceGoal& goal, const PlanningScene& scene) {
+  const DrivenPath& driven = *scene.driven;
+  auto target = targetOf(goal, driven);
+  if (!target) return refuse(target.error());
+  const arm::JointVector& joints = *scene.start->joints;
+  const auto place = path::placeOn(driven, joints, scene.give_up);
+  if (!place) {
+    if (scene.give_up && scene.give_up()) return refuse(Failure{own_error::kPlanningBudget, "", ""});
+    return refuse(
+        Failure{own_error::kNotOnTheWay, "no place of it is within 0.1 deg of each joint of the robot", ""});
+  }
+  Retrace retrace;
+  retrace.from = *place;
+  retrace.to = target->time;
+  retrace.rate = std::max((goal.speed == 0 ? kDefaultSpeed : goal.speed) / kPercent * scene.speed_share,
+                          path::kLeastRetraceRate);
+  retrace.start = joints;
+  retrace.end = target->joints;
+  return retrace;
+}
+
+Result<Outcome, Failure> planned(const RetraceGoal& goal, const PlanningScene& scene) {
+  if (auto objection = objectionTo(scene)) return refuse(*std::move(objection));
+  const auto retrace = retraceOf(goal, scene);
+  if (!retrace) return refuse(retrace.error());
+  const auto most = static_cast<std::size_t>(scene.path.block_points);
+  auto points = path::pvtOf(*retrace, *scene.driven, most);
+  if (!points) {
+    return refuse(Failure{own_error::kPvtTooLong,
+                          fmt::format("{:.0f} s of the path's time would take more than {} points in one PVT",
+                                      std::abs(toSeconds(retrace->to - retrace->from)), most),
+                          ""});
+  }
+  path::PvtBlock block;
+  block.points = *std::move(points);
+  // At the full project speed: a slower one only takes longer.
+  const auto motion = motion::plan(*scene.arm, retrace->start, motion::Pvt{block.points}, motion::Setting());
+  if (!motion) return refuse(toFailure(motion.error()));
+  Outcome outcome;
+  outcome.planned = fromSeconds(toSeconds((*motion)->duration()) / scene.start->speed_override);
+  outcome.detail = Detail(RetraceOrder{motionOrder(path::scriptOf(block, {})), {retrace->from, retrace->to}});
+  return outcome;
+}
+
+}  // namespace
+
+ErrorTable RetraceGoal::errors() {
+  return ErrorTable()
+      .anyCommand()
+      .turn()
+      .underInterface()
+      .shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kPlanningBudget,
+               own_error::kNoFreeTag, own_error::kTagLost, own_error::kNotAtTarget,
+               own_error::kStoppedElsewhere})
+      .shared(own_error::kJointLimit, "a joint would leave its software limits, which are others now")
+      .shared(own_error::kJointSpeed,
+              "cannot occur: it is no faster than the path, which was planned within it")
+      .shared(motion_error::kSpeedRangePercent, "speed is below 1, above 100 or not a number; 0 means 25 %")
+      .shared(own_error::kStartUnknown,
+              "it is not known where the robot stands: no status stream, or it moves, or is held, from an "
+              "unknown place")
+      .shared(own_error::kNoModel, "the command layer knows no model of the arm")
+      .shared(own_error::kNotPlannable, "cannot occur: of a way that was planned before all is known")
+      .row(own_error::kPvtUnavailable, "PVT not available", "Move the robot out in another way",
+           "the controller has refused to enter a PVT since the link was made")
+      .row(own_error::kPvtTooLong, "Too long for one PVT", "Choose a nearer point, and go on from there",
+           "the way would take more points than ~pvt_block_points; their number does not depend on the speed")
+      .row(own_error::kNothingDriven, "No way of a path is known", "Drive one with load_path before",
+           "no load_path goal has moved this controller's robot since the command layer was started; or the "
+           "last one was stopped, to go on, next to its way")
+      .row(
+          own_error::kPointNotDriven, "Point was not driven past", kSetInRange,
+          "point is none that the robot has come to, or behind, in that goal; or it is further back than the "
+          "last 1000 points; or END, and the robot had left its way; or point is below -2, or method_id "
+          "negative")
+      .row(own_error::kNotOnTheWay, "Robot is not on the way",
+           "Bring it back to the way by another motion, or move it out in another way",
+           "no place of the way is within 0.1 deg of each joint of the robot, up to 3 s behind where it was "
+           "seen on it last");
+}
+
+GoalTraits traitsOf(const RetraceGoal& goal) {
+  GoalTraits traits;
+  traits.buffer_mode = bufferModeOf(goal.buffer_mode);
+  traits.may_move = true;
+  traits.needs_plan = true;
+  return traits;
+}
+
+std::vector<Failure> check(const RetraceGoal& goal) {
+  ParameterChecks checks;
+  checks.bufferMode(goal.buffer_mode);
+  checks.require(goal.speed == 0 || isWithin(goal.speed, kLeastSpeed, kPercent),
+                 motion_error::kSpeedRangePercent,
+                 fmt::format("speed is {}; allowed: 1..100 %, and 0 for {} %", goal.speed, kDefaultSpeed));
+  checks.require(
+      goal.point >= RetraceGoal::kEnd && goal.method_id >= 0, own_error::kPointNotDriven,
+      fmt::format("point is {}, method_id {}; allowed: 0 or more each, point also -1 (START) and -2 (END)",
+                  goal.point, goal.method_id));
+  return std::move(checks).violations();
+}
+
+Outcome plan(const RetraceGoal& goal, const PlanningScene& scene) {
+  auto outcome = planned(goal, scene);
+  return outcome ? *std::move(outcome) : toRejection(kBlock<RetraceGoal>, {outcome.error()});
+}
+
+std::unique_ptr<Run> runOf(const RetraceGoal& /*goal*/, GoalId id, const Outcome& planned, Instant /*now*/) {
+  Command command;
+  command.block = kBlock<RetraceGoal>;
+  command.traits.awaits_motion = true;
+  const auto& retrace = planned.detail.as<RetraceOrder>();
+  command.order = [order = retrace.order](const arm::Pose& /*base*/) { return order; };
+  return std::make_unique<RetraceRun>(id, std::move(command), retrace.way);
+}
+
+}  // namespace cobot_command::blocks
