@@ -1,8 +1,8 @@
 """A good goal of each block, and how to change it. The arm starts at HOME; none of these leaves its reach."""
 from cobot_command.msg import (ChangeBaseGoal, ChangeLoadGoal, ChangeTCPGoal, CheckSequenceGoal, ExitListenNodeGoal, JogGoal, LoadPathGoal,
                                MomentOfInertia, MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, OutputAction, PathPoint,
-                               PickAndPlaceGoal, PickAndPlaceStep, ProgramControlGoal, RunScriptGoal, SequenceStep, SetOutputGoal, StopGoal,
-                               Transformation, WaitForInputGoal)
+                               PickAndPlaceGoal, PickAndPlaceStep, ProgramControlGoal, RetraceGoal, RunScriptGoal, SequenceStep,
+                               SetOutputGoal, StopGoal, Transformation, WaitForInputGoal)
 
 HOME = (0, 0, 90, 0, 90, 0)
 ELSEWHERE = (60, -20, 100, 10, 80, -45)
@@ -154,7 +154,7 @@ def queued(**changes):
             circle((450, 0, 500, 180, 0, 90), POSE, **changes), base(20, 30, 10, 0, 0, 90, **changes),
             tcp(0, 0, 150, 0, 0, 90, **changes), ChangeLoadGoal(weight=1, **changes), output(**changes),
             wait_for(value=False, **changes), ExitListenNodeGoal(**changes), script("ChangeLoad(1)", **changes),
-            cycle(step(to_joints(*HOME)), **changes), path(path_to_joints(*HOME), **changes)]
+            cycle(step(to_joints(*HOME)), **changes), path(path_to_joints(*HOME), **changes), RetraceGoal(**changes)]
 
 
 def commands():

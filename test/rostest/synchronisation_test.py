@@ -3,7 +3,7 @@
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 
-from cobot_command.msg import (DataSets, ExchangeConfigurationGoal, ExchangeParCmd, GroupState, ProgramControlGoal, StopGoal,
+from cobot_command.msg import (DataSets, ExchangeConfigurationGoal, ExchangeParCmd, GroupState, ProgramControlGoal, RetraceGoal, StopGoal,
                                Transformation)
 from cobot_command.srv import ReadFrame
 from cobot_goals import BUFFERED, HOME, circle, cycle, path, path_to_joints, POSE, relative, script, step, step_of_joint, to_joints, turn
@@ -15,7 +15,8 @@ from waiting import wait_until
 def movers():
     """One goal of each block that may move the robot."""
     return [to_joints(*HOME), relative(0, 0, 20, 0, 0, 0), circle((450, 0, 500, 180, 0, 90), POSE), script("ChangeLoad(1)"),
-            cycle(step(to_joints(*HOME))), path(path_to_joints(*HOME)), step_of_joint(5)]
+            cycle(step(to_joints(*HOME))), path(path_to_joints(*HOME)), step_of_joint(5),
+            RetraceGoal(point=RetraceGoal.START)]
 
 
 class Synchronisation(CobotTestCase):

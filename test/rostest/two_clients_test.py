@@ -5,7 +5,7 @@ import math
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import CommandStatus, StopGoal
+from cobot_command.msg import CommandStatus, RetraceGoal, StopGoal
 from cobot_goals import ABORTING, HOME, SLOWLY, motions, path, path_to_joints, step_of_joint, to_joints, turn
 from cobot_test import CobotTestCase, Latest
 from interrupting import interrupt, way_back
@@ -70,6 +70,14 @@ class TwoClients(CobotTestCase):
             outcome = self.run_until_the_other_stops_it(way_back(speed=2))
         self.assert_aborted(outcome, 0x228, "from its target")
         self.assert_done(self.robot.run(StopGoal()))
+
+    def test_are_told_so_on_their_way_back_along_a_path(self):
+        self.assert_done(self.robot.run(path(path_to_joints(60, 0, 90, 0, 90, 0))))
+        back = RetraceGoal(point=RetraceGoal.START, speed=2)
+        outcome = self.run_until_the_other_stops_it(back)
+        if outcome[1].error_id == 0x226:
+            outcome = self.run_until_the_other_stops_it(back)
+        self.assert_aborted(outcome, 0x228, "from its target")
 
     def run_until_the_other_stops_it(self, goal):
         first = self.robot.start_slowly(goal)
