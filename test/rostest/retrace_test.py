@@ -127,22 +127,13 @@ class Retraces(MotionTestCase):
         self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY, "a link")
         self.assert_rejected(self.robot.run(back()), 0x208)
 
-    def test_of_a_long_way_take_many_points_and_long_to_plan(self):
+    def test_of_a_long_way_are_more_points_than_one_pvt_may_have(self):
         ports = rospy.get_param("long/simulated_controller/listening")
         self.connected("long/", port=ports["script_port"], status_port=ports["status_port"])
-        self.assert_done(self.robot.run(to_joints(-100, 0, 90, 0, 90, 0), "long/"))
-        self.drive_as_slowly_as_can_be(17)
-        self.assert_rejected(self.robot.run(back(), "long/"), 0x20C)
-        self.drive_as_slowly_as_can_be(-260)
+        self.assert_done(self.robot.run(to_joints(-260, 0, 90, 0, 90, 0), "long/"))
+        slowest = path_to_joints(20, 0, 90, 0, 90, 0, speed=1.8)
+        self.assert_done(self.robot.run(path(slowest, execution=LoadPathGoal.SCRIPT, allow_approximation=True), "long/"))
         self.assert_rejected(self.robot.run(back(), "long/"), 0x277, "5000")
-
-    def drive_as_slowly_as_can_be(self, joint_1):
-        """A script, as that is planned within the budget; though not always on a machine that is busy."""
-        goal = path(path_to_joints(joint_1, 0, 90, 0, 90, 0, speed=1.8), execution=LoadPathGoal.SCRIPT, allow_approximation=True)
-        outcome = self.robot.run(goal, "long/")
-        while outcome[1].error_id == 0x20C:
-            outcome = self.robot.run(goal, "long/")
-        self.assert_done(outcome)
 
     # --- What the robot, and the wire, do.
     def test_fail_as_other_commands_do(self):
