@@ -15,6 +15,8 @@ namespace {
 constexpr Duration kFarthest = std::chrono::seconds(3);
 /// So far may it be behind its clock: further is looked for by nobody who has no time for it.
 constexpr Duration kFarthestBack = std::chrono::seconds(60);
+/// A point that the robot stands on is passed, though it may be as little in front of it.
+constexpr Duration kNearly = std::chrono::milliseconds(500);
 /// Each side of a cut has a time of its own.
 constexpr Duration kCut{1};
 
@@ -117,16 +119,27 @@ Duration DrivenPath::passTime(const Piece& piece, std::size_t point) {
   return piece.begin + own.end() - own.overlap / 2;
 }
 
+bool DrivenPath::standsAt(const Piece& piece, Duration time) const {
+  if (!stood_ || time <= reached_ || time - reached_ > kNearly) return false;
+  const arm::JointVector there = piece.plan->at(time - piece.begin).position;
+  return (there - *stood_).cwiseAbs().maxCoeff() <= kSamePlace;
+}
+
 /// In their order, with the time at which each was passed.
 template <class Take>
 void DrivenPath::forEachPassed(const Take& take) const {
   for (const Piece& piece : pieces_) {
+    const Duration until = std::min(reached_, piece.end());
     for (std::size_t i = 0; i < countOf(*piece.plan); ++i) {
       const Duration passed = passTime(piece, i);
-      if (passed > std::min(reached_, piece.end())) break;
-      take(piece.plan->points()[i], passed);
+      if (passed > until && !standsAt(piece, passed)) break;
+      take(piece.plan->points()[i], std::min(passed, until));
     }
   }
+}
+
+int DrivenPath::firstGoal() const {
+  return pieces_.front().plan->points().front().goal;
 }
 
 int DrivenPath::lastGoal() const {

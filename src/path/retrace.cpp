@@ -10,14 +10,38 @@ namespace {
 
 /// The robot may have been moved on behind what was seen of it last.
 constexpr Duration kFurther = std::chrono::seconds(3);
+/// Between two places whose distance is told.
+constexpr Duration kSpacing = std::chrono::milliseconds(10);
+constexpr int kMostPlaces = 2000;
+
+WaySpan spanOf(const DrivenPath& driven) {
+  return {driven.begin(), std::min(driven.end(), driven.reached() + kFurther)};
+}
+
+WayMiss missAt(const arm::JointVector& place, const arm::JointVector& joints) {
+  WayMiss miss;
+  miss.gap = (place - joints).cwiseAbs().maxCoeff(&miss.joint);
+  return miss;
+}
 
 }  // namespace
 
 std::optional<Duration> placeOn(const DrivenPath& driven, const arm::JointVector& joints,
                                 const std::function<bool()>& give_up) {
   if (driven.isEmpty()) return std::nullopt;
-  const WaySpan span{driven.begin(), std::min(driven.end(), driven.reached() + kFurther)};
+  const WaySpan span = spanOf(driven);
   return placeBetween(driven, joints, span, std::clamp(driven.last(), span.from, span.until), give_up);
+}
+
+WayMiss missOf(const DrivenPath& driven, const arm::JointVector& joints) {
+  const WaySpan span = spanOf(driven);
+  const Duration spacing = std::max(kSpacing, (span.until - span.from) / kMostPlaces);
+  WayMiss nearest = missAt(driven.at(span.until).position, joints);
+  for (Duration time = span.from; time < span.until; time += spacing) {
+    const WayMiss miss = missAt(driven.at(time).position, joints);
+    if (miss.gap < nearest.gap) nearest = miss;
+  }
+  return nearest;
 }
 
 Duration durationOf(const Retrace& retrace, const DrivenPath& driven) {

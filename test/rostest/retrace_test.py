@@ -5,7 +5,7 @@ import math
 import rospy
 
 from cobot_command.msg import CommandStatus, LoadPathGoal, RetraceGoal, StopGoal
-from cobot_command.srv import Interruption, ReadSoftwareLimits, WriteSoftwareLimits
+from cobot_command.srv import ChangeSpeedOverride, Interruption, ReadSoftwareLimits, WriteSoftwareLimits
 from cobot_goals import ABORTING, HOME, path, path_to_joints, to_joints, turn, with_changes
 from cobot_test import Latest
 from motion_checks import MotionTestCase
@@ -104,6 +104,13 @@ class Retraces(MotionTestCase):
         self.assert_rejected(self.robot.run(back()), 0x27D)
         self.assert_done(self.robot.run(turn(0, 0, -1, 0, 0, 0)))
         self.assert_done(self.robot.run(back()))
+
+    def test_take_no_longer_than_three_hours(self):
+        self.drive(speed=30)
+        override = rospy.ServiceProxy("change_speed_override", ChangeSpeedOverride)
+        self.addCleanup(override, 100)
+        self.assertTrue(override(1).success)
+        self.assert_rejected(self.robot.run(back(speed=1)), 0x206, "at most 10800 s")
 
     def test_keep_to_the_software_limits_of_now(self):
         limits = rospy.ServiceProxy("read_software_limits", ReadSoftwareLimits)()

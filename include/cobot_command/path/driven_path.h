@@ -69,6 +69,8 @@ class DrivenPath {
   [[nodiscard]] std::vector<Duration> knots(Duration from, Duration until, std::size_t most) const;
 
   // --- Its points, as their goals name them (PlannedPoint).
+  /// Whose point is the first one that is remembered. Precondition: it is not empty.
+  [[nodiscard]] int firstGoal() const;
   /// Whose point was under way last. Precondition: it is not empty.
   [[nodiscard]] int lastGoal() const;
   /// When it was driven past, or to: in a corner the middle of that. Nothing: it was not.
@@ -93,6 +95,8 @@ class DrivenPath {
   };
 
   [[nodiscard]] static Duration passTime(const Piece& piece, std::size_t point);
+  /// There, which is a little further than where it was seen.
+  [[nodiscard]] bool standsAt(const Piece& piece, Duration time) const;
   template <class Take>
   void forEachPassed(const Take& take) const;
 

@@ -19,6 +19,15 @@ namespace cobot_command::path {
 [[nodiscard]] std::optional<Duration> placeOn(const DrivenPath& driven, const arm::JointVector& joints,
                                               const std::function<bool()>& give_up = {});
 
+/// Where no place is: how far the joints are from the nearest one that was looked at (every 10 ms, or at 2000
+/// places of a long way), as the joint that is farthest off.
+struct WayMiss {
+  int joint = 0;   ///< 0..5
+  double gap = 0;  ///< [rad]
+};
+/// Precondition: it is not empty.
+[[nodiscard]] WayMiss missOf(const DrivenPath& driven, const arm::JointVector& joints);
+
 /// The way between two places, in either direction. It is that of the plans, only its time is another one:
 /// from rest to `rate` of their speeds within half a second, and so to rest again, also where the path was
 /// cut (DrivenPath::Cut); a short way no faster than that takes it.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "shared/parameter_checks.h"
 #include "ways_back/retrace_run.h"
@@ -12,6 +14,7 @@
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/refusal_failure.h"
 #include "cobot_command/common/result.h"
+#include "cobot_command/common/units.h"
 #include "cobot_command/motion/planner.h"
 #include "cobot_command/path/pvt_block.h"
 #include "cobot_command/path/retrace.h"
@@ -32,20 +35,27 @@ struct RetraceOrder {
   RetraceWay way;
 };
 
-std::string rangeText(const DrivenPath& driven, int method) {
-  const auto range = driven.passedOf(method);
-  if (!range) return fmt::format("none of load_path {}", method);
-  return fmt::format("{}..{} of load_path {}", range->first, range->last, method);
+std::string allowedText(const DrivenPath& driven, int method) {
+  std::vector<std::string> allowed;
+  if (const auto range = driven.passedOf(method)) {
+    allowed.push_back(fmt::format("{}..{}", range->first, range->last));
+  }
+  if (driven.beginOf(method)) allowed.emplace_back("-1 (START)");
+  if (driven.stood()) allowed.emplace_back("-2 (END)");
+  if (allowed.empty()) allowed.emplace_back("nothing");
+  return fmt::format("{} of load_path {}; known are goals {}..{}", fmt::join(allowed, ", "), method,
+                     driven.firstGoal(), driven.lastGoal());
+}
+
+Failure notDriven(const std::string& what, const DrivenPath& driven, int method) {
+  return {own_error::kPointNotDriven, fmt::format("{}; allowed: {}", what, allowedText(driven, method)), ""};
 }
 
 Failure notDriven(const RetraceGoal& goal, const DrivenPath& driven, int method) {
   const std::string what = goal.point == RetraceGoal::kStart
                                ? fmt::format("the start of load_path {}", method)
                                : fmt::format("point {} of load_path {}", goal.point, method);
-  return {own_error::kPointNotDriven,
-          fmt::format("{} was not driven past, or is not remembered; allowed: {}, -1 (START), -2 (END)", what,
-                      rangeText(driven, method)),
-          ""};
+  return notDriven(what + " was not driven past, or is not remembered", driven, method);
 }
 
 struct Target {
@@ -56,14 +66,24 @@ struct Target {
 Result<Target, Failure> targetOf(const RetraceGoal& goal, const DrivenPath& driven) {
   if (goal.point == RetraceGoal::kEnd) {
     if (driven.stood()) return Target{driven.reached(), driven.stood()};
-    return refuse(Failure{own_error::kPointNotDriven,
-                          "where the robot was when it left the path is not known for certain", ""});
+    return refuse(notDriven("where the robot was when it left the path is not known for certain", driven,
+                            driven.lastGoal()));
   }
   const int method = goal.method_id == 0 ? driven.lastGoal() : goal.method_id;
   const auto time =
       goal.point == RetraceGoal::kStart ? driven.beginOf(method) : driven.passed(method, goal.point);
   if (!time) return refuse(notDriven(goal, driven, method));
   return Target{*time, std::nullopt};
+}
+
+Failure notOnTheWay(const DrivenPath& driven, const arm::JointVector& joints) {
+  const path::WayMiss miss = path::missOf(driven, joints);
+  return {
+      own_error::kNotOnTheWay,
+      fmt::format("no place of it is within 0.1 deg of each joint of the robot; where it is nearest, J{} is "
+                  "{:.2f} deg off",
+                  miss.joint + 1, radToDeg(miss.gap)),
+      ""};
 }
 
 std::optional<Failure> objectionTo(const PlanningScene& scene) {
@@ -84,8 +104,7 @@ Result<Retrace, Failure> retraceOf(const RetraceGoal& goal, const PlanningScene&
   const auto place = path::placeOn(driven, joints, scene.give_up);
   if (!place) {
     if (scene.give_up && scene.give_up()) return refuse(Failure{own_error::kPlanningBudget, "", ""});
-    return refuse(
-        Failure{own_error::kNotOnTheWay, "no place of it is within 0.1 deg of each joint of the robot", ""});
+    return refuse(notOnTheWay(driven, joints));
   }
   Retrace retrace;
   retrace.from = *place;
@@ -138,7 +157,9 @@ ErrorTable RetraceGoal::errors() {
               "it is not known where the robot stands: no status stream, or it moves, or is held, from an "
               "unknown place")
       .shared(own_error::kNoModel, "the command layer knows no model of the arm")
-      .shared(own_error::kNotPlannable, "cannot occur: of a way that was planned before all is known")
+      .shared(own_error::kNotPlannable,
+              "the way would take more than three hours: at a low speed, and a low speed "
+              "override")
       .row(own_error::kPvtUnavailable, "PVT not available", "Move the robot out in another way",
            "the controller has refused to enter a PVT since the link was made")
       .row(own_error::kPvtTooLong, "Too long for one PVT", "Choose a nearer point, and go on from there",

@@ -17,7 +17,9 @@ constexpr double kNearlyDone = 0.99;
 
 /// "..., held by ...: what continues it".
 std::string holdText(const robot::RobotWatch& robot, const CommandOrder& order, bool waits) {
-  constexpr const char* kResume = "program_control with RESUME, or the pendant, continues it";
+  constexpr const char* kResume =
+      "program_control with RESUME, or the pendant, continues it; a speed override of 0, which holds it as "
+      "well, has to be raised";
   const char* in_front = waits ? "waits for the motion in front of it, " : "";
   if (!robot.paused()) {
     return fmt::format("{}held by a safeguard: it goes on when that is released", in_front);

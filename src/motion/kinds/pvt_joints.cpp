@@ -97,9 +97,8 @@ std::optional<PvtOffence> offenceIn(const arm::ArmModel& arm, const Segment& seg
 
 std::string textOf(const PvtOffence& offence, const arm::JointLimit& limit) {
   if (offence.reason == Refusal::Reason::JointLimit) {
-    return fmt::format(
-        "would reach {:.2f} deg, allowed {:.1f}..{:.1f} deg: choose other points or velocities",
-        radToDeg(offence.found), radToDeg(limit.lower), radToDeg(limit.upper));
+    return fmt::format("would reach {:.2f} deg, allowed {:.1f}..{:.1f} deg", radToDeg(offence.found),
+                       radToDeg(limit.lower), radToDeg(limit.upper));
   }
   return fmt::format(
       "would need {:.1f} deg/s, rated {:.1f} deg/s: give the point more time or another velocity",

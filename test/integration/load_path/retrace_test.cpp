@@ -222,6 +222,31 @@ TEST_F(Retracing, takesOver) {
   expectAt(start);
 }
 
+TEST_F(Retracing, takesOverFromAnotherOnItsWay) {
+  cell.endOf(cell.submit(overAnEdge()));
+  const Place end = flange();
+  const GoalId first = cell.submit(back(RetraceGoal::kStart, 20));
+  cell.pass(4s);
+  RetraceGoal goal = back(RetraceGoal::kEnd);
+  goal.buffer_mode = static_cast<int>(BufferMode::Aborting);
+  const GoalId second = cell.submit(goal);
+  EXPECT_EQ(cell.endOf(first).ending, Ending::CommandAborted);
+  EXPECT_GT((flange() - end).norm(), 10);
+  expectDone(second);
+  expectAt(end);
+}
+
+TEST_F(Retracing, endsAnInterruptedPathThatItTakesOver) {
+  const GoalId path = cell.submit(overAnEdge());
+  passUntilActive(path, 2);
+  ASSERT_TRUE(cell.passUntil([answer = cell.interrupt()] { return answer->has_value(); }));
+  RetraceGoal goal = back();
+  goal.buffer_mode = static_cast<int>(BufferMode::Aborting);
+  expectDone(cell.submit(goal));
+  EXPECT_EQ(cell.endOf(path).ending, Ending::CommandAborted);
+  expectAt(start);
+}
+
 TEST_F(Retracing, waitsItsTurn) {
   const GoalId path = cell.submit(overAnEdge());
   RetraceGoal goal = back();
@@ -248,10 +273,12 @@ TEST_F(Retracing, isRefusedWithoutAWay) {
   expectRejected(cell.submit(back()), own_error::kNothingDriven);
   cell.endOf(cell.submit(turns(3, false)));
   expectRejected(cell.submit(back(3)), own_error::kPointNotDriven, "point 3 of load_path 1");
-  expectRejected(cell.submit(back(3)), own_error::kPointNotDriven, "allowed: 0..2 of load_path 1");
+  expectRejected(cell.submit(back(3)), own_error::kPointNotDriven,
+                 "allowed: 0..2, -1 (START), -2 (END) of load_path 1");
   RetraceGoal goal = back();
   goal.method_id = 7;
-  expectRejected(cell.submit(goal), own_error::kPointNotDriven, "none of load_path 7");
+  expectRejected(cell.submit(goal), own_error::kPointNotDriven,
+                 "allowed: -2 (END) of load_path 7; known are goals 1..1");
 }
 
 TEST_F(Retracing, isRefusedBesideTheWay) {
@@ -261,7 +288,7 @@ TEST_F(Retracing, isRefusedBesideTheWay) {
   away.data_format = static_cast<int>(AbsoluteFormat::Jpp);
   away.target = {9, 0.2, 90, 0, 90, 0};
   expectDone(cell.submit(away));
-  expectRejected(cell.submit(back()), own_error::kNotOnTheWay);
+  expectRejected(cell.submit(back()), own_error::kNotOnTheWay, "J2 is 0.20 deg off");
   away.target = {4, 0.05, 90, 0, 90, 0};
   expectDone(cell.submit(away));
   expectDone(cell.submit(back()));

@@ -99,6 +99,15 @@ Scenarios planScenarios() {
          return endOf(rig, rig.submit(good<RetraceGoal>()));
        }},
       {row(own_error::kJointLimit), since(narrow)},
+      {row(own_error::kNotPlannable),
+       [] {
+         CoreRig rig(*arm::ArmModel::named("tm5-900"), link::LinkSettings{});
+         rig.connect();
+         driveAPath(rig, 100);
+         rig.core.setSpeedOverride(
+             1, [](const OverrideAnswer&) {}, rig.now);
+         return endOf(rig, rig.submit(with<RetraceGoal>([](auto& g) { g.speed = 1; })));
+       }},
       {row(own_error::kPlanningBudget),
        [] {
          Behind rig(Planning::Beside);

@@ -95,6 +95,34 @@ TEST_F(DrivenPaths, knowTheRobotByItsJoints) {
   EXPECT_NEAR(toSeconds(driven.reached()), toSeconds(there), 1e-3);
 }
 
+TEST_F(DrivenPaths, havePassedAPointThatTheRobotStandsOn) {
+  const auto whole = plan();
+  const Duration end = whole->points()[0].end();
+  const Duration nearly = end - milliseconds(15);
+  ASSERT_LT((whole->at(nearly).position - whole->at(end).position).cwiseAbs().maxCoeff(),
+            DrivenPath::kSamePlace);
+  for (const bool is_cut : {false, true}) {
+    DrivenPath driven;
+    sendInPieces(driven, *whole);
+    driven.come(0, nearly);
+    EXPECT_FALSE(driven.passed(1, 0)) << "it may be on its way there";
+    if (is_cut) driven.cut(whole->at(nearly).position);
+    EXPECT_TRUE(driven.stand(whole->at(nearly).position));
+    EXPECT_EQ(driven.passed(1, 0), driven.reached());
+    EXPECT_EQ(driven.passedOf(1)->last, 0);
+  }
+}
+
+TEST_F(DrivenPaths, haveNotPassedAPointInFrontOfWhichTheyWereCut) {
+  const auto whole = plan();
+  const Duration before = whole->points()[0].end() - milliseconds(150);
+  DrivenPath driven;
+  sendInPieces(driven, *whole);
+  driven.come(0, before);
+  driven.cut(whole->at(before).position);
+  EXPECT_FALSE(driven.passed(1, 0));
+}
+
 TEST_F(DrivenPaths, goBackOnlyWithTheRobot) {
   DrivenPath driven;
   sendInPieces(driven, *plan());
