@@ -38,10 +38,10 @@ CommandReports::CommandReports(const CommandOrder& order, const robot::RobotWatc
 std::optional<double> CommandReports::distance() const {
   const auto joints = robot_.joints();
   if (arm_ == nullptr || !joints || !order_.plan || order_.plan->motions.empty()) return std::nullopt;
-  const auto tcpAt = [this](const arm::JointVector& at) -> Eigen::Vector3d {
+  const auto tcp_at = [this](const arm::JointVector& at) -> Eigen::Vector3d {
     return (arm::forwardKinematics(*arm_, at) * order_.plan->tcp).translation();
   };
-  return mToMm((tcpAt(order_.plan->motions.back()->end().position) - tcpAt(*joints)).norm());
+  return mToMm((tcp_at(order_.plan->motions.back()->end().position) - tcp_at(*joints)).norm());
 }
 
 void CommandReports::tell(blocks::Phase phase, std::string text, Instant now) {
