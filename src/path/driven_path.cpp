@@ -11,8 +11,6 @@
 namespace cobot_command::path {
 namespace {
 
-/// No robot takes longer to stop, in the time of its path.
-constexpr Duration kFarthest = std::chrono::seconds(3);
 /// So far may it be behind its clock: further is looked for by nobody who has no time for it.
 constexpr Duration kFarthestBack = std::chrono::seconds(60);
 /// A point that the robot stands on is passed, though it may be as little in front of it.
@@ -62,8 +60,8 @@ void DrivenPath::come(std::size_t point, Duration time) {
 bool DrivenPath::stand(const arm::JointVector& joints) {
   stood_.reset();
   if (pieces_.empty()) return false;
-  const bool is_there = (at(reached_).position - joints).cwiseAbs().maxCoeff() <= kSamePlace;
-  const WaySpan span{std::max(begin(), reached_ - kFarthestBack), std::min(end(), reached_ + kFarthest)};
+  const bool is_there = isSamePlace(at(reached_).position, joints);
+  const WaySpan span{std::max(begin(), reached_ - kFarthestBack), farthest()};
   const auto place = is_there ? std::optional(reached_) : placeBetween(*this, joints, span, reached_);
   if (!place) return false;
   reached_ = last_ = *place;
@@ -121,8 +119,7 @@ Duration DrivenPath::passTime(const Piece& piece, std::size_t point) {
 
 bool DrivenPath::standsAt(const Piece& piece, Duration time) const {
   if (!stood_ || time <= reached_ || time - reached_ > kNearly) return false;
-  const arm::JointVector there = piece.plan->at(time - piece.begin).position;
-  return (there - *stood_).cwiseAbs().maxCoeff() <= kSamePlace;
+  return isSamePlace(piece.plan->at(time - piece.begin).position, *stood_);
 }
 
 /// In their order, with the time at which each was passed.

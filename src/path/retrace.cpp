@@ -8,14 +8,12 @@
 namespace cobot_command::path {
 namespace {
 
-/// The robot may have been moved on behind what was seen of it last.
-constexpr Duration kFurther = std::chrono::seconds(3);
 /// Between two places whose distance is told.
 constexpr Duration kSpacing = std::chrono::milliseconds(10);
 constexpr int kMostPlaces = 2000;
 
 WaySpan spanOf(const DrivenPath& driven) {
-  return {driven.begin(), std::min(driven.end(), driven.reached() + kFurther)};
+  return {driven.begin(), driven.farthest()};
 }
 
 WayMiss missAt(const arm::JointVector& place, const arm::JointVector& joints) {

@@ -40,9 +40,7 @@ class WaySearch {
  private:
   [[nodiscard]] arm::JointVector at(Duration time) const { return driven_.at(time).position; }
   [[nodiscard]] double gapAt(Duration time) const { return (at(time) - joints_).norm(); }
-  [[nodiscard]] bool isAt(Duration time) const {
-    return (at(time) - joints_).cwiseAbs().maxCoeff() <= DrivenPath::kSamePlace;
-  }
+  [[nodiscard]] bool isAt(Duration time) const { return DrivenPath::isSamePlace(at(time), joints_); }
   [[nodiscard]] Duration downhill(Duration time) const;
 
   const DrivenPath& driven_;

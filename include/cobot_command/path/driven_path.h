@@ -6,6 +6,8 @@
 // A value: a copy costs a pointer for each piece.
 #pragma once
 
+#include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -19,12 +21,19 @@
 
 namespace cobot_command::path {
 
+/// No robot takes longer to stop, in the time of its path: so far it may have come behind what was seen of
+/// it.
+inline constexpr Duration kLongestStop = std::chrono::seconds(3);
+
 class DrivenPath {
  public:
   /// So many points are remembered at least; of a longer path the last ones.
   static constexpr std::size_t kMostPoints = 1000;
   /// Within this of each joint the robot is at a place [rad].
   static constexpr double kSamePlace = 0.0017453;
+  [[nodiscard]] static bool isSamePlace(const arm::JointVector& a, const arm::JointVector& b) {
+    return (a - b).cwiseAbs().maxCoeff() <= kSamePlace;
+  }
 
   // --- What becomes of the path. Points are counted from the first one of it on.
   /// A piece, from rest to rest, behind what was sent; its first point is that one. What the robot has passed
@@ -56,6 +65,8 @@ class DrivenPath {
   /// Of what is remembered, and of what was sent: where the robot was last is between them.
   [[nodiscard]] Duration begin() const;
   [[nodiscard]] Duration end() const;
+  /// The robot may have come to there, as it was moved on behind what was seen of it last.
+  [[nodiscard]] Duration farthest() const { return std::min(end(), reached_ + kLongestStop); }
   /// Before the begin where that is, after the end likewise. Precondition: it is not empty.
   [[nodiscard]] motion::JointState at(Duration time) const;
   /// Where the robot was stopped on its way, with these joints: the time of the one side, that of the other

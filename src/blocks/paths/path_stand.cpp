@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "cobot_command/path/driven_path.h"
+
 namespace cobot_command::blocks {
 namespace {
 
-/// No robot takes longer to stop, in the time of its path.
-constexpr Duration kFarthest = std::chrono::seconds(3);
 constexpr Duration kStep = std::chrono::milliseconds(5);
 /// As near as any [rad]: what a joint that rests may seem to move.
 constexpr double kAsNear = 2e-3;
@@ -28,7 +28,7 @@ std::vector<Candidate> candidates(const std::vector<SentPiece>& pieces, const Pa
     const bool begins_inside = sent.first <= certain.point;
     Duration time =
         begins_inside ? plan.points()[certain.point - sent.first].start + certain.time : Duration::zero();
-    for (; time <= plan.duration() && passed <= kFarthest; time += kStep, passed += kStep) {
+    for (; time <= plan.duration() && passed <= path::kLongestStop; time += kStep, passed += kStep) {
       const double gap = (plan.at(time).position - joints).cwiseAbs().maxCoeff();
       found.push_back({standAt(*sent.piece, sent.first, time), gap});
     }
