@@ -31,16 +31,28 @@ void fillCommandEnd(Result& message, const blocks::Outcome& outcome) {
   message.command_id_ack = outcome.command_id_ack;
 }
 
-/// That of a move; what is unknown of where the robot was at the end stays empty.
+/// Where the robot was at the end; what is unknown of that stays empty.
 template <class Result>
-void fillMoveEnd(Result& message, const blocks::Outcome& outcome, const JointNames& names) {
-  fillCommandEnd(message, outcome);
-  message.planned_duration = toRos(outcome.planned);
-  message.actual_duration = toRos(outcome.actual);
+void fillFinalPlace(Result& message, const blocks::Outcome& outcome) {
   if (outcome.final_joints_deg) {
     message.final_joints.assign(outcome.final_joints_deg->begin(), outcome.final_joints_deg->end());
   }
   if (outcome.final_pose_mm_deg) message.final_pose = toTransformation(*outcome.final_pose_mm_deg);
+}
+
+/// How long the motion took, and was to take, and where it ended.
+template <class Result>
+void fillArrival(Result& message, const blocks::Outcome& outcome) {
+  message.planned_duration = toRos(outcome.planned);
+  message.actual_duration = toRos(outcome.actual);
+  fillFinalPlace(message, outcome);
+}
+
+/// That of a move.
+template <class Result>
+void fillMoveEnd(Result& message, const blocks::Outcome& outcome, const JointNames& names) {
+  fillCommandEnd(message, outcome);
+  fillArrival(message, outcome);
   message.joint_path = toMessage(outcome.detail.as<blocks::CheckedMotion>().joint_path, names);
 }
 

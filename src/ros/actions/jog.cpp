@@ -28,10 +28,7 @@ void fill(cobot_command::JogResult& message, const blocks::Outcome& outcome, con
   message.means = static_cast<std::uint8_t>(report.means);
   message.way = report.way_mm;
   message.turn = report.way_deg;
-  if (outcome.final_joints_deg) {
-    message.final_joints.assign(outcome.final_joints_deg->begin(), outcome.final_joints_deg->end());
-  }
-  if (outcome.final_pose_mm_deg) message.final_pose = toTransformation(*outcome.final_pose_mm_deg);
+  fillFinalPlace(message, outcome);
 }
 
 void fill(cobot_command::JogFeedback& message, const blocks::Progress& progress, const FillSite& /*site*/) {

@@ -18,12 +18,7 @@ blocks::RetraceGoal toGoal(const cobot_command::RetraceGoal& message, const Look
 
 void fill(cobot_command::RetraceResult& message, const blocks::Outcome& outcome, const FillSite& /*site*/) {
   fillEnd(message, outcome);
-  message.planned_duration = toRos(outcome.planned);
-  message.actual_duration = toRos(outcome.actual);
-  if (outcome.final_joints_deg) {
-    message.final_joints.assign(outcome.final_joints_deg->begin(), outcome.final_joints_deg->end());
-  }
-  if (outcome.final_pose_mm_deg) message.final_pose = toTransformation(*outcome.final_pose_mm_deg);
+  fillArrival(message, outcome);
 }
 
 void fill(cobot_command::RetraceFeedback& message, const blocks::Progress& progress,

@@ -21,12 +21,7 @@ blocks::ReturnToPrimaryGoal toGoal(const cobot_command::ReturnToPrimaryGoal& mes
 void fill(cobot_command::ReturnToPrimaryResult& message, const blocks::Outcome& outcome,
           const FillSite& /*site*/) {
   fillEnd(message, outcome);
-  message.planned_duration = toRos(outcome.planned);
-  message.actual_duration = toRos(outcome.actual);
-  if (outcome.final_joints_deg) {
-    message.final_joints.assign(outcome.final_joints_deg->begin(), outcome.final_joints_deg->end());
-  }
-  if (outcome.final_pose_mm_deg) message.final_pose = toTransformation(*outcome.final_pose_mm_deg);
+  fillArrival(message, outcome);
 }
 
 void fill(cobot_command::ReturnToPrimaryFeedback& message, const blocks::Progress& progress,
