@@ -2,6 +2,7 @@
 #include "cobot_command/blocks/ways_back/retrace.h"
 
 #include "path_goals.h"
+#include "way_distance.h"
 #include <gmock/gmock.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
@@ -53,22 +54,6 @@ class Retracing : public LoadPathCell {
     }
     return places;
   }
-  /// The largest distance of these from the way through those [mm].
-  [[nodiscard]] static double off(const std::vector<Place>& places, const std::vector<Place>& way) {
-    double most = 0;
-    for (const Place& place : places) {
-      double least = 1e9;
-      for (std::size_t i = 1; i < way.size(); ++i) {
-        const Place chord = way[i] - way[i - 1];
-        const double share = chord.norm() > 0
-                                 ? std::clamp(chord.dot(place - way[i - 1]) / chord.squaredNorm(), 0.0, 1.0)
-                                 : 0.0;
-        least = std::min(least, (way[i - 1] + share * chord - place).norm());
-      }
-      most = std::max(most, least);
-    }
-    return most;
-  }
   void expectAt(const Place& place, double tolerance = 0.02) {
     EXPECT_LT((flange() - place).norm(), tolerance) << flange().transpose() << " [mm]";
   }
@@ -87,8 +72,8 @@ TEST_F(Retracing, drivesTheWayThatWasDriven) {
   const auto found = watch(id);
   expectDone(id);
   expectAt(start);
-  EXPECT_LT(off(found, way), 0.05) << "[mm] off the way";
-  EXPECT_LT(off(way, found), 0.05) << "[mm] left out";
+  EXPECT_LT(mostOff(found, way), 0.05) << "[mm] off the way";
+  EXPECT_LT(mostOff(way, found), 0.05) << "[mm] left out";
 }
 
 TEST_F(Retracing, leadsOutOfWhereACancelHasStoppedThePath) {
@@ -103,7 +88,7 @@ TEST_F(Retracing, leadsOutOfWhereACancelHasStoppedThePath) {
   way.insert(way.end(), stopping.begin(), stopping.end());
   EXPECT_EQ(cell.endOf(path).ending, Ending::CommandAborted);
   const GoalId id = cell.submit(back());
-  EXPECT_LT(off(watch(id), way), 0.05);
+  EXPECT_LT(mostOff(watch(id), way), 0.05);
   expectDone(id);
   expectAt(start);
 }
@@ -175,7 +160,7 @@ TEST_F(Retracing, knowsTheWayBehindARestart) {
   note([&] { return cell.outcome(path) != nullptr; });
   expectDone(path);
   const GoalId id = cell.submit(back());
-  EXPECT_LT(off(watch(id), way), 0.05);
+  EXPECT_LT(mostOff(watch(id), way), 0.05);
   expectDone(id);
   expectAt(start);
 }

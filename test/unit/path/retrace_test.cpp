@@ -5,6 +5,7 @@
 #include <random>
 
 #include "path_support.h"
+#include "way_distance.h"
 
 #include "cobot_command/motion/planner.h"
 
@@ -41,20 +42,11 @@ class Retraces : public Paths {
     for (Duration time{}; time <= length; time += milliseconds(1)) {
       way.push_back(flange(driven.at(time).position));
     }
-    double most = 0;
+    std::vector<Eigen::Vector3d> places;
     for (Duration time{}; time <= motion.duration(); time += milliseconds(13)) {
-      const Eigen::Vector3d place = flange(motion.at(time).position);
-      double least = 1e9;
-      for (std::size_t i = 1; i < way.size(); ++i) {
-        const Eigen::Vector3d chord = way[i] - way[i - 1];
-        const double share = chord.norm() > 0
-                                 ? std::clamp(chord.dot(place - way[i - 1]) / chord.squaredNorm(), 0.0, 1.0)
-                                 : 0.0;
-        least = std::min(least, (way[i - 1] + share * chord - place).norm());
-      }
-      most = std::max(most, least);
+      places.push_back(flange(motion.at(time).position));
     }
-    return most;
+    return testing::mostOff(places, way);
   }
 
   DrivenPath driven;
