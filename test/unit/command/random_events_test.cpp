@@ -5,7 +5,6 @@
 // stream shows the robot in motion, everything ends, and the layer works afterwards. A failure prints its
 // seed; COBOT_TEST_SEED and COBOT_TEST_EVENTS choose others.
 
-#include <iterator>
 #include <map>
 #include <memory>
 #include <random>
@@ -15,6 +14,7 @@
 #include "block_goals.h"
 #include "core_rig.h"
 #include "motion_goals.h"
+#include "motion_ledger.h"
 #include "random_goals.h"
 #include "status_frames.h"
 #include "thorough.h"
@@ -98,18 +98,6 @@ class Chaos {
   std::map<int, int> endings;  ///< by error id, or minus the ending: what the run has seen
 
  private:
-  struct Motion {
-    bool needs_tag = false;
-    bool exits = false;  ///< it is done later than its motion
-    std::string script_id;
-    int target = 0;
-    int tag = 0;
-    bool reported = false;
-    bool accepted = false;
-    bool checked = false;
-    bool may_be_sent_again = false;  ///< it was interrupted
-  };
-
   std::size_t pick(std::size_t count) { return random_() % count; }
   bool open(link::Channel channel) const { return rig_.connectionOpen(channel); }
   link::Channel anyChannel() { return pick(3) == 0 ? link::Channel::Status : link::Channel::Script; }
@@ -150,11 +138,7 @@ class Chaos {
     last_ = rig_.submit(goal);
     const Outcome* outcome = rig_.outcome(last_);
     if (outcome != nullptr && outcome->ending == Ending::Rejected) return;
-    Motion motion;
-    motion.needs_tag = !goal.blending_enable || goal.exit_node;
-    motion.exits = goal.exit_node;
-    motion.target = targets_;
-    motions_[last_] = motion;
+    motions_.add(last_, {!goal.blending_enable || goal.exit_node, goal.exit_node, textOf(targets_)});
   }
   void submitStop() {
     if (pick(4) == 0) last_ = rig_.submit(StopGoal{});
@@ -201,8 +185,7 @@ class Chaos {
     rig_.core.goOn(
         [this, replies](const InterruptAnswer& answer) {
           ++*replies;
-          if (!answer.success) return;
-          for (auto& [goal, motion] : motions_) motion.may_be_sent_again = true;
+          if (answer.success) motions_.goesOn();
         },
         rig_.now);
     rig_.pass(0ms);
@@ -242,9 +225,7 @@ class Chaos {
     if (scripts_.empty() || !open(link::Channel::Script)) return;
     const std::string id = scripts_[scripts_.size() - 1 - pick(std::min<std::size_t>(scripts_.size(), 3))];
     const bool accepted = pick(6) != 0;
-    for (auto& [goal, motion] : motions_) {
-      if (motion.script_id == id && accepted) motion.accepted = true;
-    }
+    if (accepted) motions_.accepted(id);
     rig_.reply(id, accepted, accepted ? std::vector<int>{} : std::vector<int>{1});
   }
   void strangeReply() {
@@ -257,11 +238,7 @@ class Chaos {
     const auto state = pick(6) == 0    ? TagState::Incomplete
                        : pick(12) == 0 ? TagState::Unknown
                                        : TagState::Complete;
-    if (state == TagState::Complete) {
-      for (auto& [goal, motion] : motions_) {
-        if (motion.tag == tag) motion.reported = true;
-      }
-    }
+    if (state == TagState::Complete) motions_.reported(tag);
     rig_.tag(tag, state);
   }
   /// The tag is back, and the robot goes on for longer than one waits for it. Before the first frame of a
@@ -269,9 +246,7 @@ class Chaos {
   void reportEarly() {
     const auto tags = rig_.latest().open_tags;
     if (tags.empty() || !open(link::Channel::Script) || !rig_.latest().status_stream) return;
-    for (auto& [goal, motion] : motions_) {
-      if (motion.tag == tags[0]) motion.reported = true;
-    }
+    motions_.reported(tags[0]);
     shows_motion_ = true;
     rig_.tag(tags[0]);
     showFrames(StatusFrames().moving(), 40);
@@ -333,32 +308,15 @@ class Chaos {
       if (script == nullptr) continue;
       EXPECT_TRUE(script_ids_.insert(script->id).second) << "script ids are unique";
       scripts_.push_back(script->id);
-      for (auto& [goal, motion] : motions_) {
-        if (script->script.find(textOf(motion.target)) != 0) continue;
-        EXPECT_TRUE(motion.script_id.empty() || motion.may_be_sent_again)
-            << "goal " << goal << " was sent twice";
-        motion.may_be_sent_again = motion.accepted = motion.reported = false;
-        motion.script_id = script->id;
-        motion.tag = tagOf(script->script);
-      }
+      motions_.sent(script->id, script->script, tagOf(script->script));
     }
   }
   void checkDone() {
-    for (auto& [goal, motion] : motions_) {
-      const Outcome* outcome = rig_.outcome(goal);
-      if (outcome == nullptr || motion.checked) continue;
-      motion.checked = true;
-      ++endings[outcome->error_id != 0 ? outcome->error_id : -static_cast<int>(outcome->ending)];
-      if (outcome->ending != Ending::Done) continue;
-      EXPECT_TRUE(motion.accepted) << "goal " << goal;
-      EXPECT_EQ(motion.needs_tag, motion.tag != 0);
-      EXPECT_TRUE(motion.reported || !motion.needs_tag) << "goal " << goal;
-      const bool stands = !shows_motion_ || !rig_.latest().status_stream;
-      EXPECT_TRUE(stands || !motion.needs_tag || motion.exits) << "goal " << goal;
-    }
-    for (auto it = motions_.begin(); it != motions_.end();) {
-      it = it->second.checked ? motions_.erase(it) : std::next(it);
-    }
+    const bool stands = !shows_motion_ || !rig_.latest().status_stream;
+    motions_.check([this](GoalId goal) { return rig_.outcome(goal); }, stands,
+                   [this](const Outcome& outcome) {
+                     ++endings[outcome.error_id != 0 ? outcome.error_id : -static_cast<int>(outcome.ending)];
+                   });
   }
 
   bool plans_;
@@ -370,7 +328,7 @@ class Chaos {
   int targets_ = 10000;        ///< above the targets of the cycles
   std::vector<std::string> scripts_;
   std::set<std::string> script_ids_;
-  std::map<GoalId, Motion> motions_;
+  MotionLedger motions_;
   std::vector<std::pair<const char*, std::shared_ptr<int>>> requests_;  ///< how often each was answered
 };
 
