@@ -6,7 +6,7 @@ import rospy
 
 from cobot_command.msg import CommandStatus, LoadPathGoal, RetraceGoal, StopGoal
 from cobot_command.srv import ChangeSpeedOverride, Interruption, ReadSoftwareLimits, WriteSoftwareLimits
-from cobot_goals import ABORTING, HOME, path, path_to_joints, to_joints, turn, with_changes
+from cobot_goals import ABORTING, BUFFERED, HOME, path, path_to_joints, to_joints, turn, with_changes
 from cobot_test import Latest
 from motion_checks import MotionTestCase
 
@@ -53,6 +53,16 @@ class Retraces(MotionTestCase):
         self.assertGreater(len(told), 3)
         self.assertEqual([f.progress for f in told], sorted(f.progress for f in told))
         self.assertEqual([f.remaining for f in told], sorted((f.remaining for f in told), reverse=True))
+
+    def test_tell_how_many_commands_are_in_front_of_them(self):
+        self.assert_done(self.robot.run(to_joints(*BEGIN)))
+        moving = self.robot.start_slowly(path(path_to_joints(*HOME, speed=20)))
+        waiting = self.robot.send(back(buffer_mode=BUFFERED)).wait_until_queued()
+        self.assertEqual(waiting.feedback[0].place_in_queue, 1)
+        self.assert_done(moving.finish())
+        self.assert_done(waiting.finish())
+        self.assertEqual(waiting.feedback[-1].place_in_queue, 0)
+        self.assert_stands_at(BEGIN)
 
     def test_lead_out_of_where_a_path_was_stopped(self):
         self.assert_done(self.robot.run(to_joints(*BEGIN)))

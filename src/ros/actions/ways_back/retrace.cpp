@@ -23,7 +23,7 @@ void fill(cobot_command::RetraceResult& message, const blocks::Outcome& outcome,
 
 void fill(cobot_command::RetraceFeedback& message, const blocks::Progress& progress,
           const FillSite& /*site*/) {
-  fillPhase(message, progress);
+  fillTurn(message, progress);
   message.progress = progress.fraction;
   message.remaining = toRos(progress.remaining);
 }
