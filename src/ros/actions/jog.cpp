@@ -1,21 +1,33 @@
 #include "cobot_command/blocks/jog.h"
 
+#include <cstdint>
+
 #include "action_parts/outcome_parts.h"
 #include "action_parts/serve.h"
 
 #include "cobot_command/JogAction.h"
 
 namespace cobot_command::ros_adapter {
+namespace {
+
+/// An int8 of a message is a number with a sign, no character.
+int toNumber(std::int8_t value) {
+  return value;
+}
+
+}  // namespace
 
 blocks::JogGoal toGoal(const cobot_command::JogGoal& message, const Lookups& /*lookups*/) {
   blocks::JogGoal goal;
   goal.mode = message.mode;
-  for (std::size_t i = 0; i < goal.directions.size(); ++i) goal.directions[i] = message.directions[i];
+  for (std::size_t i = 0; i < goal.directions.size(); ++i) {
+    goal.directions[i] = toNumber(message.directions[i]);
+  }
   goal.speed = message.speed;
   goal.increment_mm = message.increment_mm;
   goal.increment_deg = message.increment_deg;
-  goal.frame = message.frame;
-  goal.tool = message.tool;
+  goal.frame = toNumber(message.frame);
+  goal.tool = toNumber(message.tool);
   return goal;
 }
 

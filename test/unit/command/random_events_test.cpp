@@ -99,7 +99,7 @@ class Chaos {
 
  private:
   std::size_t pick(std::size_t count) { return random_() % count; }
-  bool open(link::Channel channel) const { return rig_.connectionOpen(channel); }
+  [[nodiscard]] bool open(link::Channel channel) const { return rig_.connectionOpen(channel); }
   link::Channel anyChannel() { return pick(3) == 0 ? link::Channel::Status : link::Channel::Script; }
 
   static int tagOf(const std::string& script) {
