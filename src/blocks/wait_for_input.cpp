@@ -80,7 +80,7 @@ class InputWait final : public Run {
   [[nodiscard]] std::optional<bool> levelIn(const link::RobotStatus& status) const {
     const auto index = static_cast<std::size_t>(goal_.input);
     const bool on_box = script::ioModule(goal_.module) == script::IoModule::ControlBox;
-    return on_box ? status.control_box_inputs.at(index) : status.end_module_inputs.at(index);
+    return on_box ? status.inputs.control_box.at(index) : status.inputs.end_module.at(index);
   }
 
   void look(const robot::RobotWatch& robot, Instant now) {

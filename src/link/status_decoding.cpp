@@ -74,27 +74,30 @@ bool readString(const StatusItem& item, std::optional<std::string>& target) {
   return true;
 }
 
-/// Of a digital input, a byte that is 0 or 1.
+/// Of a digital input or output, a byte that is 0 or 1.
 template <std::size_t N>
-bool readInput(const StatusItem& item, std::string_view prefix, std::array<std::optional<bool>, N>& inputs) {
+bool readLevel(const StatusItem& item, std::string_view prefix, std::array<std::optional<bool>, N>& levels) {
   const std::string_view number = std::string_view(item.name).substr(prefix.size());
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
-  if (error != std::errc() || end != number.data() + number.size() || index >= N) return true;  // no input
+  if (error != std::errc() || end != number.data() + number.size() || index >= N) {
+    return true;  // another item
+  }
   const auto level = protocol::item::asByte(item);
-  if (level && *level <= 1) inputs[index] = *level == 1;
-  return inputs[index].has_value();
+  if (level && *level <= 1) levels[index] = *level == 1;
+  return levels[index].has_value();
 }
 
-bool readIfInput(const StatusItem& item, RobotStatus& status) {
-  constexpr std::string_view kControlBox = "Ctrl_DI", kEndModule = "End_DI";
-  const std::string_view name = item.name;
-  if (name.substr(0, kControlBox.size()) == kControlBox) {
-    return readInput(item, kControlBox, status.control_box_inputs);
-  }
-  if (name.substr(0, kEndModule.size()) == kEndModule) {
-    return readInput(item, kEndModule, status.end_module_inputs);
-  }
+bool readIfLevel(const StatusItem& item, RobotStatus& status) {
+  const auto begins = [name = std::string_view(item.name)](std::string_view prefix) {
+    return name.substr(0, prefix.size()) == prefix;
+  };
+  constexpr std::string_view kBoxInput = "Ctrl_DI", kBoxOutput = "Ctrl_DO";
+  constexpr std::string_view kEndInput = "End_DI", kEndOutput = "End_DO";
+  if (begins(kBoxInput)) return readLevel(item, kBoxInput, status.inputs.control_box);
+  if (begins(kBoxOutput)) return readLevel(item, kBoxOutput, status.outputs.control_box);
+  if (begins(kEndInput)) return readLevel(item, kEndInput, status.inputs.end_module);
+  if (begins(kEndOutput)) return readLevel(item, kEndOutput, status.outputs.end_module);
   return true;
 }
 
@@ -144,7 +147,7 @@ RobotStatus toRobotStatus(const std::vector<StatusItem>& items, Instant received
   for (const StatusItem& item : items) {
     const auto* row = std::find_if(std::begin(kItems), std::end(kItems),
                                    [&](const ItemRow& known) { return known.name == item.name; });
-    const bool read = row != std::end(kItems) ? row->read(item, status) : readIfInput(item, status);
+    const bool read = row != std::end(kItems) ? row->read(item, status) : readIfLevel(item, status);
     if (!read) status.unreadable.emplace_back(item.name);
   }
   const std::string_view meaning = protocol::meaningOfError(status.error_code.value_or(0));

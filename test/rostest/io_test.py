@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""The actions set_output, wait_for_input and change_load against a simulated controller over real sockets."""
+"""The actions set_output, wait_for_input and change_load, and the topic digital_io, against a simulated controller over
+real sockets."""
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import ChangeLoadGoal, SetOutputGoal
+from cobot_command.msg import ChangeLoadGoal, DigitalIo, SetOutputGoal
 from cobot_goals import BUFFERED, HOME, MODERATELY, cycle, output, step, to_joints, turn, wait_for
 from motion_checks import MotionTestCase
 
@@ -16,6 +17,7 @@ class Io(MotionTestCase):
     def setUp(self):
         super().setUp()
         self.robot.operate("set_input", "ControlBox", 0, False)
+        self.levels = self.robot.latest("digital_io", DigitalIo)
 
     def test_sets_outputs_in_their_turn_and_at_once(self):
         for goal in (output(), output(3, 0), output(15, module="ControlBox"), output(at_once=True), analog(-2.5),
@@ -67,6 +69,38 @@ class Io(MotionTestCase):
         self.assert_aborted(outcome, 0x252)
         result = outcome[1]
         self.assertEqual((result.failed_step, result.step_error_id), (0, 0x265))
+
+    def test_shows_the_outputs_that_it_has_set(self):
+        for level, shown in ((1, DigitalIo.ON), (0, DigitalIo.OFF)):
+            self.assert_done(self.robot.run(output(3, level)))
+            self.levels.wait_for(lambda m: m.end_module_outputs[3] == shown, "the output of the end module")
+            self.assert_done(self.robot.run(output(7, level, module="ControlBox", at_once=True)))
+            self.levels.wait_for(lambda m: m.control_box_outputs[7] == shown, "the output of the control box")
+
+    def test_shows_the_inputs_that_the_world_sets(self):
+        for on, shown in ((True, DigitalIo.ON), (False, DigitalIo.OFF)):
+            self.robot.operate("set_input", "ControlBox", 7, on)
+            self.robot.operate("set_input", "EndModule", 2, on)
+            self.levels.wait_for(lambda m: m.control_box_inputs[7] == m.end_module_inputs[2] == shown, "both inputs")
+
+    def test_shows_levels_when_they_change_and_only_those_that_are_streamed(self):
+        levels = self.levels.wait_for(lambda m: m.control_box_inputs[0] == DigitalIo.OFF, "the levels")
+        self.assertEqual(levels.control_box_inputs[8:], 8 * (DigitalIo.UNKNOWN,))
+        self.assertEqual(levels.end_module_inputs[3], DigitalIo.UNKNOWN)
+        self.robot.wait_for_time_to_pass(0.2)
+        self.levels.forget()
+        self.robot.wait_for_time_to_pass(0.2)
+        self.robot.operate("set_input", "ControlBox", 0, True)
+        self.levels.wait_for(lambda m: m.control_box_inputs[0] == DigitalIo.ON, "the input")
+        self.assertEqual(len(self.levels.all()), 1)
+
+    def test_does_not_know_levels_without_a_stream(self):
+        self.levels.wait_for(lambda m: m.control_box_inputs[0] == DigitalIo.OFF, "the levels")
+        self.robot.close()
+        self.levels.wait_for(lambda m: set(m.control_box_inputs + m.control_box_outputs) == {DigitalIo.UNKNOWN},
+                             "no levels without a stream")
+        self.robot.establish()
+        self.levels.wait_for(lambda m: m.control_box_inputs[0] == DigitalIo.OFF, "the levels again")
 
     def test_changes_the_load(self):
         for weight in (0, 1.5, 0):

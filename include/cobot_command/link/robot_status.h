@@ -1,7 +1,6 @@
 // What a controller's status stream says of the robot, in SI; the same for a real and a simulated one.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/link/controller_identity.h"
+#include "cobot_command/link/digital_levels.h"
 
 namespace cobot_command::link {
 
@@ -37,8 +37,8 @@ struct RobotStatus {
   std::optional<int> project_speed_percent;
   std::vector<std::string>
       unreadable;  ///< items that the stream has, with a value that cannot be one of theirs
-  std::array<std::optional<bool>, 16> control_box_inputs;  ///< the digital ones
-  std::array<std::optional<bool>, 4> end_module_inputs;
+  DigitalLevels inputs;
+  DigitalLevels outputs;
   std::optional<int> operating_mode;  ///< MA_Mode: 0 none, 1 automatic, 2 manual
   ControllerIdentity identity;        ///< of the stream, or asked for
 };

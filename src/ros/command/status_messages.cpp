@@ -1,6 +1,8 @@
 #include "command/status_messages.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "cobot_command/common/foreign_text.h"
 
@@ -37,6 +39,15 @@ std::uint8_t toMessage(command::CommandStatus::LinkState state) {
       return Message::READY;
   }
   return Message::DISCONNECTED;
+}
+
+template <class Message, class Levels>
+void fill(Message& message, const Levels& levels) {
+  using Io = cobot_command::DigitalIo;
+  std::transform(levels.begin(), levels.end(), message.begin(), [](const std::optional<bool>& level) {
+    if (!level) return Io::UNKNOWN;
+    return *level ? Io::ON : Io::OFF;
+  });
 }
 
 constexpr std::size_t kMaxTraceText = 4096;  // [bytes] as FrameTrace.msg says; longer than any script
@@ -110,6 +121,17 @@ cobot_command::GroupState toMessage(const command::GroupState& state, const ros:
   message.accelerating = state.trend == robot::Trend::Accelerating;
   message.decelerating = state.trend == robot::Trend::Decelerating;
   message.constant_velocity = state.trend == robot::Trend::ConstantVelocity;
+  return message;
+}
+
+cobot_command::DigitalIo toMessage(const link::DigitalLevels& inputs, const link::DigitalLevels& outputs,
+                                   const ros::Time& stamp) {
+  cobot_command::DigitalIo message;
+  message.header.stamp = stamp;
+  fill(message.control_box_inputs, inputs.control_box);
+  fill(message.control_box_outputs, outputs.control_box);
+  fill(message.end_module_inputs, inputs.end_module);
+  fill(message.end_module_outputs, outputs.end_module);
   return message;
 }
 

@@ -44,8 +44,11 @@ StatusPublisher::StatusPublisher(ros::NodeHandle node, JointNames joint_names, s
   status_frames_ = HeardTopic::advertise<cobot_command::FrameTrace>(node, "status_frames", kQueueSize);
   tf_ = HeardTopic::advertise<tf2_msgs::TFMessage>(node, "/tf", kQueueSize);
   group_state_ = node.advertise<cobot_command::GroupState>("group_state", kQueueSize, true);
+  digital_io_ = node.advertise<cobot_command::DigitalIo>("digital_io", kQueueSize, true);
+  // So that they can be read before anything is known.
   publish(command::GroupState());
-  publish(active_frames_);  // so that it can be read before anything is known
+  publish(active_frames_);
+  digital_io_.publish(toMessage(inputs_told_, outputs_told_, ros::Time::now()));
 }
 
 void StatusPublisher::publish(const command::GroupState& state) {
@@ -66,6 +69,7 @@ void StatusPublisher::publish(const link::RobotStatus& status) {
     tool_pose_.publish(message);
   }
   publishRobotStatus(toMessage(status, stamp));
+  publishDigitalIo(status, stamp);
   sendActiveFrames(stamp);
 }
 
@@ -79,6 +83,13 @@ void StatusPublisher::publishRobotStatus(cobot_command::RobotStatus message) {
   message.header.stamp = stamp;
   robot_status_.publish(message);
   robot_status_told_ = std::move(message);
+}
+
+void StatusPublisher::publishDigitalIo(const link::RobotStatus& status, const ros::Time& stamp) {
+  if (status.inputs == inputs_told_ && status.outputs == outputs_told_) return;
+  inputs_told_ = status.inputs;
+  outputs_told_ = status.outputs;
+  digital_io_.publish(toMessage(inputs_told_, outputs_told_, stamp));
 }
 
 void StatusPublisher::publish(const robot::ActiveFrames& frames) {
@@ -108,6 +119,7 @@ void StatusPublisher::publish(const command::CommandStatus& status, const ClockP
   command_status_.publish(toMessage(status, clocks));
   if (streaming_ && !status.status_stream) {
     publishRobotStatus(toMessage(link::RobotStatus{}, clocks.ros_now));
+    publishDigitalIo(link::RobotStatus{}, clocks.ros_now);
   }
   streaming_ = status.status_stream;
 }

@@ -73,6 +73,35 @@ TEST(StatusDecoding, leavesOutWhatItDoesNotKnowOrCannotRead) {
                                                         "Coord_Robot_Flange"));
 }
 
+TEST(StatusDecoding, readsEachDigitalInputAndOutputThatIsStreamed) {
+  const RobotStatus status =
+      toRobotStatus({item::ofByte("Ctrl_DI0", 1), item::ofByte("Ctrl_DI15", 0), item::ofByte("Ctrl_DO7", 1),
+                     item::ofByte("End_DI3", 1), item::ofByte("End_DO0", 0), item::ofByte("End_DO3", 1)},
+                    Instant{});
+  DigitalLevels inputs;
+  inputs.control_box[0] = true;
+  inputs.control_box[15] = false;
+  inputs.end_module[3] = true;
+  EXPECT_EQ(status.inputs, inputs);
+  DigitalLevels outputs;
+  outputs.control_box[7] = true;
+  outputs.end_module[0] = false;
+  outputs.end_module[3] = true;
+  EXPECT_EQ(status.outputs, outputs);
+  EXPECT_NE(status.outputs, DigitalLevels());
+  EXPECT_THAT(status.unreadable, ::testing::IsEmpty());
+}
+
+TEST(StatusDecoding, inventsNoLevelOfADigitalInputOrOutput) {
+  const RobotStatus status =
+      toRobotStatus({item::ofByte("Ctrl_DO2", 2), item::ofInt("End_DI0", 1), item::ofByte("Ctrl_DO16", 1),
+                     item::ofByte("End_DO4", 1), item::ofByte("Ctrl_DO", 1), item::ofByte("End_DO1x", 1)},
+                    Instant{});
+  EXPECT_EQ(status.inputs, DigitalLevels());
+  EXPECT_EQ(status.outputs, DigitalLevels());
+  EXPECT_THAT(status.unreadable, ::testing::ElementsAre("Ctrl_DO2", "End_DI0"));
+}
+
 class StatusLinkTest : public ::testing::Test {
  protected:
   static std::string frame(int number, int mode = 1) {

@@ -54,6 +54,29 @@ TEST(StatusMessages, activeFramesThatAreUnknownAreSaidToBeAndStillArePoses) {
   EXPECT_EQ(message.tool_mass, -1);
 }
 
+TEST(StatusMessages, digitalLevelsAreToldByTheirNumbers) {
+  link::DigitalLevels inputs;
+  inputs.control_box[15] = true;
+  inputs.end_module[0] = false;
+  link::DigitalLevels outputs;
+  outputs.control_box[0] = false;
+  outputs.end_module[3] = true;
+  const auto message = toMessage(inputs, outputs, ros::Time(12));
+  EXPECT_EQ(message.header.stamp, ros::Time(12));
+  EXPECT_EQ(message.control_box_inputs[15], cobot_command::DigitalIo::ON);
+  EXPECT_EQ(message.end_module_inputs[0], cobot_command::DigitalIo::OFF);
+  EXPECT_EQ(message.control_box_outputs[0], cobot_command::DigitalIo::OFF);
+  EXPECT_EQ(message.end_module_outputs[3], cobot_command::DigitalIo::ON);
+}
+
+TEST(StatusMessages, digitalLevelsThatAreNotStreamedAreUnknown) {
+  const auto message = toMessage(link::DigitalLevels{}, link::DigitalLevels{}, ros::Time(12));
+  EXPECT_THAT(message.control_box_inputs, ::testing::Each(cobot_command::DigitalIo::UNKNOWN));
+  EXPECT_THAT(message.control_box_outputs, ::testing::Each(cobot_command::DigitalIo::UNKNOWN));
+  EXPECT_THAT(message.end_module_inputs, ::testing::Each(cobot_command::DigitalIo::UNKNOWN));
+  EXPECT_THAT(message.end_module_outputs, ::testing::Each(cobot_command::DigitalIo::UNKNOWN));
+}
+
 TEST(StatusMessages, theStatusSaysWhyThereIsNoStatusStream) {
   command::CommandStatus status;
   status.status_diagnosis = "the status stream fell silent";

@@ -1,5 +1,5 @@
-// What the command layer tells everyone: joint_states, tool_pose, robot_status, command_status,
-// active_frames, frames, status_frames and tf.
+// What the command layer tells everyone: joint_states, tool_pose, robot_status, digital_io, command_status,
+// group_state, active_frames, frames, status_frames and tf.
 //
 // Called on the core's thread only.
 #pragma once
@@ -22,10 +22,10 @@ class StatusPublisher {
   /// already.
   StatusPublisher(ros::NodeHandle node, JointNames joint_names, std::string prefix);
 
-  /// Positions, tool and robot status, as far as the controller streams them; and the active frames in tf
-  /// again.
+  /// Positions, tool and robot status, as far as the controller streams them; its digital inputs and outputs
+  /// where they have changed; and the active frames in tf again.
   void publish(const link::RobotStatus& status);
-  /// Latched; when the status stream has ended, robot_status becomes "unknown" as well.
+  /// Latched; when the status stream has ended, robot_status and digital_io become "unknown" as well.
   void publish(const command::CommandStatus& status, const ClockPair& clocks);
   /// Latched, and at once in tf, as far as they are known.
   void publish(const command::GroupState& state);
@@ -38,6 +38,7 @@ class StatusPublisher {
  private:
   [[nodiscard]] const HeardTopic& topicOf(link::Channel channel) const;
   void publishRobotStatus(cobot_command::RobotStatus message);
+  void publishDigitalIo(const link::RobotStatus& status, const ros::Time& stamp);
   void sendActiveFrames(const ros::Time& stamp);
 
   JointNames joint_names_;
@@ -49,10 +50,13 @@ class StatusPublisher {
   ros::Publisher command_status_;
   ros::Publisher group_state_;
   ros::Publisher active_frames_topic_;
+  ros::Publisher digital_io_;
   HeardTopic frames_;
   HeardTopic status_frames_;
   HeardTopic tf_;
   cobot_command::RobotStatus robot_status_told_;  ///< the last one
+  link::DigitalLevels inputs_told_;               ///< the last ones
+  link::DigitalLevels outputs_told_;
   robot::ActiveFrames active_frames_;
   ros::Time frames_sent_;  ///< the stamp of the last ones in tf
   bool streaming_ = false;
