@@ -27,12 +27,12 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
       paths_(speed_, actions_),
       board_(actions_),
       keeper_(settings_, links_, robot_, board_),
-      sync_({links_.script(), settings_, tables_, messages_, actions_}),
-      exchange_({settings_, links_, robot_, keeper_, board_, messages_, hold_, sync_, guard_}),
-      permit_(exchange_, sync_, guard_),
       forecast_(arm ? std::make_shared<const arm::ArmModel>(*std::move(arm)) : nullptr, robot_,
                 tables_.store(), speed_, actions_),
       limits_(forecast_, robot_, actions_),
+      sync_({links_.script(), settings_, tables_, messages_, limits_, actions_}),
+      exchange_({settings_, links_, robot_, keeper_, board_, messages_, hold_, sync_, guard_}),
+      permit_(exchange_, sync_, guard_),
       arbiter_({settings_, links_.script(), tags_, robot_, tables_.store(), speed_, paths_, jog_, keeper_,
                 exchange_, sync_, guard_, permit_, hold_, forecast_, board_, actions_},
                std::move(ports), planning),
@@ -194,6 +194,7 @@ void CommandCore::Impl::tellOfClosedConnection(Instant now) {
   if (links_.script().connected()) return;
   arbiter_.disconnected(links_.script().diagnosis(), now);
   forecast_.disconnected();
+  if (!robot_.status()) limits_.forget();
 }
 
 bool CommandCore::Impl::changeConnection(Instant now) {
@@ -244,6 +245,7 @@ void CommandCore::Impl::handle(const link::TagQueryFailed& event, Instant now) {
 
 void CommandCore::Impl::handle(const link::RobotStatus& status, Instant now) {
   robot_.update(status);
+  limits_.see(status);
   actions_.emplace_back(RobotStatusReceived{status});
   robotChanged(now);
 }

@@ -95,12 +95,12 @@ class CommandCore::Impl {
   OutputBoard board_;
   LinkKeeper keeper_;
   MotionHold hold_;
+  Forecast forecast_;
+  LimitsDesk limits_;
   SyncDesk sync_;
   SyncGuard guard_;
   ExchangeDesk exchange_;
   MotionPermit permit_;
-  Forecast forecast_;
-  LimitsDesk limits_;
   Arbiter arbiter_;
   StatusDesk status_;
   GroupDesk group_;

@@ -111,6 +111,21 @@ SettingKind postures(std::map<std::string, arm::JointVector>& values) {
                     [](const Six& six) { return arm::toJointVector(six); });
 }
 
+SettingKind safetyLimits(std::map<std::size_t, arm::JointLimit>& values) {
+  using Limits = std::map<std::size_t, arm::JointLimit>;
+  return list(values, "a list of texts N=LOWER,UPPER [deg], N the joint, 1 to 6",
+              [](Limits& made, const std::string& text) {
+                const auto found = parseJointRange(text);
+                if (!found) return Found("holds " + quoted(text));
+                const auto& [joint, lower, upper] = *found;
+                arm::JointLimit limit;
+                limit.lower = degToRad(lower);
+                limit.upper = degToRad(upper);
+                const bool is_new = made.emplace(joint - 1, limit).second;
+                return is_new ? Found() : Found(fmt::format("names joint {} twice", joint));
+              });
+}
+
 SettingKind declarations(std::vector<std::string>& values) {
   return list(values, "a list of declarations", [](std::vector<std::string>& made, const std::string& text) {
     made.push_back(text);
@@ -187,6 +202,10 @@ SettingTable controllerTable(Settings& s) {
        "what the project does when a motion cannot be made"},
       {"checks_payload", flag(s.checks_payload),
        "a motion fails when tool and load are more than the model carries", "any-payload"},
+      {"safety_limits", safetyLimits(s.safety_limits),
+       "of joints, as Safety_Joint_Angle_Min and Safety_Joint_Angle_Max tell them; of others those of the "
+       "model",
+       "safety-limit"},
       {"turn_speed", realIn(s.turn_speed, 1, 3600, "deg/s", radToDeg(1)),
        "of the TCP at 100 % on lines and circles; as in the command node, whose plans are wrong otherwise"},
       {"joint_noise", realIn(s.joint_noise, 0, 10, "deg", radToDeg(1)),

@@ -67,7 +67,7 @@ WINGS = {
     "command/runs": {"forecast", "gate.h", "stops"},
     "command/sending": {"actions.h", "board", "forecast", "interruption.h", "planning_job.h", "queue", "runs"},
     "command/stops": {"board"},
-    "command/sync": {"actions.h", "exchange_rules.h", "messages", "table_write.h", "tables"},
+    "command/sync": {"actions.h", "dynamics", "exchange_rules.h", "messages", "table_write.h", "tables"},
     "command/tables": {"actions.h", "table_write.h"},
     "motion/curves": {"command.h", "refusal.h"},
     "motion/kinds": {"blend.h", "command.h", "curves", "paths", "planner.h", "profiles", "pvt.h", "velocity.h"},

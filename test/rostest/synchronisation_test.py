@@ -5,7 +5,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 
 from cobot_command.msg import (DataSets, ExchangeConfigurationGoal, ExchangeParCmd, GroupState, ProgramControlGoal, RetraceGoal, StopGoal,
                                Transformation)
-from cobot_command.srv import ReadFrame
+from cobot_command.srv import ReadFrame, ReadSoftwareLimits, WriteSoftwareLimits
 from cobot_goals import BUFFERED, HOME, circle, cycle, path, path_to_joints, POSE, relative, script, step, step_of_joint, to_joints, turn
 from cobot_test import CobotTestCase, Latest
 from interrupting import ask, interrupt, way_back
@@ -70,6 +70,25 @@ class Synchronisation(CobotTestCase):
         self.robot.operate("set_base", "table", Transformation(x=410))
         read = rospy.ServiceProxy("read_frame", ReadFrame)
         wait_until(lambda: abs(read(4).frame.pose.x - 410) < 1e-3, "the frame of the pendant")
+        self.end(sent)
+
+    def test_tells_where_the_software_limits_go_beyond_those_of_the_safety_functions(self):
+        self.robot.establish()
+        limits = rospy.ServiceProxy("read_software_limits", ReadSoftwareLimits)()
+        write = rospy.ServiceProxy("write_software_limits", WriteSoftwareLimits)
+        self.addCleanup(write, limits.lowest, limits.highest)
+        said = Latest("/diagnostics", DiagnosticArray)
+        sent = self.enable(ExchangeParCmd.NO_ENABLE, software_limits=True)
+        told = sent.wait_for_feedback(lambda f: not f.out_cmd.data_in_sync.software_limits, "the difference")
+        self.assertNotIn("software_limits", told.local_sets)
+        words = "J1 is kept between -170 and 165 deg"
+        self.group.wait_for(lambda s: s.ri_state == GroupState.RI_INITIALIZED and words in s.out_of_sync, "the difference in words")
+        said.wait_for(lambda d: any("Exchange" in s.name and s.level == 1 and words in s.message for s in d.status), "the diagnosis")
+        self.assert_rejected(self.robot.run(to_joints(*HOME)), 0x8C06, words)
+        answer = write((-170,) + limits.lowest[1:], (165,) + limits.highest[1:])
+        self.assertTrue(answer.success, answer.message)
+        self.group.wait_for(lambda s: s.ri_state == GroupState.RI_SYNCHRONIZED and not s.out_of_sync, "limits that are inside")
+        self.assert_done(self.robot.run(to_joints(*HOME)))
         self.end(sent)
 
     def test_refuses_motions_without_the_interface(self):

@@ -34,9 +34,11 @@ struct ExchangeRig : CoreRig {
     return progress(id).empty() ? blocks::ExchangeReport()
                                 : progress(id).back().detail.as<blocks::ExchangeReport>();
   }
-  int errorOf(blocks::GoalId id) const { return outcome(id) == nullptr ? -1 : outcome(id)->error_id; }
+  [[nodiscard]] int errorOf(blocks::GoalId id) const {
+    return outcome(id) == nullptr ? -1 : outcome(id)->error_id;
+  }
   /// The end's own.
-  blocks::ExchangeReport last(blocks::GoalId id) const {
+  [[nodiscard]] blocks::ExchangeReport last(blocks::GoalId id) const {
     return outcome(id) == nullptr ? blocks::ExchangeReport()
                                   : outcome(id)->detail.as<blocks::ExchangeReport>();
   }

@@ -88,7 +88,7 @@ struct ExchangeReport {
   RiState ri_state = RiState::NotInitialized;
   std::vector<std::string> unsupported;     ///< what a TM controller cannot do or tell
   std::vector<std::string> without_effect;  ///< what was asked for, and changes nothing
-  std::vector<std::string> local_sets;      ///< of which the controller has no counterpart
+  std::vector<std::string> local_sets;      ///< of which the controller has no counterpart, or streams none
   double life_sign_worst_gap = 0;           ///< [ms] between two frames of the controller
 
   /// But for the gap, which grows with every late frame.

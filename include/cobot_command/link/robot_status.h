@@ -37,6 +37,9 @@ struct RobotStatus {
   std::optional<int> project_speed_percent;
   std::vector<std::string>
       unreadable;  ///< items that the stream has, with a value that cannot be one of theirs
+  /// Between which angles the safety functions let the joints be [rad].
+  std::optional<arm::JointVector> safety_lower;
+  std::optional<arm::JointVector> safety_upper;
   DigitalLevels inputs;
   DigitalLevels outputs;
   std::optional<int> operating_mode;  ///< MA_Mode: 0 none, 1 automatic, 2 manual

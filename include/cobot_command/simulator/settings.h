@@ -2,6 +2,7 @@
 // show.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
@@ -61,6 +62,9 @@ struct Settings {
   Duration data_timeout{};
   /// Does a motion fail when tool and load are more than the model carries?
   bool checks_payload = true;
+  /// Between which angles the safety functions let joints be, as the status port tells them, by the index of
+  /// the joint; of others those of the model. The arm is not stopped by them.
+  std::map<std::size_t, arm::JointLimit> safety_limits;
   /// How fast the TCP turns at 100 % on lines and circles [rad/s]. Like that of the command layer, whose
   /// plans are wrong otherwise.
   double turn_speed = arm::kUsualTurnSpeed;

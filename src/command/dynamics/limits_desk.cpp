@@ -15,6 +15,8 @@ namespace {
 
 /// Of degrees that were made radians and back [rad].
 constexpr double kRounding = 1e-6;
+/// Half a step more than a thousandth of a degree, as the controller tells floats [rad].
+constexpr double kSameAngle = degToRad(0.00105);
 
 }  // namespace
 
@@ -87,6 +89,28 @@ std::optional<ReferenceDynamics> LimitsDesk::reference() const {
   reference.tcp_speed = arm->ratings().max_tcp_speed;
   reference.turn_speed = arm->ratings().turn_speed;
   return reference;
+}
+
+void LimitsDesk::see(const link::RobotStatus& status) {
+  theirs_.reset();
+  if (status.safety_lower && status.safety_upper) theirs_ = {*status.safety_lower, *status.safety_upper};
+}
+
+std::string LimitsDesk::excess() const {
+  if (!areCompared()) return "";
+  const SoftwareLimits ours = limitsOf(*forecast_.limitedArm());
+  std::string text;
+  for (Eigen::Index i = 0; i < ours.lower.size(); ++i) {
+    const bool is_inside =
+        ours.lower[i] >= theirs_->lower[i] - kSameAngle && ours.upper[i] <= theirs_->upper[i] + kSameAngle;
+    if (is_inside) continue;
+    text += fmt::format(
+        "{}J{} is kept between {:.6g} and {:.6g} deg by the controller's safety functions, and planned "
+        "between {:.6g} and {:.6g} deg here",
+        text.empty() ? "" : "; ", i + 1, radToDeg(theirs_->lower[i]), radToDeg(theirs_->upper[i]),
+        radToDeg(ours.lower[i]), radToDeg(ours.upper[i]));
+  }
+  return text;
 }
 
 }  // namespace cobot_command::command

@@ -1,8 +1,10 @@
 // The software limits: between which angles of the joints every motion is planned, at most those of the
-// model. And what 100 % of speeds are of.
+// model, and inside those of the controller's safety functions, which are compared. And what 100 % of speeds
+// are of.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "forecast/forecast.h"
@@ -26,10 +28,21 @@ class LimitsDesk {
   /// Nothing without a model.
   [[nodiscard]] std::optional<ReferenceDynamics> reference() const;
 
+  // --- Those of the safety functions, which nobody changes but by the pendant.
+  /// Each frame of the stream; while none come, what the last one has told counts on.
+  void see(const link::RobotStatus& status);
+  /// There may be another robot now.
+  void forget() { theirs_.reset(); }
+  /// The controller streams them, and there is a model.
+  [[nodiscard]] bool areCompared() const { return theirs_ && forecast_.arm() != nullptr; }
+  /// Where ours go beyond them, in words; "": nowhere, or they are not compared.
+  [[nodiscard]] std::string excess() const;
+
  private:
   Forecast& forecast_;
   const robot::RobotWatch& robot_;
   std::vector<Action>& actions_;
+  std::optional<SoftwareLimits> theirs_;
 };
 
 }  // namespace cobot_command::command

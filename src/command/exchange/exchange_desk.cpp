@@ -33,11 +33,6 @@ blocks::SyncReaction reactionOf(const blocks::ExchangeSettings& settings) {
   return static_cast<blocks::SyncReaction>(settings.sync_reaction);
 }
 
-/// Of what a TM controller keeps nothing that could be compared.
-std::vector<std::string> localSets() {
-  return {"software_limits", "default_dynamics", "reference_dynamics"};
-}
-
 }  // namespace
 
 void ExchangeDesk::useSettings(const link::LinkSettings& node, Instant now) {
@@ -206,7 +201,6 @@ void ExchangeDesk::enable(Instant now) {
   report_.busy = false;
   report_.enabled = report_.command_buffered = report_.parameter_accepted = true;
   report_.par_seq = 1;
-  report_.local_sets = localSets();
   blocks::ExchangeOutCmd& out = report_.out_cmd;
   out.length_acr = static_cast<int>(kMostWaiting) + 1;
   out.highest_tool_index = out.highest_frame_index = out.highest_load_index = tables::kEntryCount - 1;
@@ -225,6 +219,7 @@ void ExchangeDesk::noteSync() {
     report_.warning_id = blocks::exchange_note::kQueueUsage;
   }
   report_.info_id = core_.sync.infoId();
+  report_.local_sets = core_.sync.localSets();
   blocks::ExchangeOutCmd& out = report_.out_cmd;
   out.tells_motion_state = tellsMotionState();
   out.data_in_sync = core_.sync.controllersHalf();

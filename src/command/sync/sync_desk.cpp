@@ -21,6 +21,7 @@ constexpr int kLooksUntilUnknownAgain = 10;
 /// A controller that is busy with the script of another client answers late, and nothing has changed by that.
 constexpr int kUnansweredUntilUnknown = 3;
 constexpr const char* kOrigin = "synchronisation";
+constexpr const char* kLimits = "software_limits";
 
 struct SetNumbers {
   const char* name;
@@ -60,6 +61,10 @@ bool isOf(Kind kind, const script::AttributeRead& read) {
   if (kind == Kind::Frame) return read.attribute == ProjectAttribute::BaseValue;
   return (read.attribute == ProjectAttribute::TcpValue) == (kind == Kind::Tool) &&
          read.attribute != ProjectAttribute::BaseValue;
+}
+
+std::string staleText(const char* set) {
+  return fmt::format("data_in_sync says that the caller's own {} are not up to date", set);
 }
 
 Message warning(int code, std::string text, std::string remedy) {
@@ -227,14 +232,22 @@ bool SyncDesk::isSetInSync(Kind kind) const {
 
 blocks::DataSets SyncDesk::controllersHalf() const {
   const auto half = [this](Kind kind) { return is_judged_ && isSetInSync(kind); };
-  return {half(Kind::Tool), half(Kind::Frame), half(Kind::Load), true, true, true, true};
+  const bool are_limits_inside = core_.limits.excess().empty();
+  return {half(Kind::Tool), half(Kind::Frame), half(Kind::Load), true, are_limits_inside, true, true};
+}
+
+std::vector<std::string> SyncDesk::localSets() const {
+  std::vector<std::string> sets{"default_dynamics", "reference_dynamics"};
+  if (!core_.limits.areCompared()) sets.insert(sets.begin(), kLimits);
+  return sets;
 }
 
 bool SyncDesk::isInSync() const {
-  return std::all_of(std::begin(kKinds), std::end(kKinds), [this](Kind kind) {
+  const bool are_tables = std::all_of(std::begin(kKinds), std::end(kKinds), [this](Kind kind) {
     if (!flagOf(settings_.data_enable_sync, kind)) return true;
     return is_judged_ && flagOf(settings_.data_in_sync, kind) && isSetInSync(kind);
   });
+  return are_tables && limitsReason().empty();
 }
 
 blocks::RiState SyncDesk::riState() const {
@@ -256,17 +269,25 @@ std::string SyncDesk::reasonOf(Kind kind) const {
   return reason;
 }
 
+std::string SyncDesk::limitsReason() const {
+  if (!settings_.data_enable_sync.software_limits || !core_.limits.areCompared()) return "";
+  std::string reason = core_.limits.excess();
+  return reason.empty() && !settings_.data_in_sync.software_limits ? staleText(kLimits) : reason;
+}
+
 std::string SyncDesk::whyNot() const {
+  if (!is_active_) return "";
   std::string why;
+  const auto add = [&why](const std::string& reason) {
+    if (!reason.empty()) why += (why.empty() ? "" : "; ") + reason;
+  };
   for (const Kind kind : kKinds) {
     if (!flagOf(settings_.data_enable_sync, kind)) continue;
-    std::string reason = reasonOf(kind);
-    if (reason.empty() && !flagOf(settings_.data_in_sync, kind)) {
-      reason =
-          fmt::format("data_in_sync says that the caller's own {} are not up to date", numbersOf(kind).name);
-    }
-    if (!reason.empty()) why += (why.empty() ? "" : "; ") + reason;
+    const std::string reason = reasonOf(kind);
+    const bool is_stale = reason.empty() && !flagOf(settings_.data_in_sync, kind);
+    add(is_stale ? staleText(numbersOf(kind).name) : reason);
   }
+  add(limitsReason());
   return why;
 }
 

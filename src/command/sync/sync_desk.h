@@ -1,11 +1,13 @@
 // Our tables and the controller's project, kept side by side while the interface is enabled: looked at, told,
-// and brought into line as the modes of the node say (SRCI: data in sync).
+// and brought into line as the modes of the node say; and the software limits beside those of its safety
+// functions, told only (SRCI: data in sync).
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "dynamics/limits_desk.h"
 #include "messages/message_desk.h"
 #include "sync/project_line.h"
 #include "sync/sync_policy.h"
@@ -25,6 +27,7 @@ class SyncDesk {
     const link::LinkSettings& settings;
     TableDesk& tables;
     MessageDesk& messages;
+    const LimitsDesk& limits;
     std::vector<Action>& actions;
   };
   explicit SyncDesk(const Core& core) : core_(core), line_(core.script, core.settings) {}
@@ -50,6 +53,8 @@ class SyncDesk {
   [[nodiscard]] blocks::RiState riState() const;
   /// The controller's half: without the flags of the caller.
   [[nodiscard]] blocks::DataSets controllersHalf() const;
+  /// Those that have no counterpart on the controller.
+  [[nodiscard]] std::vector<std::string> localSets() const;
   /// Changed last on the controller, by others; 0: none.
   [[nodiscard]] const BySet<int>& changed() const { return changed_; }
   /// SRCI's numbers; 0: none.
@@ -71,6 +76,8 @@ class SyncDesk {
   /// "" without a reason.
   [[nodiscard]] std::string reasonOf(tables::Kind kind) const;
   [[nodiscard]] bool isSetInSync(tables::Kind kind) const;
+  /// Why the software limits are out of sync; "" where they are not, or are not enabled.
+  [[nodiscard]] std::string limitsReason() const;
   /// Messages of what is so, each once.
   void tell();
   void tellInfo(tables::Kind kind);

@@ -188,7 +188,7 @@ const std::vector<ItemRow>& itemRows() {
       {"Stick_Stop", 1, falseBool, 0, 9999, Access::Always, press<Button::Stop>},
       {"End_FreeBot", 1, falseBool},
       // Limits of the safety functions and of collaborative operation: only what the arm itself cannot
-      // exceed.
+      // exceed, and what the settings have.
       {"Safety_TCP_Speed", 1, zeroFloat},
       {"Safety_TCP_Speed_HandGuide", 1, zeroFloat},
       {"Safety_TCP_Force", 1, zeroFloat},
@@ -196,9 +196,9 @@ const std::vector<ItemRow>& itemRows() {
        [](const V& v, N) -> ItemValue { return jointLimits(v.source.arm, &arm::JointLimit::max_velocity); }},
       {"Safety_Joint_Torque", 1, zeroFloats<6>},
       {"Safety_Joint_Angle_Min", 1,
-       [](const V& v, N) -> ItemValue { return jointLimits(v.source.arm, &arm::JointLimit::lower); }},
+       [](const V& v, N) -> ItemValue { return safetyLimits(v.source, &arm::JointLimit::lower); }},
       {"Safety_Joint_Angle_Max", 1,
-       [](const V& v, N) -> ItemValue { return jointLimits(v.source.arm, &arm::JointLimit::upper); }},
+       [](const V& v, N) -> ItemValue { return safetyLimits(v.source, &arm::JointLimit::upper); }},
       {"Safety_GSensor", 1, falseBool},
       {"Col_TCP_Speed", 1, zeroFloat},
       {"Col_TCP_Speed_HandGuide", 1, zeroFloat},

@@ -105,6 +105,14 @@ Floats jointLimits(const arm::ArmModel& arm, double arm::JointLimit::*number) {
   return floats;
 }
 
+Floats safetyLimits(const ItemSource& source, double arm::JointLimit::*number) {
+  Floats floats = jointLimits(source.arm, number);
+  for (const auto& [joint, limit] : source.settings.safety_limits) {
+    floats.at(joint) = static_cast<float>(radToDeg(limit.*number));
+  }
+  return floats;
+}
+
 int robotLight(const RobotState& state) {
   constexpr int kOff = 0;
   constexpr struct { int standby, running, error; } kAutomatic{3, 4, 9}, kManual{5, 6, 10};

@@ -65,6 +65,8 @@ struct ItemValues {
 [[nodiscard]] Floats dhTable(const arm::ArmModel& arm);
 /// One number of each joint's limits [deg, deg/s].
 [[nodiscard]] Floats jointLimits(const arm::ArmModel& arm, double arm::JointLimit::*number);
+/// The same, where the settings have no other angles for the safety functions.
+[[nodiscard]] Floats safetyLimits(const ItemSource& source, double arm::JointLimit::*number);
 [[nodiscard]] int robotLight(const RobotState& state);
 [[nodiscard]] std::string upperCase(std::string text);
 

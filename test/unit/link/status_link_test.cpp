@@ -73,6 +73,15 @@ TEST(StatusDecoding, leavesOutWhatItDoesNotKnowOrCannotRead) {
                                                         "Coord_Robot_Flange"));
 }
 
+TEST(StatusDecoding, readsTheLimitsOfTheSafetyFunctions) {
+  const RobotStatus status = toRobotStatus({item::ofFloats("Safety_Joint_Angle_Min", {-90, 0, 0, 0, 0, -180}),
+                                            item::ofFloats("Safety_Joint_Angle_Max", {90, 0, 0, 0, 0, 180})},
+                                           Instant{});
+  ASSERT_TRUE(status.safety_lower && status.safety_upper);
+  EXPECT_NEAR((*status.safety_lower)[0], -kPi / 2, 1e-12);
+  EXPECT_NEAR((*status.safety_upper)[5], kPi, 1e-12);
+}
+
 TEST(StatusDecoding, readsEachDigitalInputAndOutputThatIsStreamed) {
   const RobotStatus status =
       toRobotStatus({item::ofByte("Ctrl_DI0", 1), item::ofByte("Ctrl_DI15", 0), item::ofByte("Ctrl_DO7", 1),

@@ -52,6 +52,7 @@ GivenValues others() {
           {"safeguard_resets_itself", {false}},
           {"on_motion_error", {"stop_project"}},
           {"checks_payload", {false}},
+          {"safety_limits", {texts({"1=-90,90", "3=-100,100.5"})}},
           {"turn_speed", {90}},
           {"joint_noise", {0.1}},
           {"speed_noise", {0.2}},
@@ -77,9 +78,9 @@ TEST(SettingsOfTheSimulator, canAllBeSet) {
   ASSERT_FALSE(fault) << fault->setting << ' ' << describe(*fault);
   // Whoever adds a member has to count it here, and so finds the table.
   const auto& [listen_node, running, posture, period, format, items, clients, speed, speed_live, empty_length,
-               faults, on_error, stop_time, pvt_lag, resets, reentry, connection, data, payload, turn_speed,
-               joint_noise, speed_noise, torque_noise, force_noise, seed, licence, name, version, bases, tcps,
-               points, variables] = settings;
+               faults, on_error, stop_time, pvt_lag, resets, reentry, connection, data, payload,
+               safety_limits, turn_speed, joint_noise, speed_noise, torque_noise, force_noise, seed, licence,
+               name, version, bases, tcps, points, variables] = settings;
   EXPECT_EQ(listen_node, "Listen, left");
   EXPECT_FALSE(running);
   EXPECT_TRUE(posture.isApprox(arm::toJointVector({10, 0.5, 90, 0, 90, 0})));
@@ -101,6 +102,9 @@ TEST(SettingsOfTheSimulator, canAllBeSet) {
   EXPECT_EQ(connection, 3s);
   EXPECT_EQ(data, 4500ms);
   EXPECT_FALSE(payload);
+  EXPECT_EQ(safety_limits.size(), 2U);
+  EXPECT_DOUBLE_EQ(safety_limits.at(0).lower, degToRad(-90));
+  EXPECT_DOUBLE_EQ(safety_limits.at(2).upper, degToRad(100.5));
   EXPECT_DOUBLE_EQ(turn_speed, degToRad(90));
   EXPECT_DOUBLE_EQ(joint_noise, degToRad(0.1));
   EXPECT_DOUBLE_EQ(speed_noise, degToRad(0.2));
@@ -183,6 +187,15 @@ TEST(SettingsOfTheSimulator, areRefusedByName) {
       {{{"variables", {texts({"bool ESTOP = true"})}}}, "ESTOP is a predefined item"},
       {{{"variables", {texts({"int float = 1"})}}}, "variables holds \"int float = 1\""},
       {{{"variables", {texts({"int i", "float i"})}}}, "there is a variable i already"},
+      {{{"safety_limits", {texts({"1"})}}},
+       "safety_limits holds \"1\"; allowed: a list of texts N=LOWER,UPPER"},
+      {{{"safety_limits", {texts({"7=-1,1"})}}}, "safety_limits holds \"7=-1,1\""},
+      {{{"safety_limits", {texts({"0=-1,1"})}}}, "safety_limits holds \"0=-1,1\""},
+      {{{"safety_limits", {texts({"J=-1,1"})}}}, "safety_limits holds \"J=-1,1\""},
+      {{{"safety_limits", {texts({"1=-1"})}}}, "safety_limits holds \"1=-1\""},
+      {{{"safety_limits", {texts({"1=1,-1"})}}}, "safety_limits holds \"1=1,-1\""},
+      {{{"safety_limits", {texts({"1=nan,1"})}}}, "safety_limits holds \"1=nan,1\""},
+      {{{"safety_limits", {texts({"1=-1,1", "1=-2,2"})}}}, "safety_limits names joint 1 twice"},
       {{{"stop_time", {-0.1}}}, "stop_time is -0.1; allowed: a number, 0 to 60 s"},
       {{{"on_motion_error", {"explode"}}},
        "on_motion_error is the text \"explode\"; allowed: report_false or"},

@@ -57,6 +57,14 @@ TEST(StatusStream, hasItemsBeyondItReadAllTheSame) {
   EXPECT_EQ(stream.read("MA_Mode"), "MA_Mode=1");
 }
 
+TEST(StatusStream, tellsTheLimitsOfTheSafetyFunctionsAndElsewhereThoseOfTheArm) {
+  Settings settings = streaming({"ESTOP"});
+  settings.safety_limits[1] = {degToRad(-100), degToRad(90.5), 0};
+  Streaming stream(settings);
+  EXPECT_EQ(stream.read("Safety_Joint_Angle_Min"), "Safety_Joint_Angle_Min={-270,-100,-155,-180,-180,-270}");
+  EXPECT_EQ(stream.read("Safety_Joint_Angle_Max"), "Safety_Joint_Angle_Max={270,90.5,155,180,180,270}");
+}
+
 TEST(StatusStream, hasItsPeriod) {
   Settings settings;
   settings.status_period = 40ms;
