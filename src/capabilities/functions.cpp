@@ -41,6 +41,7 @@ const std::vector<Function>& functions() {
       {"WriteDigitalOutputs", "action set_output"},
       {"ReadDigitalInputs", "topic digital_io, action wait_for_input"},
       {"ReadDigitalOutputs", "topic digital_io"},
+      {"WaitTime", "action wait_time"},
       {"CallSubprogram", "action run_script", Offer::Partly, "lines of script, no subprograms"},
       {"ChangeSpeedOverride", "service change_speed_override", Offer::Partly,
        "from the next motion on, not for the motion under way: Project_Speed is not written; 100 at the "
@@ -56,7 +57,6 @@ const std::vector<Function>& functions() {
       {"GroupJog", "action jog", Offer::Whole, {}, kNeedsArm},
       {"ReturnToPrimary", "action return_to_primary", Offer::Whole, {}, kNeedsArm},
       {"retrace", "action retrace", Offer::Partly, "of paths of load_path", kNeedsArm},
-      {"WaitTime", "", Offer::NotBuilt},
       {"work areas", "", Offer::NoWay, "a TM controller does not offer them to a Listen node"},
       {"working hours", "", Offer::NoWay, "a TM controller tells its uptime only"},
       {"brake test", "", Offer::NoWay, "a TM controller does not offer it to a Listen node"},

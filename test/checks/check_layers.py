@@ -46,12 +46,13 @@ ALLOWED = {
 # them all; "*.h": each header of the room itself. Above is what a wing may use of other rooms, where it is less than what its room may.
 WINGS = {
     "blocks/jog": {"jog.h", "list", "shared"},
-    "blocks/list": {"*.h", "shared", "ways_back"},
+    "blocks/list": {"*.h", "shared", "waits", "ways_back"},
     "blocks/chain": {"list", "shared"},
     "blocks/paths": {"chain", "list", "shared"},
     "blocks/runs": {"list", "shared"},
     "blocks/shared": set(),
     "blocks/trajectory": {"follow_joint_trajectory.h", "list", "shared"},
+    "blocks/waits": {"list", "shared"},
     "blocks/ways_back": {"list", "shared"},
     "command/arbiter": {"actions.h", "board", "connecting", "core_ports.h", "dynamics", "exchange", "finish.h", "forecast", "interruption.h", "path_requests.h", "paths", "planning_job.h", "queue", "runs",
                         "sending", "speed_override.h", "stops", "sync", "waiting_goals.h"},

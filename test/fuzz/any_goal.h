@@ -237,6 +237,13 @@ class AnyGoal {
     return goal;
   }
 
+  blocks::WaitTimeGoal any(const blocks::WaitTimeGoal* /*kind*/) {
+    auto goal = testing::good<blocks::WaitTimeGoal>();
+    begin();
+    vary(goal.time, goal.buffer_mode);
+    return goal;
+  }
+
   /// The inputs that all motions have.
   template <class Motion>
   void varyMotion(Motion& goal) {

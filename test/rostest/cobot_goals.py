@@ -2,7 +2,7 @@
 from cobot_command.msg import (ChangeBaseGoal, ChangeLoadGoal, ChangeTCPGoal, CheckSequenceGoal, ExitListenNodeGoal, JogGoal, LoadPathGoal,
                                MomentOfInertia, MoveAbsoluteGoal, MoveCircleGoal, MoveRelativeGoal, OutputAction, PathPoint,
                                PickAndPlaceGoal, PickAndPlaceStep, ProgramControlGoal, RetraceGoal, RunScriptGoal, SequenceStep,
-                               SetOutputGoal, StopGoal, Transformation, WaitForInputGoal)
+                               SetOutputGoal, StopGoal, Transformation, WaitForInputGoal, WaitTimeGoal)
 
 HOME = (0, 0, 90, 0, 90, 0)
 ELSEWHERE = (60, -20, 100, 10, 80, -45)
@@ -123,6 +123,11 @@ def wait_for(number=0, value=True, timeout=10.0, **changes):
     return with_changes(WaitForInputGoal(module="ControlBox", input=number, value=value, timeout=timeout), changes)
 
 
+def pause(seconds=0.1, **changes):
+    """A time that is waited for."""
+    return with_changes(WaitTimeGoal(time=seconds), changes)
+
+
 def sequence(*goals, **changes):
     """To be checked from HOME; each step is the goal of its block."""
     kinds = {MoveAbsoluteGoal: ("MOVE_ABSOLUTE", "move_absolute"), MoveRelativeGoal: ("MOVE_RELATIVE", "move_relative"),
@@ -153,7 +158,7 @@ def queued(**changes):
     return [to_joints(*HOME, **changes), relative(0, 0, 20, 0, 0, 0, **changes),
             circle((450, 0, 500, 180, 0, 90), POSE, **changes), base(20, 30, 10, 0, 0, 90, **changes),
             tcp(0, 0, 150, 0, 0, 90, **changes), ChangeLoadGoal(weight=1, **changes), output(**changes),
-            wait_for(value=False, **changes), ExitListenNodeGoal(**changes), script("ChangeLoad(1)", **changes),
+            wait_for(value=False, **changes), pause(**changes), ExitListenNodeGoal(**changes), script("ChangeLoad(1)", **changes),
             cycle(step(to_joints(*HOME)), **changes), path(path_to_joints(*HOME), **changes), RetraceGoal(**changes)]
 
 

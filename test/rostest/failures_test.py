@@ -6,7 +6,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 
 from cobot_command.msg import ChangeLoadGoal, ExitListenNodeGoal, ProgramControlGoal, StopGoal
-from cobot_goals import (ELSEWHERE, HOME, base, cycle, motions, move_script, output, path, path_to_joints, relative, script, step, tcp,
+from cobot_goals import (ELSEWHERE, HOME, base, cycle, motions, move_script, output, path, path_to_joints, pause, relative, script, step, tcp,
                          to_joints, turn, wait_for)
 from cobot_test import CobotTestCase
 from provoked_errors import own_number
@@ -58,7 +58,7 @@ class Failures(CobotTestCase):
                 self.robot.establish()
 
     def test_of_all_that_is_busy_when_the_link_is_lost(self):
-        for goal in [*scripts(), wait_for(), StopGoal(), cycle(step(to_joints(*HOME)))]:
+        for goal in [*scripts(), wait_for(), pause(60), StopGoal(), cycle(step(to_joints(*HOME)))]:
             with self.subTest(type(goal).__name__):
                 self.robot.fault("silence")
                 sent = self.robot.send(goal).wait_until_active()

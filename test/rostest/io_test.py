@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The actions set_output, wait_for_input and change_load, and the topic digital_io, against a simulated controller over
-real sockets."""
+"""The actions set_output, wait_for_input, wait_time and change_load, and the topic digital_io, against a simulated
+controller over real sockets."""
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import ChangeLoadGoal, DigitalIo, SetOutputGoal
-from cobot_goals import BUFFERED, HOME, MODERATELY, cycle, output, step, to_joints, turn, wait_for
+from cobot_command.msg import ChangeLoadGoal, DigitalIo, ProgramControlGoal, SetOutputGoal, StopGoal
+from cobot_goals import ABORTING, BUFFERED, HOME, MODERATELY, cycle, output, pause, step, to_joints, turn, wait_for
 from motion_checks import MotionTestCase
 
 
@@ -56,6 +56,52 @@ class Io(MotionTestCase):
         waiting.cancel()
         state, result = waiting.finish()
         self.assertEqual(state, GoalStatus.PREEMPTED, result.error_description)
+
+    def test_waits_for_a_time_at_its_turn_between_two_moves(self):
+        before = self.robot.send(turn(10, 0, 0, 0, 0, 0))
+        waiting = self.robot.send(pause(1.0, buffer_mode=BUFFERED)).wait_until_queued()
+        behind = self.robot.send(to_joints(*HOME, buffer_mode=BUFFERED)).wait_until_queued()
+        running = waiting.wait_for_feedback(lambda f: f.phase == f.ACTIVE, "the turn of the wait")
+        self.assert_done(before.finish())
+        self.assertFalse(behind.ended())
+        self.assertEqual((running.place_in_queue, running.remaining.to_sec()), (0, 1.0))
+        self.assertAlmostEqual(self.assert_done(waiting.finish()).actual_duration.to_sec(), 1.0, delta=0.1)
+        self.assert_done(behind.finish())
+        left = [f.remaining for f in waiting.feedback if f.phase == f.ACTIVE]
+        self.assertGreater(len(left), 3)
+        self.assertEqual(left, sorted(left, reverse=True))
+
+    def test_begins_a_time_when_the_blended_motion_in_front_has_come_to_its_end(self):
+        self.assert_done(self.robot.run(turn(10, 0, 0, 0, 0, 0, blending_enable=True, **MODERATELY)))
+        waiting = self.robot.send(pause(0.2)).wait_until_queued()
+        self.assertIn("until the robot stands", waiting.feedback[0].text)
+        self.assert_done(waiting.finish())
+        self.assert_stands_at((10, *HOME[1:]))
+        self.assert_done(self.robot.run(to_joints(*HOME)))
+
+    def test_ends_a_time_that_is_cancelled_stopped_or_taken_over_and_what_waits_behind_it(self):
+        for end in ("cancel", StopGoal(), pause(0, buffer_mode=ABORTING)):
+            with self.subTest(end):
+                waiting = self.robot.send(pause(60)).wait_until_active()
+                behind = self.robot.send(to_joints(*HOME, buffer_mode=BUFFERED)).wait_until_queued()
+                if end == "cancel":
+                    waiting.cancel()
+                else:
+                    self.assert_done(self.robot.run(end))
+                state, result = waiting.finish()
+                self.assertEqual(state, GoalStatus.PREEMPTED, result.error_description)
+                self.assertIn("while it waited for 60 s", result.error_description)
+                self.assertEqual(behind.finish()[0], GoalStatus.RECALLED)
+
+    def test_holds_a_time_while_the_project_is_paused(self):
+        waiting = self.robot.send(pause(0.5)).wait_until_active()
+        self.assert_done(self.robot.run(ProgramControlGoal(command=ProgramControlGoal.PAUSE)))
+        held = waiting.wait_for_feedback(lambda f: f.phase == f.HELD, "HELD")
+        self.robot.wait_for_time_to_pass(1.0)
+        self.assertFalse(waiting.ended())
+        self.assertGreater(held.remaining.to_sec(), 0)
+        self.assert_done(self.robot.run(ProgramControlGoal(command=ProgramControlGoal.RESUME)))
+        self.assertGreater(self.assert_done(waiting.finish()).actual_duration.to_sec(), 1.5)
 
     def test_does_a_cycle_with_the_switch_of_a_gripper(self):
         grip = cycle(step(to_joints(*HOME), awaited=wait_for(timeout=10)), cycles=1)
@@ -111,7 +157,8 @@ class Io(MotionTestCase):
             (output(4), 0x255, "output 4"), (output(module="Gripper"), 0x255, "'Gripper'"),
             (analog(1, module="EndModule"), 0x255, "there is 0 of ControlBox"), (output(0, 2), 0x262, "value is 2"),
             (analog(10.5), 0x262, "10.5 V"), (output(kind=2), 0x262, "kind is 2"), (wait_for(16), 0x263, "input 16"),
-            (wait_for(timeout=-1), 0x264, "-1 s"), (ChangeLoadGoal(weight=14.1), 0x261, "14.1"),
+            (wait_for(timeout=-1), 0x264, "-1 s"), (pause(-1), 0x8D34, "-1 s"), (pause(86401), 0x8D34, "86401 s"),
+            (ChangeLoadGoal(weight=14.1), 0x261, "14.1"),
             (cycle(step(to_joints(*HOME), awaited=wait_for(16))), 0x263, "step 1"),
             (cycle(step(to_joints(*HOME), awaited=wait_for(timeout=1e6))), 0x264, "step 1")])
 

@@ -17,7 +17,7 @@ from cobot_command.msg import CommandStatus, ConnectGoal, ProgramControlGoal
 from random_goals import RandomGoals
 
 BLOCKS = ("connect", "move_absolute", "move_relative", "move_circle", "change_base", "change_tcp", "change_load",
-          "set_output", "wait_for_input", "program_control", "stop", "exit_listen_node", "run_script", "check_sequence", "pick_and_place",
+          "set_output", "wait_for_input", "wait_time", "program_control", "stop", "exit_listen_node", "run_script", "check_sequence", "pick_and_place",
           "load_path")
 PATIENCE = 8.0  # [s], then a goal is cancelled whatever it does
 OPERATOR_COMES = 1.0  # [s] after the flow has left the Listen node

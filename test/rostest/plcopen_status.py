@@ -3,7 +3,7 @@ numbers them."""
 from cobot_command.msg import CommandStatus
 
 QUEUED_BLOCKS = {"move_absolute", "move_relative", "move_circle", "change_base", "change_tcp", "change_load",
-                 "set_output", "wait_for_input", "exit_listen_node",
+                 "set_output", "wait_for_input", "wait_time", "exit_listen_node",
                  "run_script", "pick_and_place", "load_path"}
 MOST_WAITING = 64
 

@@ -5,7 +5,7 @@ import random
 
 from cobot_command.msg import (ChangeLoadGoal, ConnectGoal, ExitListenNodeGoal, MoveAbsoluteGoal, MoveRelativeGoal,
                                OutputAction, PickAndPlaceGoal, ProgramControlGoal, RobotPose, SetOutputGoal, StopGoal,
-                               WaitForInputGoal)
+                               WaitForInputGoal, WaitTimeGoal)
 from cobot_goals import (HOME, base, circle, cycle, line_to, path, path_line, path_to_joints, ptp_to, relative, script, sequence, step, tcp, to_joints,
                          turn, with_changes)
 from tf_frames import pose_in
@@ -18,7 +18,7 @@ follow_up: a goal that its sender owes the others, as the resume behind a pause.
 
 # How often a goal is of this action.
 WEIGHTS = {"move_absolute": 26, "move_relative": 14, "move_circle": 8, "change_base": 7, "change_tcp": 6,
-           "change_load": 3, "set_output": 5, "wait_for_input": 4,
+           "change_load": 3, "set_output": 5, "wait_for_input": 4, "wait_time": 3,
            "run_script": 12, "pick_and_place": 8, "load_path": 8, "check_sequence": 5, "program_control": 6, "exit_listen_node": 3,
            "stop": 3, "connect": 2}
 WRONG = 0.2  # of the goals
@@ -143,6 +143,10 @@ class RandomGoals:
         r = self._random
         return WaitForInputGoal(module=r.choice(("EndModule", "ControlBox")), input=r.randint(0, 2), value=r.random() < 0.2,
                                 timeout=r.choice((0.05, 0.5)), buffer_mode=self._common()["buffer_mode"])
+
+    def wait_time(self):
+        r = self._random
+        return WaitTimeGoal(time=r.choice((0, 0.05, 0.5)), buffer_mode=self._common()["buffer_mode"])
 
     def _change(self):
         common = self._common()

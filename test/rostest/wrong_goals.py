@@ -150,6 +150,7 @@ _ROWS = {
     "wait_for_input": (
         _field(0x263, "module", "", *WILD_NAMES, FAR_TOO_LONG), _field(0x263, "input", 16, *TINY_AND_HUGE),
         _field(0x264, "timeout", -0.1, 86400.1, 1e308, *NOT_FINITE)),
+    "wait_time": (_field(0x8D34, "time", -0.1, 86400.1, 1e308, *NOT_FINITE),),
     "run_script": (
         _field(0x21E, "script", "", " \n\t", "x" * 4097, "QueueTag(1)", "x // waitqueuetag", "a\x07b",
                "ScriptExit()\nChangeLoad(1)"),

@@ -93,6 +93,10 @@ template <>
 inline blocks::WaitForInputGoal good() {
   return {"ControlBox", 3, true, 10};
 }
+template <>
+inline blocks::WaitTimeGoal good() {
+  return {10};
+}
 
 template <>
 inline blocks::PickAndPlaceGoal good() {

@@ -14,7 +14,7 @@
 #include "cobot_command/blocks/shared/block_parts.h"
 #include "cobot_command/blocks/shared/run.h"
 #include "cobot_command/blocks/shared/sequence_report.h"
-#include "cobot_command/blocks/wait_for_input.h"
+#include "cobot_command/blocks/waits/wait_for_input.h"
 
 namespace cobot_command::blocks {
 

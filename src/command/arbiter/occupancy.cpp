@@ -101,8 +101,9 @@ std::optional<blocks::Failure> Occupancy::objectionTo(const blocks::Command& com
 /// Whether a motion that is under way stands again can only be told where there is a stream.
 bool Occupancy::isHeldBack(const Waiting& next) const {
   const bool robot_stands = !parts_.forecast.loose().mayMove() || !parts_.robot.tellsMotion();
-  return parts_.speed.isZero() ||
-         parts_.permit.holdsBack(blocks::GoalRules(next.goal).traits(), robot_stands);
+  const blocks::GoalTraits traits = blocks::GoalRules(next.goal).traits();
+  return parts_.speed.isZero() || (traits.awaits_rest && !robot_stands) ||
+         parts_.permit.holdsBack(traits, robot_stands);
 }
 
 bool Occupancy::robotStands() const {

@@ -8,7 +8,7 @@
 #include "cobot_command/MoveRelativeGoal.h"
 #include "cobot_command/WaitForInputGoal.h"
 #include "cobot_command/blocks/check_sequence.h"
-#include "cobot_command/blocks/wait_for_input.h"
+#include "cobot_command/blocks/waits/wait_for_input.h"
 #include "cobot_command/ros/command/goal_lookups.h"
 
 namespace cobot_command::ros_adapter {

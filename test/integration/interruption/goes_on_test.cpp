@@ -182,6 +182,21 @@ TEST_F(WhatIsInterrupted, isAWaitForAnInputThatGetsItsTimeBack) {
   rig.expectDone(id);
 }
 
+TEST_F(WhatIsInterrupted, isAWaitForATimeThatStandsStillMeanwhile) {
+  const GoalId id = rig.submit(good<blocks::WaitTimeGoal>());  // 10 s
+  const GoalId behind = rig.submit(inMode(BufferMode::Buffered, lineBy({0, 0, -50, 0, 0, 0})));
+  rig.pass(2s);
+  rig.expectInterrupted();
+  rig.pass(20s);
+  EXPECT_EQ(rig.outcome(id), nullptr);
+  rig.expectGoesOn();
+  rig.pass(7s);
+  EXPECT_EQ(rig.outcome(id), nullptr);
+  EXPECT_EQ(rig.outcome(behind), nullptr);
+  rig.expectDone(id);
+  rig.expectDone(behind);
+}
+
 TEST_F(WhatIsInterrupted, isAPathByEitherWayOfLoading) {
   for (const auto execution : {blocks::Execution::Pvt, blocks::Execution::Script}) {
     SCOPED_TRACE(toString(execution));

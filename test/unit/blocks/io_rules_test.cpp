@@ -1,4 +1,4 @@
-// What set_output, wait_for_input and change_load take, and what they send.
+// What set_output and change_load take, and what they send.
 
 #include "block_goals.h"
 #include <gmock/gmock.h>
@@ -57,24 +57,6 @@ TEST(SetOutput, hasABufferModeOnlyInTheQueue) {
               g.at_once = true;
             }),
             0);
-}
-
-TEST(WaitForInput, takesOnlyInputsThatThereAre) {
-  EXPECT_EQ(errorOf(good<WaitForInputGoal>()), 0);
-  EXPECT_EQ(errorOf(WaitForInputGoal{"EndModule", 3}), 0);
-  EXPECT_EQ(errorOf(WaitForInputGoal{"EndModule", 4}), own_error::kInputInvalid);
-  EXPECT_EQ(errorOf(WaitForInputGoal{"ControlBox", -1}), own_error::kInputInvalid);
-  EXPECT_EQ(errorOf(WaitForInputGoal{"Safety", 0}), own_error::kInputInvalid);
-}
-
-TEST(WaitForInput, takesATimeoutUpToADayOrNone) {
-  for (const double timeout : {0.0, 0.001, 86400.0}) {
-    EXPECT_EQ(errorWith<WaitForInputGoal>([=](auto& g) { g.timeout = timeout; }), 0) << timeout;
-  }
-  for (const double timeout : {-0.001, 86400.1, kNan, kInf}) {
-    EXPECT_EQ(errorWith<WaitForInputGoal>([=](auto& g) { g.timeout = timeout; }), own_error::kWaitRange)
-        << timeout;
-  }
 }
 
 TEST(ChangeLoad, isTheWeightOfWhatTheToolHolds) {

@@ -40,7 +40,9 @@ Scenarios allScenarios() {
   all.merge(replyScenarios(good<ProgramControlGoal>()));
   all.merge(linkScenarios(good<WaitForInputGoal>()));
   all.merge(turnScenarios(good<WaitForInputGoal>()));
-  all.merge(inputScenarios());
+  all.merge(linkScenarios(good<WaitTimeGoal>()));
+  all.merge(turnScenarios(good<WaitTimeGoal>()));
+  all.merge(waitScenarios());
   all.merge(pathScenarios());
   all.merge(linkScenarios(good<LoadPathGoal>()));
   all.merge(turnScenarios(good<LoadPathGoal>()));

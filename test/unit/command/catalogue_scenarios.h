@@ -43,8 +43,8 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios stopScenarios(const blocks::Goal& goal);
 /// A target in a tf frame that has moved when the goal's turn comes.
 [[nodiscard]] Scenarios movedFrameScenarios();
-/// The end of a wait for an input.
-[[nodiscard]] Scenarios inputScenarios();
+/// The ends of a wait for an input, or for a time.
+[[nodiscard]] Scenarios waitScenarios();
 /// Paths: their points, plans, and ways on the wire.
 [[nodiscard]] Scenarios pathScenarios();
 /// Trajectories, the same.

@@ -138,7 +138,7 @@ TEST_F(Explanation, thatTheProjectWasStoppedIsToldOnceToWhatHasNothingAtTheContr
                           g.path[0].command_tolerance = 2;
                         }),
                         with<FollowJointTrajectoryGoal>([](auto& g) { g.starts_in = 5; }),
-                        good<WaitForInputGoal>(), with<PickAndPlaceGoal>([](auto& g) {
+                        good<WaitForInputGoal>(), good<WaitTimeGoal>(), with<PickAndPlaceGoal>([](auto& g) {
                           g.steps = {{CoreRig::move(), std::nullopt, std::nullopt, 60}};
                         })};
   for (const Goal& goal : goals) {

@@ -113,6 +113,7 @@ void refusedOthers(Scenarios& all) {
   refused<SetOutputGoal>(all, own_error::kOutputValue, [](auto& g) { g.value = 2; });
   refused<WaitForInputGoal>(all, own_error::kInputInvalid, [](auto& g) { g.module = "Box"; });
   refused<WaitForInputGoal>(all, own_error::kWaitRange, [](auto& g) { g.timeout = -1; });
+  refused<WaitTimeGoal>(all, wait_error::kTime, [](auto& g) { g.time = -1; });
   refused<ProgramControlGoal>(all, own_error::kProgramCommandUnknown, [](auto& g) { g.command = 2; });
   refused<RunScriptGoal>(all, own_error::kScriptInvalid, [](auto& g) { g.script = ""; });
   refused<RunScriptGoal>(all, own_error::kReplyTimeoutRange, [](auto& g) { g.reply_timeout = 0.01; });
@@ -128,7 +129,8 @@ Scenarios parameterScenarios() {
   refusedCommandId<MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal, ChangeBaseGoal, ChangeTcpGoal,
                    ProgramControlGoal>(all);
   refusedBufferMode<MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal, ChangeBaseGoal, ChangeTcpGoal,
-                    ChangeLoadGoal, SetOutputGoal, WaitForInputGoal, ExitListenNodeGoal, RunScriptGoal>(all);
+                    ChangeLoadGoal, SetOutputGoal, WaitForInputGoal, WaitTimeGoal, ExitListenNodeGoal,
+                    RunScriptGoal>(all);
   return all;
 }
 

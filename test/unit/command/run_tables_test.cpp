@@ -5,7 +5,6 @@
 #include "paths/load_path_states.h"
 #include "runs/command_run_states.h"
 #include "runs/pick_and_place_states.h"
-#include "runs/wait_for_input_states.h"
 #include "stops/stop_run_states.h"
 #include "sync/sync_guard_states.h"
 #include "table_checks.h"
@@ -44,11 +43,6 @@ TEST(SyncGuardTable, leavesAnInterruptionOnlyByItsClientOrWhereNothingIsLeft) {
                   row.event == SyncGuardEvent::LinkLost);
     }
   }
-}
-
-TEST(InputWaitTable, isSound) {
-  expectSoundTable<InputWaitTable>(InputWaitState::Ended, InputWaitEvent::Cancelled, InputWaitState::Waiting,
-                                   {InputWaitState::Ended});
 }
 
 TEST(OrphanTable, isSound) {

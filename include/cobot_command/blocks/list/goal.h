@@ -26,7 +26,8 @@
 #include "cobot_command/blocks/set_output.h"
 #include "cobot_command/blocks/shared/block.h"
 #include "cobot_command/blocks/stop.h"
-#include "cobot_command/blocks/wait_for_input.h"
+#include "cobot_command/blocks/waits/wait_for_input.h"
+#include "cobot_command/blocks/waits/wait_time.h"
 #include "cobot_command/blocks/ways_back/retrace.h"
 #include "cobot_command/blocks/ways_back/return_to_primary.h"
 
@@ -49,6 +50,7 @@ using Goal = std::variant<
     ChangeLoadGoal,
     SetOutputGoal,
     WaitForInputGoal,
+    WaitTimeGoal,
     LoadPathGoal,
     FollowJointTrajectoryGoal,
     ExchangeConfigurationGoal,

@@ -173,6 +173,11 @@ inline constexpr int kReturnMode = 0x8D30;
 inline constexpr int kTrajectoryMode = 0x8D36;
 }  // namespace return_error
 
+/// SRCI's WaitTime.
+namespace wait_error {
+inline constexpr int kTime = 0x8D34;
+}  // namespace wait_error
+
 /// SRCI's GroupJog; those of frames and tools: tables/refusal.h.
 namespace jog_error {
 inline constexpr int kMotionActive = 0x8C33;

@@ -5,7 +5,7 @@ namespace cobot_command::blocks {
 
 /// A cancel stops the robot at once; this lets it finish first, as a falling Execute does (thesis annex B).
 enum class FinishAfter {
-  Move,  ///< the move, or the output, that is under way; a wait for an input ends at once
+  Move,  ///< the move, or the output, that is under way; a wait for an input or a time ends at once
   Cycle  ///< the whole cycle of a pick and place
 };
 

@@ -1,4 +1,4 @@
-// How a wait for an input ends without it.
+// How a wait for an input, or for a time, ends without it.
 
 #include "block_goals.h"
 #include "catalogue_scenarios.h"
@@ -30,7 +30,7 @@ void stream(CoreRig& rig, int seconds) {
 
 }  // namespace
 
-Scenarios inputScenarios() {
+Scenarios waitScenarios() {
   const auto row = [](int id) { return Row{kBlock<WaitForInputGoal>, id}; };
   return {
       {row(own_error::kInputTimedOut),
@@ -42,6 +42,16 @@ Scenarios inputScenarios() {
            rig.close("gone");
            rig.pass(500ms);
          });
+       }},
+      {Row{kBlock<WaitTimeGoal>, motion_error::kLinkDropped},
+       [] {
+         CoreRig rig(std::nullopt, link::LinkSettings{});
+         rig.connect();
+         rig.status(StatusFrames());
+         const GoalId id = rig.submit(good<WaitTimeGoal>());
+         rig.close("gone");
+         rig.pass(500ms);
+         return rig.outcome(id) == nullptr ? Outcome{} : *rig.outcome(id);
        }},
   };
 }

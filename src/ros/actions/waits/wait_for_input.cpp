@@ -1,4 +1,4 @@
-#include "cobot_command/blocks/wait_for_input.h"
+#include "cobot_command/blocks/waits/wait_for_input.h"
 
 #include "action_parts/outcome_parts.h"
 #include "action_parts/serve.h"

@@ -1,4 +1,4 @@
-// The life of a wait for an input, as a table.
+// The life of a wait in the queue, as a table.
 //
 // An unlisted pair changes nothing (common/transition_table.h): it came too late for its state.
 #pragma once
@@ -7,31 +7,31 @@
 
 namespace cobot_command::blocks {
 
-enum class InputWaitState {
+enum class QueueWaitState {
   Waiting,
   Explaining,  ///< the link was lost; the status stream may tell why
   Ended
 };
 
-enum class InputWaitEvent {
-  Seen,         ///< the input has the value
+enum class QueueWaitEvent {
+  Met,          ///< what it waits for is there
   Failed,       ///< the cause comes with it
   Unexplained,  ///< the same, and the status stream may soon tell more
   Cancelled
 };
 
-enum class InputWaitAction { None, AwaitReason, EndDone, EndError, EndAborted };
+enum class QueueWaitAction { None, AwaitReason, EndDone, EndError, EndAborted };
 
-struct InputWaitTable {
-  using S = InputWaitState;
-  using E = InputWaitEvent;
-  using A = InputWaitAction;
+struct QueueWaitTable {
+  using S = QueueWaitState;
+  using E = QueueWaitEvent;
+  using A = QueueWaitAction;
   using Row = Transition<S, E, A>;
 
   // clang-format off
   static constexpr Row kRows[] = {
     // from          event           to             action
-    {S::Waiting,    E::Seen,        S::Ended,      A::EndDone},
+    {S::Waiting,    E::Met,         S::Ended,      A::EndDone},
     {S::Waiting,    E::Failed,      S::Ended,      A::EndError},
     {S::Waiting,    E::Unexplained, S::Explaining, A::AwaitReason},
     {S::Waiting,    E::Cancelled,   S::Ended,      A::EndAborted},
