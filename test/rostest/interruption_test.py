@@ -164,11 +164,12 @@ class Interruptions(CobotTestCase):
         return point.x + 1, point.y, point.z, point.rx, point.ry, point.rz
 
     def test_know_ways_back_that_take_too_long_to_plan(self):
+        # The way is so long, and so slow, that its plan takes three times the least budget that a node can be given.
         connect = self.robot.send(self.robot.connect_goal(), "hurried/")
         Latest("hurried/command_status", CommandStatus).wait_for(
             lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a ready link")
         interrupt(self.robot, namespace="hurried/")
-        self.assert_done(self.robot.run(turn(0, 20, 0, 0, 0, 0), "hurried/"))
+        self.assert_done(self.robot.run(turn(90, 0, 0, 0, 0, 0), "hurried/"))
         self.robot.operate("set_project_speed", 5)
         Latest("hurried/robot_status", RobotStatus).wait_for(lambda s: s.project_speed == 5, "the low project speed")
         self.assert_rejected(self.robot.run(line_back(speed=1), "hurried/"), 0x20C)
