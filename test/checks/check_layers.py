@@ -41,6 +41,7 @@ ALLOWED = {
     "ros/action_parts": {"common", "script", "arm", "blocks"},
     "ros/actions": {"common", "script", "arm", "path", "blocks"},
     "ros/simulation": {"common", "script", "arm", "link", "simulator", "runtime/simulation"},
+    "rviz": set(),
 }
 # The wings of a room, and what each may use of it besides itself, wings and headers; what stands in the room's own folder may use
 # them all; "*.h": each header of the room itself. Above is what a wing may use of other rooms, where it is less than what its room may.
@@ -97,6 +98,12 @@ WINGS = {
     "ros/action_parts": {"command", "shared"},
     "ros/actions": {"action_parts", "command", "shared"},
     "ros/simulation": {"shared"},
+    "rviz/forms": set(),
+    "rviz/goals": {"forms"},
+    "rviz/clients": {"forms", "goals"},
+    "rviz/widgets": {"clients", "forms"},
+    "rviz/pages": {"clients", "forms", "goals", "widgets"},
+    "rviz/panel": {"clients", "pages", "widgets"},
     "simulator/wire": {"simulated_controller.h", "fault_switches.h"},
     "simulator/drive": set(),
     "simulator/queue": {"drive", "fault_switches.h"},
@@ -105,7 +112,7 @@ WINGS = {
     "simulator/status_port": {"wire", "robot", "settings.h", "robot_state.h", "operator_action.h"},
 }
 # The rooms that may include ROS.
-OF_ROS = {"ros"}
+OF_ROS = {"ros", "rviz"}
 # Folders of headers that the core may include. What is not here is refused: nobody can list all packages of ROS.
 LIBRARIES = {"Eigen", "arpa", "boost", "console_bridge", "fmt", "gmock", "gtest", "kdl", "netinet", "nlohmann", "rapidcheck", "sys",
              "tl", "urdf_model", "urdf_parser"}

@@ -1,0 +1,142 @@
+// A Command over actionlib. Its callbacks come on the thread that spins ROS's global queue: in RViz that of
+// the user interface.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/command.h"
+#include "clients/outcome.h"
+#include <actionlib/client/action_client.h>
+
+namespace cobot_command::rviz_plugin {
+
+template <class Action>
+class ActionCommand : public Command {
+  ACTION_DEFINITION(Action)
+  using Client = actionlib::ActionClient<Action>;
+  using Handle = typename Client::GoalHandle;
+
+ public:
+  ActionCommand(const ros::NodeHandle& node, const std::string& name)
+      : name_(node.resolveName(name)), client_(node, name) {}
+
+  /// As soon as the node is there: where it just starts, or RViz does, that takes a moment. A node that does
+  /// not come is an error of this goal, as it would never hear of it.
+  void send(const Goal& goal) {
+    ++newest_;
+    looks_without_node_ = 0;
+    CommandState sent;
+    sent.phase = CommandState::Phase::Busy;
+    sent.text = "waits for the command node";
+    waiting_ = goal;
+    become(sent);
+    if (client_.isServerConnected()) sendWaiting();
+  }
+
+  void cancel() override {
+    if (waiting_) {
+      waiting_.reset();
+      become({});
+    }
+    for (Handle& handle : handles_) {
+      if (handle.getCommState() != actionlib::CommState::DONE) handle.cancel();
+    }
+  }
+
+  void look() override {
+    if (client_.isServerConnected()) {
+      looks_without_node_ = 0;
+      if (waiting_) sendWaiting();
+      return;
+    }
+    // Where a node is started again its topics are gone for a moment.
+    if (!isBusy() || ++looks_without_node_ < kPatience) return;
+    if (waiting_) {
+      waiting_.reset();
+      become(failed("There is no command node that serves " + name_,
+                    "Start it, or choose the robot that it is for"));
+      return;
+    }
+    handles_.clear();
+    ++newest_;
+    become(failed("The command node has gone; nobody knows what became of the command",
+                  "See that the robot stands; start the node again"));
+  }
+
+ private:
+  static constexpr int kPatience = 20;  ///< looks, of which there are ten in a second
+
+  void sendWaiting() {
+    forgetEnded();
+    const unsigned number = newest_;
+    const Goal goal = *waiting_;
+    waiting_.reset();
+    handles_.push_back(client_.sendGoal(
+        goal, [this, number](const Handle& handle) { follow(handle, number); },
+        [this, number](const Handle& /*handle*/, const FeedbackConstPtr& feedback) {
+          hear(*feedback, number);
+        }));
+  }
+
+  static CommandState failed(std::string description, std::string remedy) {
+    CommandState state;
+    state.phase = CommandState::Phase::Error;
+    state.description = std::move(description);
+    state.remedy = std::move(remedy);
+    return state;
+  }
+
+  static CommandState::Phase phaseOf(const actionlib::TerminalState& end) {
+    switch (end.state_) {
+      case actionlib::TerminalState::SUCCEEDED:
+        return CommandState::Phase::Done;
+      case actionlib::TerminalState::PREEMPTED:
+      case actionlib::TerminalState::RECALLED:
+        return CommandState::Phase::Aborted;
+      default:
+        return CommandState::Phase::Error;
+    }
+  }
+
+  void hear(const Feedback& feedback, unsigned number) {
+    if (number != newest_ || !isBusy()) return;
+    CommandState now = state();
+    outcome::readFeedback(feedback, now);
+    become(now);
+  }
+
+  void follow(const Handle& handle, unsigned number) {
+    if (number != newest_ || handle.getCommState() != actionlib::CommState::DONE) return;
+    CommandState ended = state();
+    ended.phase = phaseOf(handle.getTerminalState());
+    ended.text.clear();
+    ended.progress = -1;
+    ended.step = -1;
+    const ResultConstPtr result = handle.getResult();
+    if (!result) {
+      become(failed("The goal was lost: the command node was started again", "Give the command again"));
+      return;
+    }
+    outcome::readResult(*result, ended);
+    become(ended, outcome::readPlan(*result));
+  }
+
+  void forgetEnded() {
+    handles_.erase(
+        std::remove_if(handles_.begin(), handles_.end(),
+                       [](const Handle& h) { return h.getCommState() == actionlib::CommState::DONE; }),
+        handles_.end());
+  }
+
+  std::string name_;
+  Client client_;
+  std::optional<Goal> waiting_;  ///< for the node
+  std::vector<Handle> handles_;  ///< before the client in destruction, as they want it
+  unsigned newest_ = 0;          ///< which goal is shown: the one that was sent last
+  int looks_without_node_ = 0;
+};
+
+}  // namespace cobot_command::rviz_plugin

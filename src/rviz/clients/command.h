@@ -1,0 +1,56 @@
+// A goal of an action as its page shows it: sent, followed to its end, cancelled. The outputs are those of
+// the function blocks.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "clients/plan.h"
+
+namespace cobot_command::rviz_plugin {
+
+struct CommandState {
+  enum class Phase { Idle, Busy, Done, Error, Aborted };
+
+  Phase phase = Phase::Idle;
+  int error_id = 0;  ///< 0: none
+  std::string description;
+  std::string remedy;
+  int command_id_ack = 0;  ///< 0: none
+  std::string text;        ///< what goes on, in plain words
+  double progress = -1;    ///< 0..1; -1: nobody knows
+  int step = -1;           ///< of a cycle, from 0; -1: none is under way
+  double planned = 0;      ///< [s] 0: not known
+  double actual = 0;       ///< [s] 0: not known
+};
+
+class Command {
+ public:
+  Command() = default;
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+  virtual ~Command() = default;
+
+  /// Of all goals that this one has sent.
+  virtual void cancel() = 0;
+  /// From time to time: notices that the node has gone, whose goals then never end.
+  virtual void look() = 0;
+
+  [[nodiscard]] const CommandState& state() const { return state_; }
+  [[nodiscard]] bool isBusy() const { return state_.phase == CommandState::Phase::Busy; }
+  /// Of the goal that ended last.
+  [[nodiscard]] const Plan& plan() const { return plan_; }
+  /// Called on the thread of the user interface.
+  void onChange(std::function<void()> listener) { listener_ = std::move(listener); }
+
+ protected:
+  void become(CommandState state);
+  void become(CommandState state, Plan plan);
+
+ private:
+  CommandState state_;
+  Plan plan_;
+  std::function<void()> listener_;
+};
+
+}  // namespace cobot_command::rviz_plugin

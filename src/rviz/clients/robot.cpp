@@ -1,0 +1,97 @@
+#include "clients/robot.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "clients/action_command.h"
+#include "goals/poses.h"
+#include <cobot_command/ProgramControlAction.h>
+#include <cobot_command/StopAction.h>
+
+namespace cobot_command::rviz_plugin {
+namespace {
+
+constexpr std::uint32_t kQueue = 10;
+constexpr double kDegreesPerRadian = 180 / M_PI;
+
+template <class Message, class Kept>
+ros::Subscriber keep(ros::NodeHandle& node, const char* topic, Kept& kept) {
+  return node.subscribe<Message>(topic, kQueue,
+                                 [&kept](const boost::shared_ptr<const Message>& heard) { kept = *heard; });
+}
+
+cobot_command::ProgramControlGoal controlGoal(std::int32_t command) {
+  cobot_command::ProgramControlGoal goal;
+  goal.command = command;
+  return goal;
+}
+
+}  // namespace
+
+Robot::Robot(const std::string& name) : node_(name) {
+  auto stop = std::make_unique<ActionCommand<cobot_command::StopAction>>(node_, "stop");
+  stop_.send = [&sender = *stop] { sender.send({}); };
+  stop_.command = std::move(stop);
+  auto control =
+      std::make_unique<ActionCommand<cobot_command::ProgramControlAction>>(node_, "program_control");
+  control_.send = [&sender = *control] {
+    sender.send(controlGoal(cobot_command::ProgramControlGoal::PAUSE));
+  };
+  resume_ = [&sender = *control] { sender.send(controlGoal(cobot_command::ProgramControlGoal::RESUME)); };
+  control_.command = std::move(control);
+
+  command_status_topic_ = keep<cobot_command::CommandStatus>(node_, "command_status", command_status_);
+  robot_status_topic_ = keep<cobot_command::RobotStatus>(node_, "robot_status", robot_status_);
+  group_state_topic_ = keep<cobot_command::GroupState>(node_, "group_state", group_state_);
+  joints_topic_ = keep<sensor_msgs::JointState>(node_, "joint_states", joints_);
+  tool_topic_ = keep<geometry_msgs::PoseStamped>(node_, "tool_pose", tool_);
+  frames_topic_ = keep<cobot_command::ActiveFrames>(node_, "active_frames", frames_);
+}
+
+Robot::~Robot() = default;
+
+std::optional<cobot_command::CommandStatus> Robot::commandStatus() const {
+  if (command_status_topic_.getNumPublishers() == 0) return std::nullopt;
+  return command_status_;
+}
+
+std::optional<cobot_command::RobotStatus> Robot::robotStatus() const {
+  if (robot_status_topic_.getNumPublishers() == 0) return std::nullopt;
+  return robot_status_;
+}
+
+std::optional<cobot_command::GroupState> Robot::groupState() const {
+  if (group_state_topic_.getNumPublishers() == 0) return std::nullopt;
+  return group_state_;
+}
+
+bool Robot::isStreaming() const {
+  const auto status = commandStatus();
+  return status && status->status_stream;
+}
+
+std::optional<std::array<double, 6>> Robot::joints() const {
+  if (!isStreaming() || joints_.position.size() != 6) return std::nullopt;
+  std::array<double, 6> degrees{};
+  for (std::size_t i = 0; i < degrees.size(); ++i) degrees[i] = joints_.position[i] * kDegreesPerRadian;
+  return degrees;
+}
+
+std::optional<std::array<double, 6>> Robot::tool() const {
+  if (!isStreaming() || tool_.header.frame_id.empty() || !frames_.base_known) return std::nullopt;
+  return toSix(toIsometry(frames_.base).inverse() * toIsometry(tool_.pose));
+}
+
+std::string Robot::activeBaseFrame() const {
+  constexpr std::string_view base = "base";
+  const std::string& frame = frames_.header.frame_id;
+  if (frame.size() < base.size()) return "";
+  return frame.substr(0, frame.size() - base.size()) + "active_base";
+}
+
+void Robot::look() {
+  stop_.command->look();
+  control_.command->look();
+}
+
+}  // namespace cobot_command::rviz_plugin

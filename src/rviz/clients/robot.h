@@ -1,0 +1,77 @@
+// One robot, by the namespace of its command node: what it tells, and what always has to be at hand: stop,
+// pause and resume.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "clients/command.h"
+#include <cobot_command/ActiveFrames.h>
+#include <cobot_command/CommandStatus.h>
+#include <cobot_command/GroupState.h>
+#include <cobot_command/RobotStatus.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/JointState.h>
+
+namespace cobot_command::rviz_plugin {
+
+class Robot {
+ public:
+  /// `name`: its namespace; empty: that of RViz.
+  explicit Robot(const std::string& name);
+  Robot(const Robot&) = delete;
+  Robot& operator=(const Robot&) = delete;
+  ~Robot();
+
+  [[nodiscard]] const ros::NodeHandle& node() const { return node_; }
+
+  /// Nothing: the node is not there, or has told nothing yet.
+  [[nodiscard]] std::optional<cobot_command::CommandStatus> commandStatus() const;
+  [[nodiscard]] std::optional<cobot_command::RobotStatus> robotStatus() const;
+  [[nodiscard]] std::optional<cobot_command::GroupState> groupState() const;
+  /// Of J1 to J6 [deg], as the controller streams them.
+  [[nodiscard]] std::optional<std::array<double, 6>> joints() const;
+  /// The active TCP in the active base [mm, deg].
+  [[nodiscard]] std::optional<std::array<double, 6>> tool() const;
+  [[nodiscard]] const cobot_command::ActiveFrames& activeFrames() const { return frames_; }
+  /// The frame in tf that the numbers of moves are in; empty: nobody has told it yet.
+  [[nodiscard]] std::string activeBaseFrame() const;
+
+  [[nodiscard]] Command& stopping() { return *stop_.command; }
+  [[nodiscard]] Command& control() { return *control_.command; }
+  void stop() { stop_.send(); }
+  void pause() { control_.send(); }
+  void resume() { resume_(); }
+
+  /// From time to time, on the thread of the user interface.
+  void look();
+
+ private:
+  struct Sender {
+    std::unique_ptr<Command> command;
+    std::function<void()> send;
+  };
+
+  /// Whether joints and tool are of now.
+  [[nodiscard]] bool isStreaming() const;
+
+  ros::NodeHandle node_;
+  std::optional<cobot_command::CommandStatus> command_status_;
+  std::optional<cobot_command::RobotStatus> robot_status_;
+  std::optional<cobot_command::GroupState> group_state_;
+  sensor_msgs::JointState joints_;
+  geometry_msgs::PoseStamped tool_;
+  cobot_command::ActiveFrames frames_;
+  Sender stop_;
+  Sender control_;
+  std::function<void()> resume_;
+  /// Last: they are gone before what they write into.
+  ros::Subscriber command_status_topic_, robot_status_topic_, group_state_topic_, joints_topic_, tool_topic_,
+      frames_topic_;
+};
+
+}  // namespace cobot_command::rviz_plugin

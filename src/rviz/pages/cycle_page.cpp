@@ -1,0 +1,169 @@
+#include "pages/cycle_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <cstdlib>
+
+#include "goals/goals.h"
+#include "widgets/cycle_view.h"
+#include "widgets/form_view.h"
+#include "widgets/status_box.h"
+
+namespace cobot_command::rviz_plugin {
+namespace {
+
+/// In saved configurations: keys of a move behind its number, "1.speed_percent".
+std::string keyOf(std::size_t move, const std::string& key) {
+  return std::to_string(move + 1) + "." + key;
+}
+
+}  // namespace
+
+CyclePage::CyclePage()
+    : Page("pick_and_place", "PnP Sequence"),
+      cycle_(presetCycle()),
+      views_(new QStackedWidget),
+      status_(new StatusBox) {
+  auto* layout = new QVBoxLayout(this);
+  views_->addWidget(makeOverview());
+  for (std::size_t move = 0; move < Cycle::kMoves; ++move) views_->addWidget(makeEditor(move));
+  connect(views_, &QStackedWidget::currentChanged, this, [this] { fitHeight(); });
+  fitHeight();
+  layout->addWidget(views_);
+  layout->addWidget(status_);
+  layout->addStretch();
+}
+
+void CyclePage::fitHeight() {
+  // As high as the view that is open: else all are as high as the highest.
+  for (int i = 0; i < views_->count(); ++i) {
+    const bool open = i == views_->currentIndex();
+    views_->widget(i)->setSizePolicy(QSizePolicy::Preferred,
+                                     open ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+  }
+}
+
+QWidget* CyclePage::makeOverview() {
+  auto* overview = new QWidget;
+  auto* layout = new QVBoxLayout(overview);
+  layout->setContentsMargins(0, 0, 0, 0);
+  picture_ = new CycleView(cycle_,
+                           [this](std::size_t move) { views_->setCurrentIndex(static_cast<int>(move) + 1); });
+  general_ = new FormView(cycle_.general);
+  layout->addWidget(picture_);
+  layout->addWidget(general_);
+  auto* buttons = new QHBoxLayout;
+  addButtons(*buttons);
+  layout->addLayout(buttons);
+  return overview;
+}
+
+QWidget* CyclePage::makeEditor(std::size_t move) {
+  auto* editor = new QWidget;
+  editor->setObjectName(QString("editor_%1").arg(move + 1));
+  auto* layout = new QVBoxLayout(editor);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(new QLabel(QString("<b>Move %1: %2</b>").arg(move + 1).arg(Cycle::kNames[move])));
+  editors_[move] = new FormView(cycle_.moves[move]);
+  layout->addWidget(editors_[move]);
+  auto* buttons = new QHBoxLayout;
+  auto* take = new QPushButton("Take current position");
+  take->setObjectName("take_target");
+  connect(take, &QPushButton::clicked, this, [this, move] {
+    if (const auto tool = workplace_.robot->tool()) cycle_.moves[move].setSix("target", *tool);
+    if (const auto joints = workplace_.robot->joints()) cycle_.moves[move].setSix("joints", *joints);
+    editors_[move]->refresh();
+  });
+  auto* back = new QPushButton("Back to the cycle");
+  back->setObjectName("back");
+  connect(back, &QPushButton::clicked, this, [this] { views_->setCurrentIndex(0); });
+  buttons->addWidget(take);
+  buttons->addWidget(back);
+  layout->addLayout(buttons);
+  return editor;
+}
+
+void CyclePage::addButtons(QBoxLayout& layout) {
+  const auto add = [&](const char* text, const char* name, auto action) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    connect(button, &QPushButton::clicked, this, action);
+    layout.addWidget(button);
+  };
+  add("Preset values", "preset", [this] {
+    // Assigned one by one: the views look at these forms.
+    const Cycle preset = presetCycle();
+    for (std::size_t move = 0; move < Cycle::kMoves; ++move) cycle_.moves[move] = preset.moves[move];
+    cycle_.general = preset.general;
+    refresh();
+  });
+  add("Check", "check", [this] { start(*checking_, true); });
+  add("Execute", "execute", [this] { start(*execution_, false); });
+  add("Cancel", "cancel", [this] {
+    execution_->cancel();
+    checking_->cancel();
+  });
+}
+
+void CyclePage::start(PickAndPlace& command, bool check_only) {
+  shown_ = &command;
+  command.send(toPickAndPlace(cycle_, check_only));
+}
+
+void CyclePage::bind(const Workplace& workplace) {
+  workplace_ = workplace;
+  execution_ = std::make_unique<PickAndPlace>(workplace.robot->node(), "pick_and_place");
+  checking_ = std::make_unique<PickAndPlace>(workplace.robot->node(), "pick_and_place");
+  shown_ = execution_.get();
+  watch(*execution_);
+  watch(*checking_);
+  status_->show(shown_->state());
+}
+
+void CyclePage::watch(PickAndPlace& command) {
+  command.onChange([this, &command] {
+    if (shown_ == &command) {
+      status_->show(command.state());
+      picture_->showStep(command.state().step);
+    }
+    const bool checked = checking_.get() == &command && !command.isBusy();
+    if (checked && workplace_.show_plan) workplace_.show_plan(command.plan());
+  });
+}
+
+void CyclePage::look() {
+  execution_->look();
+  checking_->look();
+}
+
+Page::Values CyclePage::saved() const {
+  Values values = cycle_.general.saved();
+  for (std::size_t move = 0; move < Cycle::kMoves; ++move) {
+    for (const auto& [key, value] : cycle_.moves[move].saved()) values[keyOf(move, key)] = value;
+  }
+  return values;
+}
+
+void CyclePage::restore(const Values& values) {
+  cycle_.general.restore(values);
+  for (std::size_t move = 0; move < Cycle::kMoves; ++move) {
+    Values of_move;
+    for (const auto& [key, value] : cycle_.moves[move].saved()) {
+      const auto kept = values.find(keyOf(move, key));
+      of_move[key] = kept == values.end() ? value : kept->second;
+    }
+    cycle_.moves[move].restore(of_move);
+  }
+  refresh();
+}
+
+void CyclePage::refresh() {
+  for (FormView* editor : editors_) editor->refresh();
+  general_->refresh();
+  picture_->update();
+}
+
+}  // namespace cobot_command::rviz_plugin

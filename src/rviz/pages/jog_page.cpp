@@ -1,0 +1,123 @@
+#include "pages/jog_page.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "forms/forms.h"
+#include "goals/goals.h"
+#include "widgets/form_view.h"
+#include "widgets/status_box.h"
+#include <std_msgs/Empty.h>
+
+namespace cobot_command::rviz_plugin {
+namespace {
+
+constexpr int kKeepAlivePeriod = 20;  // [ms], of the 250 that the watchdog allows
+constexpr int kButtonHeight = 34;
+
+bool isOfJoints(const Form& form) {
+  return form.whole("mode") == cobot_command::JogGoal::AXES;
+}
+
+}  // namespace
+
+JogPage::JogPage()
+    : Page("jog", "Jog"),
+      form_(jogForm()),
+      view_(new FormView(form_)),
+      status_(new StatusBox),
+      holding_(new QTimer(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(view_);
+  auto* grid = new QGridLayout;
+  for (int axis = 0; axis < kAxes; ++axis) addAxis(*grid, axis);
+  layout->addLayout(grid);
+  layout->addWidget(status_);
+  layout->addStretch();
+  holding_->setInterval(kKeepAlivePeriod);
+  holding_->setTimerType(Qt::PreciseTimer);
+  connect(holding_, &QTimer::timeout, this, [this] { keep_alive_.publish(std_msgs::Empty()); });
+  view_->onEdit([this] { showWhere(); });
+  QApplication::instance()->installEventFilter(this);
+}
+
+void JogPage::addAxis(QGridLayout& grid, int axis) {
+  const auto place = static_cast<std::size_t>(axis);
+  names_[place] = new QLabel;
+  values_[place] = new QLabel("–");
+  values_[place]->setObjectName(QString("value_%1").arg(axis));
+  values_[place]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  grid.addWidget(names_[place], axis, 0);
+  grid.addWidget(makeButton(axis, -1), axis, 1);
+  grid.addWidget(values_[place], axis, 2);
+  grid.addWidget(makeButton(axis, 1), axis, 3);
+}
+
+QPushButton* JogPage::makeButton(int axis, int direction) {
+  auto* button = new QPushButton(direction < 0 ? "−" : "+");
+  button->setObjectName(QString("jog_%1_%2").arg(axis).arg(direction < 0 ? "minus" : "plus"));
+  button->setMinimumHeight(kButtonHeight);
+  button->setFocusPolicy(Qt::NoFocus);  // no key repeats it, or keeps it pressed
+  connect(button, &QPushButton::pressed, this, [this, axis, direction] { press(axis, direction); });
+  connect(button, &QPushButton::released, this, [this] { release(); });
+  return button;
+}
+
+void JogPage::press(int axis, int direction) {
+  keep_alive_.publish(std_msgs::Empty());
+  if (!form_.isOn("stepwise")) holding_->start();
+  jog_->send(toJog(form_, axis, direction));
+}
+
+void JogPage::release() {
+  holding_->stop();
+}
+
+void JogPage::hideEvent(QHideEvent* event) {
+  release();
+  Page::hideEvent(event);
+}
+
+bool JogPage::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() == QEvent::ApplicationDeactivate || event->type() == QEvent::WindowDeactivate) release();
+  return Page::eventFilter(object, event);
+}
+
+void JogPage::bind(const Workplace& workplace) {
+  release();
+  workplace_ = workplace;
+  ros::NodeHandle node = workplace.robot->node();
+  keep_alive_ = node.advertise<std_msgs::Empty>("jog_keep_alive", 1);
+  jog_ = std::make_unique<ActionCommand<cobot_command::JogAction>>(node, "jog");
+  jog_->onChange([this] { status_->show(jog_->state()); });
+  status_->show(jog_->state());
+  showWhere();
+}
+
+void JogPage::look() {
+  jog_->look();
+  showWhere();
+}
+
+void JogPage::showWhere() {
+  constexpr std::array cartesian{"X", "Y", "Z", "RX", "RY", "RZ"};
+  const bool joints = isOfJoints(form_);
+  const auto now = joints ? workplace_.robot->joints() : workplace_.robot->tool();
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    names_[i]->setText(joints ? QString("J%1").arg(i + 1) : QString(cartesian[i]));
+    const QString unit = joints || i >= 3 ? "°" : "mm";
+    values_[i]->setText(now ? QString("%1 %2").arg((*now)[i], 0, 'f', 2).arg(unit) : QString("–"));
+  }
+}
+
+void JogPage::restore(const Values& values) {
+  form_.restore(values);
+  view_->refresh();
+}
+
+}  // namespace cobot_command::rviz_plugin

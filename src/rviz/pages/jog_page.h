@@ -1,0 +1,58 @@
+// Moves the arm by hand: as long as a button is held, or in steps. The watchdog is in the command node: what
+// is published while the button is held keeps the arm moving, and nothing else does.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "clients/action_command.h"
+#include "forms/form.h"
+#include "pages/page.h"
+#include <cobot_command/JogAction.h>
+#include <ros/publisher.h>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QTimer;
+
+namespace cobot_command::rviz_plugin {
+
+class FormView;
+class StatusBox;
+
+class JogPage : public Page {
+ public:
+  JogPage();
+
+  void bind(const Workplace& workplace) override;
+  void look() override;
+  [[nodiscard]] Values saved() const override { return form_.saved(); }
+  void restore(const Values& values) override;
+
+ protected:
+  /// A button that is out of sight is not held any more.
+  void hideEvent(QHideEvent* event) override;
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  static constexpr int kAxes = 6;
+
+  void addAxis(QGridLayout& grid, int axis);
+  QPushButton* makeButton(int axis, int direction);
+  void press(int axis, int direction);
+  void release();
+  void showWhere();
+
+  Form form_;
+  Workplace workplace_;
+  std::unique_ptr<ActionCommand<cobot_command::JogAction>> jog_;
+  ros::Publisher keep_alive_;
+  FormView* view_;
+  StatusBox* status_;
+  QTimer* holding_;
+  std::array<QLabel*, kAxes> names_{};
+  std::array<QLabel*, kAxes> values_{};
+};
+
+}  // namespace cobot_command::rviz_plugin

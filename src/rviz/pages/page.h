@@ -1,0 +1,41 @@
+// A screen of the panel.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "clients/background_calls.h"
+#include "clients/plan.h"
+#include "clients/robot.h"
+
+namespace cobot_command::rviz_plugin {
+
+/// What pages work with. The robot is another one after each bind().
+struct Workplace {
+  Robot* robot = nullptr;
+  BackgroundCalls* calls = nullptr;
+  std::function<void(const Plan&)> show_plan;  ///< of a check that has ended
+};
+
+class Page : public QWidget {
+ public:
+  using Values = std::map<std::string, std::string>;
+
+  /// `name`: of the widget, and in saved configurations.
+  Page(const char* name, QString title) : title_(std::move(title)) { setObjectName(name); }
+
+  [[nodiscard]] const QString& title() const { return title_; }
+  /// The robot is another one: nothing of the one before is used any more.
+  virtual void bind(const Workplace& workplace) = 0;
+  /// A few times a second: shows what the robot has told.
+  virtual void look() {}
+  [[nodiscard]] virtual Values saved() const { return {}; }
+  virtual void restore(const Values& /*values*/) {}
+
+ private:
+  QString title_;
+};
+
+}  // namespace cobot_command::rviz_plugin

@@ -1,0 +1,235 @@
+#include "panel/cobot_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "pages/cycle_page.h"
+#include "pages/jog_page.h"
+#include "pages/main_page.h"
+#include "pages/pages.h"
+#include "widgets/stop_bar.h"
+#include <pluginlib/class_list_macros.hpp>
+#include <ros/master.h>
+
+namespace cobot_command::rviz_plugin {
+namespace {
+
+constexpr int kPeriod = 100;            // [ms]
+constexpr int kLooksBetweenLists = 30;  // of the robots that there are
+
+/// "/robot_1/command_status" → "/robot_1".
+std::string namespaceOf(const std::string& topic) {
+  const std::size_t end = topic.rfind('/');
+  return end == 0 || end == std::string::npos ? "/" : topic.substr(0, end);
+}
+
+std::vector<std::string> findRobots() {
+  ros::master::V_TopicInfo topics;
+  std::vector<std::string> names;
+  if (!ros::master::getTopics(topics)) return names;
+  for (const ros::master::TopicInfo& topic : topics) {
+    if (topic.datatype == "cobot_command/CommandStatus") names.push_back(namespaceOf(topic.name));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+QString connectionText(const std::optional<cobot_command::CommandStatus>& status) {
+  if (!status) return "no command node";
+  constexpr std::array states{"not connected", "connecting", "connecting", "not in the Listen node", "ready"};
+  QString text = states.at(status->link_state);
+  if (!status->host.empty()) {
+    text += QString(" · %1:%2").arg(QString::fromStdString(status->host)).arg(status->port);
+  }
+  return text;
+}
+
+QString robotText(const std::optional<cobot_command::RobotStatus>& status) {
+  if (!status) return "";
+  if (status->e_stopped == cobot_command::RobotStatus::TRUE) return " · emergency stop";
+  if (status->in_error == cobot_command::RobotStatus::TRUE) return " · in error";
+  if (status->safeguard == cobot_command::RobotStatus::TRUE) return " · safeguard";
+  if (status->project_paused == cobot_command::RobotStatus::TRUE) return " · paused";
+  if (status->in_motion == cobot_command::RobotStatus::TRUE) return " · moving";
+  return "";
+}
+
+}  // namespace
+
+CobotPanel::CobotPanel(QWidget* parent)
+    : rviz::Panel(parent),
+      robots_(new QComboBox),
+      connection_(new QLabel),
+      stop_bar_(new StopBar),
+      title_(new QLabel),
+      stack_(new QStackedWidget),
+      timer_(new QTimer(this)) {
+  setObjectName("cobot_panel");
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(makeHeader());
+  layout->addWidget(stop_bar_);
+  layout->addWidget(makeNavigation());
+  layout->addWidget(stack_, 1);
+  makePages();
+  choose(robots_->currentText());
+  connect(timer_, &QTimer::timeout, this, [this] { look(); });
+}
+
+CobotPanel::~CobotPanel() {
+  timer_->stop();
+  // Pages hold clients of the robot, and listen to it: they go first.
+  delete stack_;
+  delete stop_bar_;
+}
+
+void CobotPanel::onInitialize() {
+  timer_->start(kPeriod);
+}
+
+QWidget* CobotPanel::makeHeader() {
+  auto* header = new QWidget;
+  auto* layout = new QHBoxLayout(header);
+  layout->setContentsMargins(0, 0, 0, 0);
+  robots_->setObjectName("robots");
+  robots_->setEditable(true);
+  robots_->setInsertPolicy(QComboBox::NoInsert);
+  robots_->addItem("/");
+  robots_->setToolTip("The namespace of the robot's command node");
+  connection_->setObjectName("link");
+  connect(robots_, qOverload<int>(&QComboBox::activated), this, [this] { choose(robots_->currentText()); });
+  layout->addWidget(new QLabel("Robot"));
+  layout->addWidget(robots_);
+  layout->addWidget(connection_, 1);
+  return header;
+}
+
+QWidget* CobotPanel::makeNavigation() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* menu = new QPushButton("Main menu");
+  menu->setObjectName("main_menu");
+  connect(menu, &QPushButton::clicked, this, [this] { open(*pages_.front()); });
+  title_->setObjectName("title");
+  layout->addWidget(title_, 1);
+  layout->addWidget(menu);
+  return row;
+}
+
+void CobotPanel::makePages() {
+  auto* connect_page = new ConnectPage;
+  auto* base = new CommandPage(changeBasePage());
+  auto* tcp = new CommandPage(changeTcpPage());
+  auto* interface = new InterfacePage;
+  auto* relative = new CommandPage(moveRelativePage());
+  auto* absolute = new CommandPage(moveAbsolutePage());
+  auto* circle = new CommandPage(moveCirclePage());
+  auto* cycle = new CyclePage;
+  auto* path = new LoadPathPage;
+  auto* jog = new JogPage;
+  auto* main = new MainPage({{"Configuration", {connect_page, base, tcp, interface}},
+                             {"Motion", {relative, absolute, circle, cycle, path, jog}}},
+                            [this](const Page& page) { open(page); });
+  pages_ = {main, connect_page, base, tcp, interface, relative, absolute, circle, cycle, path, jog};
+  for (Page* page : pages_) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(page);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    stack_->addWidget(scroll);
+  }
+  open(*main);
+}
+
+void CobotPanel::choose(const QString& name) {
+  std::string fault;
+  const std::string wanted = name.toStdString();
+  if (!ros::names::validate(wanted, fault)) {
+    connection_->setText("'" + name + "' is no namespace");
+    return;
+  }
+  // The clients of the one before go only when the pages have new ones.
+  auto robot = std::make_unique<Robot>(wanted);
+  const Workplace workplace{robot.get(), &calls_, nullptr};
+  for (Page* page : pages_) page->bind(workplace);
+  stop_bar_->bind(*robot);
+  robot_ = std::move(robot);
+  Q_EMIT configChanged();
+}
+
+void CobotPanel::open(const Page& page) {
+  const auto place = std::find(pages_.begin(), pages_.end(), &page) - pages_.begin();
+  stack_->setCurrentIndex(static_cast<int>(place));
+  title_->setText("<b>" + page.title() + "</b>");
+}
+
+void CobotPanel::look() {
+  calls_.deliver();
+  robot_->look();
+  for (Page* page : pages_) page->look();
+  connection_->setText(connectionText(robot_->commandStatus()) + robotText(robot_->robotStatus()));
+  if (looks_++ % kLooksBetweenLists == 0) askForRobots();
+}
+
+void CobotPanel::askForRobots() {
+  calls_.post([this]() -> std::function<void()> {
+    const std::vector<std::string> names = findRobots();
+    return [this, names] { offerRobots(names); };
+  });
+}
+
+void CobotPanel::offerRobots(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const QString item = QString::fromStdString(name);
+    if (robots_->findText(item) < 0) robots_->addItem(item);
+  }
+}
+
+void CobotPanel::save(rviz::Config config) const {
+  rviz::Panel::save(config);
+  config.mapSetValue("Robot", robots_->currentText());
+  config.mapSetValue("Page", stack_->currentIndex());
+  rviz::Config forms = config.mapMakeChild("Forms");
+  for (const Page* page : pages_) {
+    const Page::Values values = page->saved();
+    if (values.empty()) continue;
+    rviz::Config form = forms.mapMakeChild(page->objectName());
+    for (const auto& [key, value] : values) {
+      form.mapSetValue(QString::fromStdString(key), QString::fromStdString(value));
+    }
+  }
+}
+
+void CobotPanel::load(const rviz::Config& config) {
+  rviz::Panel::load(config);
+  const rviz::Config forms = config.mapGetChild("Forms");
+  for (Page* page : pages_) {
+    const rviz::Config form = forms.mapGetChild(page->objectName());
+    Page::Values values;
+    for (rviz::Config::MapIterator it = form.mapIterator(); it.isValid(); it.advance()) {
+      values[it.currentKey().toStdString()] = it.currentChild().getValue().toString().toStdString();
+    }
+    page->restore(values);
+  }
+  QString robot;
+  if (config.mapGetString("Robot", &robot)) {
+    robots_->setEditText(robot);
+    choose(robot);
+  }
+  int page = 0;
+  if (config.mapGetInt("Page", &page) && page > 0 && page < static_cast<int>(pages_.size())) {
+    open(*pages_[static_cast<std::size_t>(page)]);
+  }
+}
+
+}  // namespace cobot_command::rviz_plugin
+
+PLUGINLIB_EXPORT_CLASS(cobot_command::rviz_plugin::CobotPanel, rviz::Panel)

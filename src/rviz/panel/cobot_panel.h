@@ -1,0 +1,55 @@
+// The panel "Cobot" of RViz: a robot, its stop, and the pages.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "clients/background_calls.h"
+#include "clients/robot.h"
+#include "pages/page.h"
+#include <rviz/panel.h>
+
+class QComboBox;
+class QLabel;
+class QStackedWidget;
+class QTimer;
+
+namespace cobot_command::rviz_plugin {
+
+class StopBar;
+
+class CobotPanel : public rviz::Panel {
+  Q_OBJECT
+ public:
+  explicit CobotPanel(QWidget* parent = nullptr);
+  ~CobotPanel() override;
+
+  void onInitialize() override;
+  void load(const rviz::Config& config) override;
+  void save(rviz::Config config) const override;
+
+ private:
+  void makePages();
+  QWidget* makeHeader();
+  QWidget* makeNavigation();
+  /// Another robot, by its namespace.
+  void choose(const QString& name);
+  void open(const Page& page);
+  void look();
+  /// Beside the user interface, as a master may hang.
+  void askForRobots();
+  void offerRobots(const std::vector<std::string>& names);
+
+  BackgroundCalls calls_;
+  std::unique_ptr<Robot> robot_;
+  std::vector<Page*> pages_;  ///< the first one is Main
+  QComboBox* robots_;
+  QLabel* connection_;
+  StopBar* stop_bar_;
+  QLabel* title_;
+  QStackedWidget* stack_;
+  QTimer* timer_;
+  int looks_ = 0;
+};
+
+}  // namespace cobot_command::rviz_plugin

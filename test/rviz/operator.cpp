@@ -1,0 +1,125 @@
+#include "operator.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScreen>
+#include <QTest>
+#include <QVariant>
+#include <QWindow>
+#include <stdexcept>
+#include <utility>
+
+#include "rviz_window.h"
+
+namespace cobot_command::test {
+
+Operator::Operator(QWidget& frame, QWidget& panel, std::string pictures)
+    : frame_(frame), panel_(panel), pictures_(std::move(pictures)) {}
+
+template <class Widget>
+Widget& Operator::find(const QString& name) const {
+  for (QWidget* place : {page_, &panel_}) {
+    if (place == nullptr) continue;
+    for (Widget* found : place->findChildren<Widget*>(name)) {
+      if (found->isVisible()) return *found;
+    }
+  }
+  throw std::runtime_error("nothing that is named " + name.toStdString() + " can be seen");
+}
+
+void Operator::open(const QString& page) {
+  page_ = nullptr;
+  clickAlways("main_menu");
+  clickAlways("open_" + page);
+  page_ = panel_.findChild<QWidget*>(page);
+  if (page_ == nullptr || !page_->isVisible()) throw std::runtime_error("no page " + page.toStdString());
+}
+
+void Operator::click(const QString& button) {
+  QTest::mouseClick(&find<QPushButton>(button), Qt::LeftButton);
+}
+
+void Operator::clickAlways(const QString& button) {
+  QTest::mouseClick(panel_.findChild<QPushButton*>(button), Qt::LeftButton);
+}
+
+void Operator::clickStop() {
+  clickAlways("stop");
+}
+
+void Operator::enter(const QString& field, double number) {
+  auto& box = find<QDoubleSpinBox>(field);
+  box.selectAll();
+  QTest::keyClicks(&box, QString::number(number, 'f', box.decimals()));
+  QTest::keyClick(&box, Qt::Key_Return);
+}
+
+void Operator::enter(const QString& field, const QString& text) {
+  auto& line = find<QLineEdit>(field);
+  line.selectAll();
+  QTest::keyClick(&line, Qt::Key_Delete);
+  QTest::keyClicks(&line, text);
+}
+
+void Operator::choose(const QString& field, int value) {
+  auto& box = find<QComboBox>(field);
+  const int wanted = box.findData(value);
+  if (wanted < 0) throw std::runtime_error(field.toStdString() + " does not offer " + std::to_string(value));
+  // By the keys, which work without the list being open.
+  box.setFocus();
+  while (box.currentIndex() != wanted) {
+    QTest::keyClick(&box, box.currentIndex() < wanted ? Qt::Key_Down : Qt::Key_Up);
+  }
+}
+
+void Operator::tick(const QString& field, bool on) {
+  auto& box = find<QCheckBox>(field);
+  if (box.isChecked() != on) QTest::keyClick(&box, Qt::Key_Space);
+}
+
+void Operator::press(const QString& button) {
+  QTest::mousePress(&find<QPushButton>(button), Qt::LeftButton);
+}
+
+void Operator::release(const QString& button) {
+  QTest::mouseRelease(&find<QPushButton>(button), Qt::LeftButton);
+}
+
+bool Operator::isLit(const QString& lamp) const {
+  return find<QLabel>(lamp).property("on").toBool();
+}
+
+QString Operator::textOf(const QString& label) const {
+  return find<QLabel>(label).text();
+}
+
+QString Operator::link() const {
+  return panel_.findChild<QLabel*>("link")->text();
+}
+
+double Operator::valueOf(const QString& field) const {
+  return find<QDoubleSpinBox>(field).value();
+}
+
+QString Operator::outcome(double seconds) const {
+  const bool ended =
+      holdsSoon([this] { return isLit("done") || isLit("error") || isLit("aborted"); }, seconds);
+  if (!ended) return "busy";
+  return isLit("done") ? "done" : isLit("error") ? "error" : "aborted";
+}
+
+void Operator::takePicture(const QString& name) const {
+  if (pictures_.empty()) return;
+  QTest::qWait(300);  // RViz draws thirty times a second
+  const QRect where(frame_.mapToGlobal(QPoint(0, 0)), frame_.size());
+  const QPixmap picture = frame_.screen()->grabWindow(0, where.x(), where.y(), where.width(), where.height());
+  if (!picture.save(QString::fromStdString(pictures_) + "/" + name + ".png")) {
+    throw std::runtime_error("the picture cannot be written into " + pictures_);
+  }
+}
+
+}  // namespace cobot_command::test

@@ -1,0 +1,50 @@
+// What an operator does with the panel, by the mouse and the keyboard, and what he reads there.
+#pragma once
+
+#include <QString>
+#include <string>
+
+class QWidget;
+
+namespace cobot_command::test {
+
+class Operator {
+ public:
+  /// Pictures of pages go into the folder; empty: none are made.
+  Operator(QWidget& frame, QWidget& panel, std::string pictures);
+
+  /// From the main menu.
+  void open(const QString& page);
+  /// On the page that is open.
+  void click(const QString& button);
+  void enter(const QString& field, double number);
+  void enter(const QString& field, const QString& text);
+  void choose(const QString& field, int value);
+  void tick(const QString& field, bool on);
+  void press(const QString& button);
+  void release(const QString& button);
+  /// Always at hand.
+  void clickStop();
+  void clickAlways(const QString& button);
+
+  [[nodiscard]] bool isLit(const QString& lamp) const;
+  [[nodiscard]] QString textOf(const QString& label) const;
+  [[nodiscard]] QString link() const;
+  [[nodiscard]] double valueOf(const QString& field) const;
+  /// How the command of the page ended: "done", "error" or "aborted"; "busy" when it has not within so many
+  /// seconds.
+  [[nodiscard]] QString outcome(double seconds = 20) const;
+
+  void takePicture(const QString& name) const;
+
+ private:
+  template <class Widget>
+  Widget& find(const QString& name) const;
+
+  QWidget& frame_;
+  QWidget& panel_;
+  std::string pictures_;
+  QWidget* page_ = nullptr;
+};
+
+}  // namespace cobot_command::test

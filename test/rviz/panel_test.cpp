@@ -1,0 +1,236 @@
+// An operator at RViz, beside a simulated robot and its command node.
+#include <QStringList>
+#include <cstdlib>
+#include <string>
+
+#include "operator.h"
+#include "rviz_window.h"
+#include <gmock/gmock.h>
+
+namespace cobot_command::test {
+namespace {
+
+RvizWindow* window = nullptr;
+
+std::string picturesFolder() {
+  const char* folder = std::getenv("COBOT_PICTURES");
+  return folder == nullptr ? "" : folder;
+}
+
+class Panel : public ::testing::Test {
+ protected:
+  Panel() : at_panel_(window->frame(), window->panel(), picturesFolder()) {
+    if (isReady()) return;
+    at_panel_.open("connect");
+    at_panel_.click("preset");
+    at_panel_.click("execute");
+    EXPECT_TRUE(holdsSoon([this] { return isReady(); })) << at_panel_.link().toStdString();
+  }
+
+  [[nodiscard]] bool isReady() const { return at_panel_.link().startsWith("ready"); }
+
+  /// So that each test begins there, whatever was before.
+  void moveToPreset() {
+    at_panel_.open("move_absolute");
+    at_panel_.click("preset");
+    at_panel_.enter("speed_percent", 100);
+    at_panel_.click("execute");
+    ASSERT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+  }
+
+  Operator at_panel_;
+};
+
+TEST_F(Panel, opensEachPageFromTheMainMenu) {
+  at_panel_.clickAlways("main_menu");
+  at_panel_.takePicture("main");
+  for (const char* page : {"connect", "change_base", "change_tcp", "interface", "move_relative",
+                           "move_absolute", "move_circle", "pick_and_place", "load_path", "jog"}) {
+    at_panel_.open(page);
+    at_panel_.takePicture(page);
+  }
+}
+
+TEST_F(Panel, tellsHowTheConnectionIsAndSinceWhen) {
+  at_panel_.open("connect");
+  ASSERT_TRUE(
+      holdsSoon([this] { return !at_panel_.textOf("connection").contains("Last connection: never"); }));
+  EXPECT_TRUE(at_panel_.textOf("connection").contains("Last loss:"));
+}
+
+TEST_F(Panel, checksAndThenMakesAnAbsoluteMove) {
+  at_panel_.open("move_absolute");
+  at_panel_.click("preset");
+  at_panel_.click("check");
+  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+  at_panel_.takePicture("checked");
+  at_panel_.click("execute");
+  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+  EXPECT_NE(at_panel_.textOf("command_id_ack"), "–");
+  at_panel_.enter("target.0", 0);
+  at_panel_.click("take_target");
+  EXPECT_NEAR(at_panel_.valueOf("target.0"), 400, 0.1);
+}
+
+TEST_F(Panel, saysWhatIsWrongWithATargetOutOfReach) {
+  at_panel_.open("move_absolute");
+  at_panel_.click("preset");
+  at_panel_.enter("target.0", 2500);
+  at_panel_.click("check");
+  EXPECT_EQ(at_panel_.outcome(), "error");
+  EXPECT_EQ(at_panel_.textOf("error_id"), "16#201");
+  EXPECT_FALSE(at_panel_.textOf("status_text").isEmpty());
+  at_panel_.takePicture("refused");
+}
+
+TEST_F(Panel, makesARelativeMove) {
+  moveToPreset();
+  at_panel_.open("move_relative");
+  at_panel_.click("preset");
+  at_panel_.choose("movement_command", 0);
+  at_panel_.enter("target.2", 50);
+  at_panel_.click("execute");
+  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+  at_panel_.open("move_absolute");
+  at_panel_.click("take_target");
+  EXPECT_NEAR(at_panel_.valueOf("target.2"), 450, 0.1);
+}
+
+TEST_F(Panel, makesACircle) {
+  moveToPreset();
+  at_panel_.open("move_circle");
+  at_panel_.click("preset");
+  at_panel_.click("execute");
+  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+}
+
+TEST_F(Panel, changesBaseAndTcpAndBack) {
+  at_panel_.open("change_base");
+  at_panel_.enter("base.0", 100);
+  at_panel_.click("execute");
+  EXPECT_EQ(at_panel_.outcome(), "done");
+  at_panel_.click("preset");
+  at_panel_.click("execute");
+  EXPECT_EQ(at_panel_.outcome(), "done");
+  at_panel_.open("change_tcp");
+  at_panel_.enter("tcp_offset.2", 120);
+  at_panel_.enter("weight", 1.5);
+  at_panel_.click("execute");
+  EXPECT_EQ(at_panel_.outcome(), "done");
+  at_panel_.click("preset");
+  at_panel_.click("execute");
+  EXPECT_EQ(at_panel_.outcome(), "done");
+}
+
+TEST_F(Panel, stopsARobotThatMovesWhateverPageIsOpen) {
+  moveToPreset();
+  at_panel_.open("move_relative");
+  at_panel_.click("preset");
+  at_panel_.choose("movement_command", 0);
+  at_panel_.choose("data_format", 3);
+  at_panel_.enter("target.1", 300);
+  at_panel_.enter("speed_mm_s", 10);
+  at_panel_.click("execute");
+  ASSERT_TRUE(holdsSoon([this] { return at_panel_.link().contains("moving"); }));
+  EXPECT_TRUE(at_panel_.isLit("busy"));
+  at_panel_.open("change_base");
+  at_panel_.clickStop();
+  EXPECT_TRUE(holdsSoon([this] { return !at_panel_.link().contains("moving"); }));
+  at_panel_.open("move_relative");
+  EXPECT_EQ(at_panel_.outcome(), "aborted");
+}
+
+TEST_F(Panel, pausesAndResumesAMove) {
+  moveToPreset();
+  at_panel_.open("move_relative");
+  at_panel_.click("preset");
+  at_panel_.choose("movement_command", 0);
+  at_panel_.choose("data_format", 3);
+  at_panel_.enter("target.1", 200);
+  at_panel_.enter("speed_mm_s", 10);
+  at_panel_.click("execute");
+  ASSERT_TRUE(holdsSoon([this] { return at_panel_.link().contains("moving"); }));
+  at_panel_.clickAlways("pause");
+  EXPECT_TRUE(holdsSoon([this] { return at_panel_.link().contains("paused"); }));
+  EXPECT_TRUE(at_panel_.isLit("busy"));
+  at_panel_.clickAlways("resume");
+  EXPECT_EQ(at_panel_.outcome(60), "done") << at_panel_.textOf("status_text").toStdString();
+}
+
+TEST_F(Panel, jogsAJointAsLongAsItsButtonIsHeld) {
+  moveToPreset();
+  at_panel_.open("jog");
+  at_panel_.choose("mode", 2);
+  const double before = at_panel_.textOf("value_0").split(' ').front().toDouble();
+  at_panel_.press("jog_0_plus");
+  ASSERT_TRUE(
+      holdsSoon([&] { return at_panel_.textOf("value_0").split(' ').front().toDouble() > before + 1; }));
+  at_panel_.release("jog_0_plus");
+  EXPECT_EQ(at_panel_.outcome(5), "done") << at_panel_.textOf("status_text").toStdString();
+}
+
+TEST_F(Panel, jogsTheToolInSteps) {
+  moveToPreset();
+  at_panel_.open("jog");
+  at_panel_.choose("mode", 1);
+  at_panel_.tick("stepwise", true);
+  at_panel_.enter("increment_mm", 20);
+  at_panel_.click("jog_2_minus");
+  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+  at_panel_.tick("stepwise", false);
+  at_panel_.open("move_absolute");
+  at_panel_.click("take_target");
+  EXPECT_NEAR(at_panel_.valueOf("target.2"), 420, 0.2);
+}
+
+TEST_F(Panel, runsThePickAndPlaceWithAMoveThatWasEdited) {
+  at_panel_.open("pick_and_place");
+  at_panel_.click("preset");
+  for (const char* move : {"edit_3", "edit_6"}) {
+    at_panel_.click(move);
+    at_panel_.enter("dwell", 0);
+    if (std::string(move) == "edit_3") at_panel_.takePicture("edited_move");
+    at_panel_.click("back");
+  }
+  at_panel_.click("check");
+  ASSERT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+  at_panel_.click("execute");
+  ASSERT_TRUE(holdsSoon([this] { return at_panel_.isLit("busy"); }));
+  at_panel_.takePicture("cycle");
+  EXPECT_EQ(at_panel_.outcome(60), "done") << at_panel_.textOf("status_text").toStdString();
+}
+
+TEST_F(Panel, drivesAPathFromAFile) {
+  at_panel_.open("load_path");
+  at_panel_.click("preset");
+  at_panel_.click("check");
+  ASSERT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+  at_panel_.takePicture("path");
+  at_panel_.enter("feedrate", 50);
+  at_panel_.click("set_feedrate");
+  EXPECT_TRUE(holdsSoon([this] { return !at_panel_.textOf("path_answer").isEmpty(); }));
+  at_panel_.enter("feedrate", 100);
+  at_panel_.click("set_feedrate");
+}
+
+TEST_F(Panel, enablesAndDisablesTheInterface) {
+  at_panel_.open("interface");
+  at_panel_.click("preset");
+  at_panel_.enter("life_sign_time_out", 3000);
+  at_panel_.click("execute");
+  EXPECT_TRUE(
+      holdsSoon([this] { return at_panel_.textOf("group_state").contains("Interface: initialized"); }));
+  at_panel_.takePicture("interface_enabled");
+  at_panel_.click("cancel");
+  EXPECT_EQ(at_panel_.outcome(), "done");
+}
+
+}  // namespace
+}  // namespace cobot_command::test
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleMock(&argc, argv);
+  cobot_command::test::RvizWindow rviz(argc, argv);
+  cobot_command::test::window = &rviz;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,45 @@
+#include "rviz_window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTest>
+#include <stdexcept>
+
+#include <rviz/visualization_frame.h>
+#include <rviz/visualizer_app.h>
+
+namespace cobot_command::test {
+
+bool holdsSoon(const std::function<bool()>& condition, double seconds) {
+  QElapsedTimer since;
+  since.start();
+  while (!condition()) {
+    if (static_cast<double>(since.elapsed()) > 1000 * seconds) return false;
+    QTest::qWait(10);
+  }
+  return true;
+}
+
+RvizWindow::RvizWindow(int argc, char** argv)
+    : argc_(argc),
+      application_(std::make_unique<QApplication>(argc_, argv)),
+      rviz_(std::make_unique<rviz::VisualizerApp>()) {
+  rviz_->setApp(application_.get());
+  if (!rviz_->init(argc, argv)) throw std::runtime_error("RViz does not start");
+  const bool there = holdsSoon([this] {
+    for (QWidget* window : QApplication::topLevelWidgets()) {
+      if (qobject_cast<rviz::VisualizationFrame*>(window) == nullptr) continue;
+      frame_ = window;
+      panel_ = window->findChild<QWidget*>("cobot_panel");
+    }
+    return panel_ != nullptr;
+  });
+  if (!there) throw std::runtime_error("RViz has no panel named Cobot: is its library found?");
+}
+
+RvizWindow::~RvizWindow() {
+  // RViz asks whether a changed configuration is to be saved, and would wait for an answer.
+  if (frame_ != nullptr) frame_->setWindowModified(false);
+}
+
+}  // namespace cobot_command::test
