@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/trace_text.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -50,8 +50,6 @@ void fill(Message& message, const Levels& levels) {
   });
 }
 
-constexpr std::size_t kMaxTraceText = 4096;  // [bytes] as FrameTrace.msg says; longer than any script
-
 }  // namespace
 
 cobot_command::CommandStatus toMessage(const command::CommandStatus& status, const ClockPair& clocks) {
@@ -84,7 +82,7 @@ cobot_command::FrameTrace toMessage(const command::FrameTraced& trace, const Clo
   message.channel = trace.channel == link::Channel::Script ? Message::SCRIPT : Message::STATUS;
   message.sent = trace.sent;
   message.bytes.assign(trace.bytes.begin(), trace.bytes.end());
-  message.text = foreignText(trace.bytes, kMaxTraceText);
+  message.text = traceText(trace.bytes);
   message.meaning = trace.meaning;
   return message;
 }

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "../command_line.h"
 #include "../written_output.h"
@@ -12,9 +14,11 @@
 #include <unistd.h>
 
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/trace_text.h"
 #include "cobot_command/protocol/frame.h"
 #include "cobot_command/protocol/frame_decoder.h"
 #include "cobot_command/protocol/message.h"
+#include "cobot_command/protocol/status_items.h"
 
 namespace {
 
@@ -23,7 +27,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSuccess = 0;
 constexpr int kFaultFound = 1;
+const std::vector<std::string> kSenders{"client", "controller", "status"};
 using cobot_command::tools::kBadUsage;
+
+/// What a frame says, or why it says nothing.
+struct Reading {
+  bool valid = false;
+  std::string meaning;
+};
 
 std::string toHex(std::string_view bytes) {
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -104,7 +115,9 @@ int decodeBytes(FrameDecoder decoder) {
   return faulty ? kFaultFound : kSuccess;
 }
 
-int decodeHexLines(FrameDecoder decoder) {
+/// `print` gets the decoder with the bytes of one line in it, and says whether there was a fault.
+template <class Print>
+int decodeHexLines(FrameDecoder decoder, const Print& print) {
   bool faulty = false;
   int number = 0;
   for (std::string line, bytes; std::cout && std::getline(std::cin, line);) {
@@ -117,9 +130,44 @@ int decodeHexLines(FrameDecoder decoder) {
     decoder.reset();
     decoder.feed(bytes);
     decoder.finish();
-    faulty = printEvents(decoder) || faulty;
+    faulty = print(decoder, bytes) || faulty;
   }
   return faulty ? kFaultFound : kSuccess;
+}
+
+template <class Message>
+Reading readingOf(const cobot_command::Result<Message, MessageFault>& message) {
+  return message ? Reading{true, describe(*message)} : Reading{false, message.error().message};
+}
+
+/// A frame as the one reads it who gets it; `sender` is one of kSenders.
+Reading readingOf(const Frame& frame, const std::string& sender) {
+  if (sender == "client") return readingOf(parseClientMessage(frame));
+  if (sender == "controller") return readingOf(parseControllerMessage(frame));
+  const auto items = parseStatusFrame(frame);
+  return {items.has_value(), describe(frame)};
+}
+
+/// One frame, or one fault: that is what the flight recorder writes down at a time.
+Reading readOne(FrameDecoder& decoder, const std::string& sender) {
+  const auto event = decoder.next();
+  if (!event) return {false, "no bytes"};
+  if (const auto* fault = std::get_if<DecodeFault>(&*event)) return {false, fault->message};
+  Reading reading = readingOf(std::get<Frame>(*event), sender);
+  return decoder.next() ? Reading{false, "more than one frame"} : std::move(reading);
+}
+
+/// One line for each line, so that the two can be laid side by side.
+int readTraces(FrameDecoder decoder, const std::string& sender) {
+  return decodeHexLines(std::move(decoder), [&](FrameDecoder& line_decoder, const std::string& bytes) {
+    const Reading reading = readOne(line_decoder, sender);
+    Json line;
+    line["valid"] = reading.valid;
+    line["meaning"] = reading.meaning;
+    line["text"] = cobot_command::traceText(bytes);
+    std::cout << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    return !reading.valid;
+  });
 }
 
 int encodeToOutput(const std::string& header, const std::string& data) {
@@ -157,9 +205,19 @@ int run(int argc, char** argv) {
   FrameDecoder::Options options;
   CLI::App* decode = app.add_subcommand(
       "decode", "Read bytes from standard input, write one line of JSON for each frame or fault");
-  decode->add_flag("--hex", hex, "Standard input is lines of hexadecimal digits, each decoded on its own");
+  CLI::Option* const hex_lines = decode->add_flag(
+      "--hex", hex, "Standard input is lines of hexadecimal digits, each decoded on its own");
   decode->add_flag("--accept-empty-length", options.accept_empty_length,
                    "Take an empty LENGTH and search for the end of the frame, as some bridges need it");
+
+  std::string sender;
+  decode
+      ->add_option("--trace-of", sender,
+                   "Each line is one frame or fault of the flight recorder, sent by this one (client, "
+                   "controller: script port; status: status port): one line of JSON for it, with its text "
+                   "and meaning as the topics frames and status_frames have them")
+      ->needs(hex_lines)
+      ->check(CLI::IsMember(kSenders));
 
   cobot_command::tools::askForSubcommand(app);
   if (const auto end =
@@ -167,7 +225,10 @@ int run(int argc, char** argv) {
     return *end;
   }
   if (encode->parsed()) return encodeToOutput(header, data);
-  return hex ? decodeHexLines(FrameDecoder(options)) : decodeBytes(FrameDecoder(options));
+  if (!sender.empty()) return readTraces(FrameDecoder(options), sender);
+  if (!hex) return decodeBytes(FrameDecoder(options));
+  return decodeHexLines(FrameDecoder(options),
+                        [](FrameDecoder& decoder, const std::string&) { return printEvents(decoder); });
 }
 
 }  // namespace

@@ -86,6 +86,32 @@ TEST(TmFrame, decodesEachLineOfHexOnItsOwn) {
   EXPECT_EQ(lines[2]["data"], "10,OK");
 }
 
+TEST(TmFrame, readsAFrameOfTheFlightRecorderAsTheOneWhoGotIt) {
+  const std::string ok = "24544D5343542C352C31302C4F4B2C2A36440D0A";  // $TMSCT,5,10,OK,*6D
+  const auto received = run("decode --hex --trace-of controller", ok);
+  EXPECT_EQ(received.status, 0);
+  ASSERT_THAT(received.lines(), SizeIs(1));
+  EXPECT_EQ(
+      received.lines()[0],
+      json::parse(R"({"valid":true,"meaning":"script 10 accepted","text":"$TMSCT,5,10,OK,*6D\\r\\n"})"));
+  EXPECT_EQ(run("decode --hex --trace-of client", ok).lines()[0]["meaning"], "run script 10: OK");
+  EXPECT_EQ(run("decode --hex --trace-of status", ok).lines()[0]["valid"], false);
+}
+
+TEST(TmFrame, answersEachLineOfAFlightRecorderWithOneLine) {
+  const std::string question = "24544D5354412C322C30302C2A34310D0A";
+  const auto outcome =
+      run("decode --hex --trace-of client", question + "\n\n" + question + question + "\n2454\n" + question);
+  EXPECT_EQ(outcome.status, 1);
+  const auto lines = outcome.lines();
+  ASSERT_THAT(lines, SizeIs(5));
+  EXPECT_EQ(lines[0]["meaning"], "in a Listen node?");
+  EXPECT_EQ(lines[1]["meaning"], "no bytes");
+  EXPECT_EQ(lines[2]["meaning"], "more than one frame");
+  EXPECT_EQ(lines[3]["valid"], false);
+  EXPECT_EQ(lines[4]["valid"], true);
+}
+
 TEST(TmFrame, givesBytesThatAreNoTextInHexadecimal) {
   const auto lines = run("decode", "$TMSTA,5,90,d\\310,*CF\\r\\n").lines();
   ASSERT_THAT(lines, SizeIs(1));
@@ -107,7 +133,8 @@ TEST(TmFrame, saysNothingAboutNothing) {
 
 TEST(TmFrame, endsWithTwoOnBadUsage) {
   for (const char* arguments : {"", "frobnicate", "encode", "encode TMSCT", "encode 'TM$' x", "encode '' x",
-                                "encode ABCDEFGHIJKLMNOPQ x", "decode extra", "decode --nothing"}) {
+                                "encode ABCDEFGHIJKLMNOPQ x", "decode extra", "decode --nothing",
+                                "decode --trace-of client", "decode --hex --trace-of me"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_FALSE(outcome.output.empty()) << arguments;
