@@ -1,0 +1,39 @@
+# Shared by the scripts beside it that run a program on a simulated robot: master, simulated controller and command node. To be sourced,
+# behind setup.sh, once the build is in use.
+
+# start_robot [argument of bringup.launch...]: on free ports; ends with the script, at the latest. `log` is what it has said.
+start_robot() {
+  export ROS_MASTER_URI="http://localhost:$(free_port)" ROS_HOSTNAME=localhost
+  log=$(mktemp)
+  say "Starting master, simulated TM5-900 and command node (log: $log)"
+  roslaunch -p "${ROS_MASTER_URI##*:}" cobot_command bringup.launch sim:=true rviz:=false \
+    script_port:="$(free_port)" status_port:="$(free_port)" "$@" >"$log" 2>&1 &
+  launch=$!
+  trap end_robot EXIT
+}
+
+# Ends it, and waits for that: then a recording is closed.
+end_robot() {
+  kill -INT "$launch" 2>/dev/null || true
+  wait "$launch" 2>/dev/null || true
+}
+
+# wait_for_robot <command>...: until the command succeeds. As soon as the launch has failed there is nothing to wait for.
+wait_for_robot() {
+  local tries
+  for tries in {1..120}; do
+    kill -0 "$launch" 2>/dev/null || return 1
+    "$@" && return
+    sleep 0.5
+  done
+  return 1
+}
+
+nodes_are_up() {
+  rosnode list 2>/dev/null | grep -q command_node
+}
+
+show_log() {
+  echo "The last lines of the log:"
+  tail -n 40 "$log"
+}
