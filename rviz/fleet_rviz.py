@@ -19,6 +19,9 @@ def main():
     with open(os.path.join(folder, "cobot.rviz"), encoding="utf-8") as file:
         config = yaml.safe_load(file)
     for_all(config["Visualization Manager"], arguments.count)
+    for panel in config["Panels"]:
+        if panel["Class"] == "cobot_command/Cobot":
+            panel["Robot"] = "/robot_1"
     with tempfile.NamedTemporaryFile("w", suffix=".rviz", delete=False) as file:  # RViz reads it after this has ended
         yaml.safe_dump(config, file)
     os.execvp("rviz", ["rviz", "-d", file.name] + [a for a in sys.argv if ":=" in a])
@@ -36,7 +39,7 @@ def for_all(manager, count):
 def group_of(robot, displays):
     displays = copy.deepcopy(displays)
     for display in displays:
-        for key in ("Robot Description", "Topic", "Marker Topic"):
+        for key in ("Robot Description", "Topic", "Marker Topic", "Update Topic", "Joints"):
             if key in display:
                 display[key] = f"{robot}/{display[key]}"
         if display["Class"] == "rviz/TF":

@@ -1,11 +1,17 @@
 // An operator at RViz, beside a simulated robot and its command node.
 #include <QStringList>
+#include <cmath>
 #include <cstdlib>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "operator.h"
 #include "rviz_window.h"
 #include <gmock/gmock.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/JointState.h>
+#include <visualization_msgs/InteractiveMarkerFeedback.h>
 
 namespace cobot_command::test {
 namespace {
@@ -75,12 +81,69 @@ TEST_F(Panel, checksAndThenMakesAnAbsoluteMove) {
 TEST_F(Panel, saysWhatIsWrongWithATargetOutOfReach) {
   at_panel_.open("move_absolute");
   at_panel_.click("preset");
-  at_panel_.enter("target.0", 2500);
+  at_panel_.enter("target.2", 1050);
   at_panel_.click("check");
   EXPECT_EQ(at_panel_.outcome(), "error");
   EXPECT_EQ(at_panel_.textOf("error_id"), "16#201");
   EXPECT_FALSE(at_panel_.textOf("status_text").isEmpty());
   at_panel_.takePicture("refused");
+}
+
+/// What the display of the ghost gets.
+class GhostListener {
+ public:
+  GhostListener() {
+    topic_ = ros::NodeHandle().subscribe<sensor_msgs::JointState>(
+        "preview_joints", 1, [this](const sensor_msgs::JointState::ConstPtr& joints) { joints_ = *joints; });
+  }
+
+  [[nodiscard]] bool isThere() const { return joints_.position.size() == 6; }
+  [[nodiscard]] std::vector<double> joints() const { return joints_.position; }
+
+ private:
+  sensor_msgs::JointState joints_;
+  ros::Subscriber topic_;
+};
+
+TEST_F(Panel, showsTheArmAtATargetInEachConfigurationThatReachesIt) {
+  moveToPreset();
+  GhostListener ghost;
+  at_panel_.open("move_absolute");
+  at_panel_.enter("target.1", 200);
+  ASSERT_TRUE(holdsSoon([&] { return ghost.isThere(); }));
+  std::set<std::vector<double>> seen{ghost.joints()};
+  std::set<QString> names;
+  for (int i = 0; i < 8; ++i) {
+    const std::vector<double> before = ghost.joints();
+    at_panel_.click("configuration_next");
+    EXPECT_TRUE(holdsSoon([&] { return ghost.joints() != before || i == 0; }));
+    names.insert(at_panel_.textOf("configuration"));
+    seen.insert(ghost.joints());
+    if (i == 1) at_panel_.takePicture("ghost");
+  }
+  EXPECT_GE(names.size(), 4u);
+  EXPECT_GE(seen.size(), 4u);
+}
+
+TEST_F(Panel, takesATargetThatIsDraggedInTheScene) {
+  at_panel_.open("move_absolute");
+  at_panel_.click("preset");
+  ros::Publisher mouse = ros::NodeHandle().advertise<visualization_msgs::InteractiveMarkerFeedback>(
+      "preview_target/feedback", 1);
+  ASSERT_TRUE(holdsSoon([&] { return mouse.getNumSubscribers() > 0; }));
+  visualization_msgs::InteractiveMarkerFeedback dragged;
+  dragged.header.frame_id = "active_base";
+  dragged.marker_name = "target";
+  dragged.client_id = "test";
+  dragged.event_type = visualization_msgs::InteractiveMarkerFeedback::POSE_UPDATE;
+  dragged.pose.position.x = 0.45;
+  dragged.pose.position.y = 0.1;
+  dragged.pose.position.z = 0.35;
+  dragged.pose.orientation.x = 1;
+  mouse.publish(dragged);
+  EXPECT_TRUE(holdsSoon([this] { return std::abs(at_panel_.valueOf("target.0") - 450) < 0.01; }));
+  EXPECT_NEAR(at_panel_.valueOf("target.1"), 100, 0.01);
+  EXPECT_NEAR(at_panel_.valueOf("target.3"), 180, 0.01);
 }
 
 TEST_F(Panel, makesARelativeMove) {

@@ -44,7 +44,11 @@ Robot::Robot(const std::string& name) : node_(name) {
   robot_status_topic_ = keep<cobot_command::RobotStatus>(node_, "robot_status", robot_status_);
   group_state_topic_ = keep<cobot_command::GroupState>(node_, "group_state", group_state_);
   joints_topic_ = keep<sensor_msgs::JointState>(node_, "joint_states", joints_);
-  tool_topic_ = keep<geometry_msgs::PoseStamped>(node_, "tool_pose", tool_);
+  tool_topic_ = node_.subscribe<geometry_msgs::PoseStamped>(
+      "tool_pose", kQueue, [this](const geometry_msgs::PoseStamped::ConstPtr& heard) {
+        tool_ = *heard;
+        if (tool_listener_) tool_listener_();
+      });
   frames_topic_ = keep<cobot_command::ActiveFrames>(node_, "active_frames", frames_);
 }
 
@@ -78,8 +82,14 @@ std::optional<std::array<double, 6>> Robot::joints() const {
 }
 
 std::optional<std::array<double, 6>> Robot::tool() const {
-  if (!isStreaming() || tool_.header.frame_id.empty() || !frames_.base_known) return std::nullopt;
-  return toSix(toIsometry(frames_.base).inverse() * toIsometry(tool_.pose));
+  const auto in_base = toolInBase();
+  if (!in_base || !frames_.base_known) return std::nullopt;
+  return toSix(toIsometry(frames_.base).inverse() * *in_base);
+}
+
+std::optional<Eigen::Isometry3d> Robot::toolInBase() const {
+  if (!isStreaming() || tool_.header.frame_id.empty()) return std::nullopt;
+  return toIsometry(tool_.pose);
 }
 
 std::string Robot::activeBaseFrame() const {

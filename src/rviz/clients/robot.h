@@ -7,8 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "clients/command.h"
+#include <Eigen/Geometry>
 #include <cobot_command/ActiveFrames.h>
 #include <cobot_command/CommandStatus.h>
 #include <cobot_command/GroupState.h>
@@ -21,7 +23,7 @@ namespace cobot_command::rviz_plugin {
 
 class Robot {
  public:
-  /// `name`: its namespace; empty: that of RViz.
+  /// `name`: its namespace.
   explicit Robot(const std::string& name);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
@@ -37,6 +39,14 @@ class Robot {
   [[nodiscard]] std::optional<std::array<double, 6>> joints() const;
   /// The active TCP in the active base [mm, deg].
   [[nodiscard]] std::optional<std::array<double, 6>> tool() const;
+  /// The same in the robot base [m].
+  [[nodiscard]] std::optional<Eigen::Isometry3d> toolInBase() const;
+  /// Called with each pose of the tool.
+  void onTool(std::function<void()> listener) { tool_listener_ = std::move(listener); }
+  /// As in joint_states; none: it has told nothing yet.
+  [[nodiscard]] const std::vector<std::string>& jointNames() const { return joints_.name; }
+  /// The frame in tf of the robot base; empty: nobody has told it yet.
+  [[nodiscard]] const std::string& baseFrame() const { return frames_.header.frame_id; }
   [[nodiscard]] const cobot_command::ActiveFrames& activeFrames() const { return frames_; }
   /// The frame in tf that the numbers of moves are in; empty: nobody has told it yet.
   [[nodiscard]] std::string activeBaseFrame() const;
@@ -69,6 +79,7 @@ class Robot {
   Sender stop_;
   Sender control_;
   std::function<void()> resume_;
+  std::function<void()> tool_listener_;
   /// Last: they are gone before what they write into.
   ros::Subscriber command_status_topic_, robot_status_topic_, group_state_topic_, joints_topic_, tool_topic_,
       frames_topic_;

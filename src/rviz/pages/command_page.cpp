@@ -25,6 +25,7 @@ CommandPage::CommandPage(const CommandPageSpec& spec)
       view_(new FormView(form_)),
       status_(new StatusBox),
       below_form_(new QWidget) {
+  view_->onEdit([this] { edited(); });
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(view_);
   auto* helpers = new QHBoxLayout;
@@ -52,7 +53,8 @@ void CommandPage::addPresets(QBoxLayout& layout) {
         button(QString::fromStdString(form_.presets()[i].name), i == 0 ? "preset" : "other_preset");
     connect(preset, &QPushButton::clicked, this, [this, i] {
       form_.apply(form_.presets()[i]);
-      view_->refresh();
+      refresh();
+      edited();
     });
     layout.addWidget(preset);
   }
@@ -93,6 +95,11 @@ void CommandPage::take(const Taking& taking) {
   if (const auto tool = workplace_.robot->tool()) form_.setSix(taking.tool, *tool);
   const auto joints = workplace_.robot->joints();
   if (joints && !taking.joints.empty()) form_.setSix(taking.joints, *joints);
+  refresh();
+  edited();
+}
+
+void CommandPage::refresh() {
   view_->refresh();
 }
 
@@ -109,12 +116,16 @@ void CommandPage::bind(const Workplace& workplace) {
 void CommandPage::watch(Command& command) {
   command.onChange([this, &command] {
     if (shown_ == &command) status_->show(command.state());
-    if (block_.checking.get() == &command) showPlan();
+    showEnd(command);
   });
 }
 
-void CommandPage::showPlan() {
-  if (!block_.checking->isBusy() && workplace_.show_plan) workplace_.show_plan(block_.checking->plan());
+void CommandPage::showEnd(const Command& command) {
+  if (block_.checking.get() == &command) {
+    if (!command.isBusy()) workplace_.preview->show(command.plan());
+  } else if (command.state().phase == CommandState::Phase::Done) {
+    workplace_.preview->hide();
+  }
 }
 
 void CommandPage::look() {

@@ -45,6 +45,11 @@ class CommandPage : public Page {
 
  protected:
   [[nodiscard]] const Workplace& workplace() const { return workplace_; }
+  [[nodiscard]] Form& form() { return form_; }
+  /// Shows what the form has, when it was changed here.
+  void refresh();
+  /// Somebody has changed the form: by hand, a preset, or by taking where the robot is.
+  virtual void edited() {}
   /// Between the form and the buttons.
   void addBelowForm(QWidget* widget);
 
@@ -54,7 +59,8 @@ class CommandPage : public Page {
   void addButtons(QBoxLayout& layout, const CommandPageSpec& spec);
   void take(const Taking& taking);
   void watch(Command& command);
-  void showPlan();
+  /// Of a check that has ended its plan; of a motion that is done nothing any more.
+  void showEnd(const Command& command);
 
   Form form_;
   std::function<Block(const ros::NodeHandle&)> make_block_;

@@ -130,7 +130,7 @@ void CyclePage::watch(PickAndPlace& command) {
       picture_->showStep(command.state().step);
     }
     const bool checked = checking_.get() == &command && !command.isBusy();
-    if (checked && workplace_.show_plan) workplace_.show_plan(command.plan());
+    if (checked) workplace_.preview->show(command.plan());
   });
 }
 

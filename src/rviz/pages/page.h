@@ -2,13 +2,14 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "clients/background_calls.h"
-#include "clients/plan.h"
 #include "clients/robot.h"
+#include "preview/preview.h"
+#include "preview/target.h"
 
 namespace cobot_command::rviz_plugin {
 
@@ -16,7 +17,8 @@ namespace cobot_command::rviz_plugin {
 struct Workplace {
   Robot* robot = nullptr;
   BackgroundCalls* calls = nullptr;
-  std::function<void(const Plan&)> show_plan;  ///< of a check that has ended
+  Preview* preview = nullptr;
+  Target* target = nullptr;
 };
 
 class Page : public QWidget {

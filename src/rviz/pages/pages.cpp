@@ -73,14 +73,6 @@ CommandPageSpec moveRelativePage() {
   return {"move_relative", "Move Relative", moveRelativeForm, moveRelativeBlock, {}};
 }
 
-CommandPageSpec moveAbsolutePage() {
-  return {"move_absolute",
-          "Move Absolute",
-          moveAbsoluteForm,
-          moveAbsoluteBlock,
-          {{"Take current position", "target", "joints"}}};
-}
-
 CommandPageSpec moveCirclePage() {
   return {"move_circle",
           "Move Circle",

@@ -13,7 +13,6 @@ namespace cobot_command::rviz_plugin {
 [[nodiscard]] CommandPageSpec changeBasePage();
 [[nodiscard]] CommandPageSpec changeTcpPage();
 [[nodiscard]] CommandPageSpec moveRelativePage();
-[[nodiscard]] CommandPageSpec moveAbsolutePage();
 [[nodiscard]] CommandPageSpec moveCirclePage();
 
 /// Also tells how the connection is, since when, and when it was lost.

@@ -13,10 +13,12 @@
 #include "pages/cycle_page.h"
 #include "pages/jog_page.h"
 #include "pages/main_page.h"
+#include "pages/move_absolute_page.h"
 #include "pages/pages.h"
 #include "widgets/stop_bar.h"
 #include <pluginlib/class_list_macros.hpp>
 #include <ros/master.h>
+#include <ros/this_node.h>
 
 namespace cobot_command::rviz_plugin {
 namespace {
@@ -100,7 +102,7 @@ QWidget* CobotPanel::makeHeader() {
   robots_->setObjectName("robots");
   robots_->setEditable(true);
   robots_->setInsertPolicy(QComboBox::NoInsert);
-  robots_->addItem("/");
+  robots_->addItem(QString::fromStdString(ros::this_node::getNamespace()));
   robots_->setToolTip("The namespace of the robot's command node");
   connection_->setObjectName("link");
   connect(robots_, qOverload<int>(&QComboBox::activated), this, [this] { choose(robots_->currentText()); });
@@ -129,7 +131,7 @@ void CobotPanel::makePages() {
   auto* tcp = new CommandPage(changeTcpPage());
   auto* interface = new InterfacePage;
   auto* relative = new CommandPage(moveRelativePage());
-  auto* absolute = new CommandPage(moveAbsolutePage());
+  auto* absolute = new MoveAbsolutePage;
   auto* circle = new CommandPage(moveCirclePage());
   auto* cycle = new CyclePage;
   auto* path = new LoadPathPage;
@@ -158,9 +160,13 @@ void CobotPanel::choose(const QString& name) {
   }
   // The clients of the one before go only when the pages have new ones.
   auto robot = std::make_unique<Robot>(wanted);
-  const Workplace workplace{robot.get(), &calls_, nullptr};
+  auto preview = std::make_unique<Preview>(*robot);
+  auto target = std::make_unique<Target>(*robot, calls_, *preview);
+  const Workplace workplace{robot.get(), &calls_, preview.get(), target.get()};
   for (Page* page : pages_) page->bind(workplace);
   stop_bar_->bind(*robot);
+  target_ = std::move(target);
+  preview_ = std::move(preview);
   robot_ = std::move(robot);
   Q_EMIT configChanged();
 }

@@ -42,6 +42,8 @@ class CobotPanel : public rviz::Panel {
 
   BackgroundCalls calls_;
   std::unique_ptr<Robot> robot_;
+  std::unique_ptr<Preview> preview_;
+  std::unique_ptr<Target> target_;
   std::vector<Page*> pages_;  ///< the first one is Main
   QComboBox* robots_;
   QLabel* connection_;

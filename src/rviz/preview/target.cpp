@@ -1,0 +1,122 @@
+#include "preview/target.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "goals/goals.h"
+#include "goals/poses.h"
+
+namespace cobot_command::rviz_plugin {
+namespace {
+
+constexpr const char* kName = "target";
+constexpr float kScale = 0.2F;  // [m]
+
+using visualization_msgs::InteractiveMarker;
+using visualization_msgs::InteractiveMarkerControl;
+using visualization_msgs::InteractiveMarkerFeedback;
+
+/// Along an axis and about it. The orientation of a control is where its own x goes.
+void addAxis(InteractiveMarker& marker, double x, double y, double z) {
+  for (const std::uint8_t mode :
+       {InteractiveMarkerControl::MOVE_AXIS, InteractiveMarkerControl::ROTATE_AXIS}) {
+    InteractiveMarkerControl& control = marker.controls.emplace_back();
+    control.interaction_mode = mode;
+    control.orientation.w = M_SQRT1_2;
+    control.orientation.x = x * M_SQRT1_2;
+    control.orientation.y = y * M_SQRT1_2;
+    control.orientation.z = z * M_SQRT1_2;
+  }
+}
+
+InteractiveMarker markerIn(const std::string& frame) {
+  InteractiveMarker marker;
+  marker.header.frame_id = frame;
+  marker.name = kName;
+  marker.scale = kScale;
+  addAxis(marker, 1, 0, 0);
+  addAxis(marker, 0, 0, 1);
+  addAxis(marker, 0, 1, 0);
+  return marker;
+}
+
+Configuration configurationOf(const cobot_command::RobotPose& bits) {
+  return {bits.config1, bits.config2, bits.config3};
+}
+
+}  // namespace
+
+Target::Target(Robot& robot, BackgroundCalls& calls, Preview& preview)
+    : robot_(robot),
+      calls_(calls),
+      preview_(preview),
+      server_(std::make_unique<interactive_markers::InteractiveMarkerServer>(
+          robot.node().resolveName("preview_target"))) {}
+
+void Target::show(const Six& target, const std::optional<Configuration>& configuration) {
+  placeMarker(target);
+  ask(target, configuration);
+}
+
+void Target::hide() {
+  ++asked_;
+  server_->clear();
+  server_->applyChanges();
+  preview_.hide();
+}
+
+void Target::placeMarker(const Six& target) {
+  const std::string frame = robot_.activeBaseFrame();
+  if (frame.empty()) return;
+  InteractiveMarker marker;
+  if (!server_->get(kName, marker)) {
+    server_->insert(markerIn(frame), [this](const InteractiveMarkerFeedback::ConstPtr& feedback) {
+      if (feedback->event_type != InteractiveMarkerFeedback::POSE_UPDATE || !dragged_) return;
+      dragged_(toSix(toIsometry(feedback->pose)));
+    });
+  }
+  server_->setPose(kName, toPose(toIsometry(target)));
+  server_->applyChanges();
+}
+
+void Target::ask(const Six& target, const std::optional<Configuration>& configuration) {
+  const cobot_command::ActiveFrames& frames = robot_.activeFrames();
+  if (!frames.base_known || !frames.tcp_known) return;
+  // The service knows no active TCP: the flange in the robot base says the same.
+  const Eigen::Isometry3d flange =
+      toIsometry(frames.base) * toIsometry(target) * toIsometry(frames.tcp).inverse();
+  cobot_command::InverseKinematics service;
+  service.request.pose = toTransformation(toSix(flange));
+  service.request.configuration = configuration ? cobot_command::InverseKinematicsRequest::GIVEN
+                                                : cobot_command::InverseKinematicsRequest::SAME;
+  if (configuration) {
+    service.request.bits.config1 = (*configuration)[0];
+    service.request.bits.config2 = (*configuration)[1];
+    service.request.bits.config3 = (*configuration)[2];
+  }
+  const auto joints = robot_.joints();
+  if (joints) std::copy(joints->begin(), joints->end(), service.request.joints.begin());
+  const unsigned number = ++asked_;
+  const std::weak_ptr<bool> alive = alive_;
+  calls_.call<cobot_command::InverseKinematics>(
+      robot_.node().resolveName("inverse_kinematics"), service,
+      [this, alive, number, target](bool answered, const cobot_command::InverseKinematics& told) {
+        if (answered && !alive.expired() && number == asked_) answer(target, told);
+      });
+}
+
+void Target::answer(const Six& target, const cobot_command::InverseKinematics& service) {
+  configurations_.clear();
+  for (const cobot_command::ArmPosture& branch : service.response.branches) {
+    if (branch.within_limits) configurations_.push_back(configurationOf(branch.bits));
+  }
+  if (!service.response.success) {
+    preview_.showUnreachable(target, service.response.message);
+    return;
+  }
+  Six joints{};
+  std::copy(service.response.posture.joints.begin(), service.response.posture.joints.end(), joints.begin());
+  preview_.showArm(joints);
+}
+
+}  // namespace cobot_command::rviz_plugin

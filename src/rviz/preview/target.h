@@ -1,0 +1,50 @@
+// A target that is being chosen: whether the arm reaches it, in which configurations, and how it would stand.
+// Dragged in RViz.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "clients/background_calls.h"
+#include "preview/preview.h"
+#include <cobot_command/InverseKinematics.h>
+#include <interactive_markers/interactive_marker_server.h>
+
+namespace cobot_command::rviz_plugin {
+
+/// config1..3 of RobotPose.msg.
+using Configuration = std::array<int, 3>;
+
+class Target {
+ public:
+  using Six = std::array<double, 6>;
+
+  Target(Robot& robot, BackgroundCalls& calls, Preview& preview);
+
+  /// The active TCP in the active base [mm, deg]. Nothing for `configuration`: as the arm stands now.
+  void show(const Six& target, const std::optional<Configuration>& configuration);
+  void hide();
+  /// In which the target that was shown last can be reached, within the limits.
+  [[nodiscard]] const std::vector<Configuration>& configurations() const { return configurations_; }
+  /// Where somebody has dragged it to.
+  void onDrag(std::function<void(const Six&)> listener) { dragged_ = std::move(listener); }
+
+ private:
+  void ask(const Six& target, const std::optional<Configuration>& configuration);
+  void answer(const Six& target, const cobot_command::InverseKinematics& service);
+  void placeMarker(const Six& target);
+
+  Robot& robot_;
+  BackgroundCalls& calls_;
+  Preview& preview_;
+  std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;
+  std::function<void(const Six&)> dragged_;
+  std::vector<Configuration> configurations_;
+  unsigned asked_ = 0;  ///< answers to older questions count no more
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+};
+
+}  // namespace cobot_command::rviz_plugin
