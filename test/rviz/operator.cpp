@@ -39,6 +39,13 @@ void Operator::open(const QString& page) {
   if (page_ == nullptr || !page_->isVisible()) throw std::runtime_error("no page " + page.toStdString());
 }
 
+void Operator::chooseRobot(const QString& name) {
+  auto* robots = panel_.findChild<QComboBox*>("robots");
+  robots->lineEdit()->selectAll();
+  QTest::keyClicks(robots->lineEdit(), name);
+  QTest::keyClick(robots->lineEdit(), Qt::Key_Return);
+}
+
 void Operator::click(const QString& button) {
   QTest::mouseClick(&find<QPushButton>(button), Qt::LeftButton);
 }
@@ -99,6 +106,10 @@ QString Operator::textOf(const QString& label) const {
 
 QString Operator::link() const {
   return panel_.findChild<QLabel*>("link")->text();
+}
+
+QString Operator::robot() const {
+  return panel_.findChild<QComboBox*>("robots")->currentText();
 }
 
 double Operator::valueOf(const QString& field) const {

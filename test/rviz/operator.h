@@ -15,6 +15,8 @@ class Operator {
 
   /// From the main menu.
   void open(const QString& page);
+  /// By its namespace.
+  void chooseRobot(const QString& name);
   /// On the page that is open.
   void click(const QString& button);
   void enter(const QString& field, double number);
@@ -30,6 +32,7 @@ class Operator {
   [[nodiscard]] bool isLit(const QString& lamp) const;
   [[nodiscard]] QString textOf(const QString& label) const;
   [[nodiscard]] QString link() const;
+  [[nodiscard]] QString robot() const;
   [[nodiscard]] double valueOf(const QString& field) const;
   /// How the command of the page ended: "done", "error" or "aborted"; "busy" when it has not within so many
   /// seconds.

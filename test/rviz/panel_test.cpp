@@ -10,6 +10,7 @@
 #include "rviz_window.h"
 #include <gmock/gmock.h>
 #include <ros/node_handle.h>
+#include <rviz/panel.h>
 #include <sensor_msgs/JointState.h>
 #include <visualization_msgs/InteractiveMarkerFeedback.h>
 
@@ -31,6 +32,10 @@ class Panel : public ::testing::Test {
     at_panel_.click("preset");
     at_panel_.click("execute");
     EXPECT_TRUE(holdsSoon([this] { return isReady(); })) << at_panel_.link().toStdString();
+  }
+
+  ~Panel() override {
+    if (at_panel_.robot() != "/") at_panel_.chooseRobot("/");
   }
 
   [[nodiscard]] bool isReady() const { return at_panel_.link().startsWith("ready"); }
@@ -286,6 +291,54 @@ TEST_F(Panel, enablesAndDisablesTheInterface) {
   at_panel_.takePicture("interface_enabled");
   at_panel_.click("cancel");
   EXPECT_EQ(at_panel_.outcome(), "done");
+}
+
+TEST_F(Panel, saysThatThereIsNoNodeForACommandAndWorksOn) {
+  at_panel_.chooseRobot("/nobody");
+  EXPECT_TRUE(holdsSoon([this] { return at_panel_.link() == "no command node"; }));
+  at_panel_.open("change_base");
+  at_panel_.click("execute");
+  EXPECT_TRUE(at_panel_.isLit("busy"));
+  EXPECT_EQ(at_panel_.outcome(), "error");
+  EXPECT_TRUE(at_panel_.textOf("status_text").contains("There is no command node"));
+  at_panel_.chooseRobot("/");
+  EXPECT_TRUE(holdsSoon([this] { return isReady(); }));
+  at_panel_.click("execute");
+  EXPECT_EQ(at_panel_.outcome(), "done");
+}
+
+/// Of another robot, whose command node nobody needs, and which is started again.
+TEST_F(Panel, saysThatANodeHasDiedAndFindsTheNextOne) {
+  at_panel_.chooseRobot("/second");
+  at_panel_.open("connect");
+  at_panel_.enter("host", "127.0.0.1");
+  at_panel_.enter("port", 1);
+  at_panel_.enter("timeout", 300);
+  at_panel_.click("execute");
+  ASSERT_TRUE(holdsSoon([this] { return at_panel_.link().startsWith("connecting"); }));
+  ASSERT_EQ(std::system("kill -KILL $(rosnode info /second/command_node | sed -n 's/^Pid: //p')"), 0);
+  EXPECT_EQ(at_panel_.outcome(), "error");
+  EXPECT_TRUE(holdsSoon([this] { return at_panel_.link() == "not connected"; }))
+      << at_panel_.link().toStdString();
+  at_panel_.click("execute");
+  EXPECT_TRUE(holdsSoon([this] { return at_panel_.link().startsWith("connecting"); }));
+  at_panel_.click("cancel");
+  EXPECT_EQ(at_panel_.outcome(), "done");
+}
+
+TEST_F(Panel, isSavedWithTheConfigurationOfRviz) {
+  auto& panel = dynamic_cast<rviz::Panel&>(window->panel());
+  at_panel_.open("move_relative");
+  at_panel_.click("preset");
+  at_panel_.enter("target.1", 12.5);
+  rviz::Config kept;
+  panel.save(kept);
+  at_panel_.enter("target.1", 99);
+  at_panel_.clickAlways("main_menu");
+  panel.load(kept);
+  at_panel_.open("move_relative");
+  EXPECT_EQ(at_panel_.valueOf("target.1"), 12.5);
+  EXPECT_TRUE(holdsSoon([this] { return isReady(); }));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -106,6 +107,7 @@ QWidget* CobotPanel::makeHeader() {
   robots_->setToolTip("The namespace of the robot's command node");
   connection_->setObjectName("link");
   connect(robots_, qOverload<int>(&QComboBox::activated), this, [this] { choose(robots_->currentText()); });
+  connect(robots_->lineEdit(), &QLineEdit::returnPressed, this, [this] { choose(robots_->currentText()); });
   layout->addWidget(new QLabel("Robot"));
   layout->addWidget(robots_);
   layout->addWidget(connection_, 1);
@@ -158,6 +160,7 @@ void CobotPanel::choose(const QString& name) {
     connection_->setText("'" + name + "' is no namespace");
     return;
   }
+  if (robot_ && robot_->node().getNamespace() == ros::names::resolve("/", wanted)) return;
   // The clients of the one before go only when the pages have new ones.
   auto robot = std::make_unique<Robot>(wanted);
   auto preview = std::make_unique<Preview>(*robot);
