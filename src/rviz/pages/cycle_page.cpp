@@ -131,6 +131,8 @@ void CyclePage::watch(PickAndPlace& command) {
     }
     const bool checked = checking_.get() == &command && !command.isBusy();
     if (checked) workplace_.preview->show(command.plan());
+    if (execution_.get() == &command && command.state().phase == CommandState::Phase::Done)
+      workplace_.preview->hide();
   });
 }
 
