@@ -16,8 +16,9 @@ class LooseMotion {
  public:
   static constexpr const char* kMayStillMove = "the robot may still move";
 
-  /// Does the layer know where the robot will come to rest?
-  enum class End { Planned, Unknown };
+  /// Does the layer know where the robot will come to rest? Never: velocities, which go on until others end
+  /// them.
+  enum class End { Planned, Unknown, Never };
   /// The controller has a motion whose end no tag will tell; `target`: where that is to be seen at its end,
   /// if known.
   void begin(const std::optional<Target>& target, End end, Instant now);
@@ -30,7 +31,9 @@ class LooseMotion {
 
   [[nodiscard]] bool mayMove() const { return state_ != State::None; }
   /// It may move, and nobody can plan from where it will stand.
-  [[nodiscard]] bool endsUnknown() const { return mayMove() && end_ == End::Unknown; }
+  [[nodiscard]] bool endsUnknown() const { return mayMove() && end_ != End::Planned; }
+  /// It may move, and who waits for its end does not wait for ever.
+  [[nodiscard]] bool endsByItself() const { return mayMove() && end_ != End::Never; }
   /// Of a stop that failed: nothing may queue behind it unseen.
   [[nodiscard]] bool holdsBack() const { return state_ == State::Unstopped; }
   [[nodiscard]] const std::optional<Target>& target() const { return target_; }

@@ -31,7 +31,8 @@ class TimeWait final : public QueueWait {
   }
 
   void look(const robot::RobotWatch& robot, Instant now) override {
-    followHold(robot.held(), now);
+    // A robot that was held, and of which nothing is told any more, counts as held still.
+    if (robot.status() || !isHeld()) followHold(robot.held(), now);
     if (!isHeld() && now - toldAt() >= kTellEvery) tell(now);
   }
 

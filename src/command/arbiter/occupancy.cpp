@@ -100,9 +100,11 @@ std::optional<blocks::Failure> Occupancy::objectionTo(const blocks::Command& com
 
 /// Whether a motion that is under way stands again can only be told where there is a stream.
 bool Occupancy::isHeldBack(const Waiting& next) const {
-  const bool robot_stands = !parts_.forecast.loose().mayMove() || !parts_.robot.tellsMotion();
+  const robot::LooseMotion& loose = parts_.forecast.loose();
+  const bool is_told = parts_.robot.tellsMotion();
+  const bool robot_stands = !loose.mayMove() || !is_told;
   const blocks::GoalTraits traits = blocks::GoalRules(next.goal).traits();
-  return parts_.speed.isZero() || (traits.awaits_rest && !robot_stands) ||
+  return parts_.speed.isZero() || (traits.awaits_rest && loose.endsByItself() && is_told) ||
          parts_.permit.holdsBack(traits, robot_stands);
 }
 

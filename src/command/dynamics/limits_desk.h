@@ -1,6 +1,6 @@
 // The software limits: between which angles of the joints every motion is planned, at most those of the
-// model, and inside those of the controller's safety functions, which are compared. And what 100 % of speeds
-// are of.
+// model; and how they compare with those of the controller's safety functions. And what 100 % of speeds are
+// of.
 #pragma once
 
 #include <optional>

@@ -54,8 +54,9 @@ std::shared_ptr<PlannedCommand> foresee(const arm::ArmModel* arm, const blocks::
       origin.value_or(Origin()), planFor(arm, command, base, speed_share, origin, give_up)});
 }
 
-/// Where blended motions leave the robot.
+/// Where motions leave the robot that no tag tells the end of.
 robot::LooseMotion::End endOf(const CommandOrder& order) {
+  if (!order.stands_at_end) return robot::LooseMotion::End::Never;
   const bool known = order.plan && order.plan->end.start.joints;
   return known ? robot::LooseMotion::End::Planned : robot::LooseMotion::End::Unknown;
 }
@@ -182,7 +183,7 @@ void Forecast::accepted(const CommandOrder& order, Instant now) {
 void Forecast::arrived(const CommandOrder& order, Instant now) {
   queue_.arrive(order.plan, limited_arm_.get(), now);
   loose_.end();  // tags complete in the order of the queue
-  if (!order.stands_at_end) loose_.begin(std::nullopt, robot::LooseMotion::End::Unknown, now);
+  if (!order.stands_at_end) loose_.begin(std::nullopt, endOf(order), now);
 }
 
 void Forecast::robotChanged(Duration patience, Instant now) {

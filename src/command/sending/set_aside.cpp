@@ -31,10 +31,12 @@ constexpr const char* kInterrupted =
 
 }  // namespace
 
-void tellReports(blocks::Run& run, std::map<blocks::GoalId, tables::Hold>& holds, OutputBoard& board,
-                 std::vector<Action>& actions) {
+std::optional<Duration> tellReports(blocks::Run& run, std::map<blocks::GoalId, tables::Hold>& holds,
+                                    OutputBoard& board, std::vector<Action>& actions) {
   blocks::RunReports& reports = run.reports();
+  std::optional<Duration> remaining;
   for (auto& [goal, progress] : reports.takeProgress()) {
+    if (goal == run.goal()) remaining = progress.remaining;
     board.progress(run.block(), goal, std::move(progress));
   }
   for (auto& news : reports.takeNews()) actions.emplace_back(RunTold{run.block(), std::move(news)});
@@ -42,6 +44,7 @@ void tellReports(blocks::Run& run, std::map<blocks::GoalId, tables::Hold>& holds
     holds.erase(goal);
     board.end(run.block(), goal, std::move(outcome));
   }
+  return remaining;
 }
 
 std::optional<blocks::Failure> differenceIn(const Setup& then, const Setup& now) {
@@ -80,8 +83,8 @@ void SetAside::put(Aside aside, PrimaryPosition position, Instant now) {
   allowed_.reset();
   if (aside_.run) {
     aside_.run->setAside(now);
-    tellReports(*aside_.run, aside_.holds, board_, actions_);
     blocks::Progress progress;
+    progress.remaining = tellReports(*aside_.run, aside_.holds, board_, actions_);
     progress.phase = blocks::Phase::Held;
     progress.text = kInterrupted;
     board_.progress(aside_.run->block(), aside_.run->goal(), std::move(progress));

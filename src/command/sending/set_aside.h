@@ -19,8 +19,9 @@
 namespace cobot_command::command {
 
 /// What its goals are told of the run, and what is new of it for everybody.
-void tellReports(blocks::Run& run, std::map<blocks::GoalId, tables::Hold>& holds, OutputBoard& board,
-                 std::vector<Action>& actions);
+/// Returns how much is left of what the run itself is for, if it has told that now.
+std::optional<Duration> tellReports(blocks::Run& run, std::map<blocks::GoalId, tables::Hold>& holds,
+                                    OutputBoard& board, std::vector<Action>& actions);
 
 /// How the robot is set up otherwise than when it was interrupted; nothing: it is so.
 [[nodiscard]] std::optional<blocks::Failure> differenceIn(const Setup& then, const Setup& now);

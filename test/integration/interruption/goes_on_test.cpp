@@ -187,6 +187,8 @@ TEST_F(WhatIsInterrupted, isAWaitForATimeThatStandsStillMeanwhile) {
   const GoalId behind = rig.submit(inMode(BufferMode::Buffered, lineBy({0, 0, -50, 0, 0, 0})));
   rig.pass(2s);
   rig.expectInterrupted();
+  EXPECT_EQ(rig.progress(id).back().phase, blocks::Phase::Held);
+  EXPECT_NEAR(toSeconds(rig.progress(id).back().remaining.value_or(0s)), 8, 0.2);
   rig.pass(20s);
   EXPECT_EQ(rig.outcome(id), nullptr);
   rig.expectGoesOn();

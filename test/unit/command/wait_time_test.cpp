@@ -51,6 +51,35 @@ TEST_F(WaitTimeBlock, isDoneAtOnceWithoutATime) {
   expectEnd(id, Ending::Done);
 }
 
+/// "Drive for two seconds": who waits for the end of velocities waits for ever.
+TEST_F(WaitTimeBlock, doesNotWaitForVelocitiesThatHaveNoEnd) {
+  for (const bool is_awaited : {false, true}) {
+    RunScriptGoal drive;
+    drive.script = "ContinueVJog()\nSetContinueVJog(10,0,0,0,0,0)";
+    drive.await_motion = is_awaited;
+    drive.buffer_mode = kBuffered;
+    const GoalId driving = submit(drive);
+    reply(takeScript().id);
+    if (is_awaited) tag(latest().open_tags.at(0));
+    expectEnd(driving, Ending::Done);
+    stream(StatusFrames().moving());
+    const GoalId id = wait(0.2, kBuffered);
+    EXPECT_EQ(progress(id).back().phase, Phase::Active) << is_awaited;
+    pass(200ms);
+    expectEnd(id, Ending::Done);
+  }
+}
+
+TEST_F(WaitTimeBlock, staysHeldWhereNobodyTellsAnyMoreThatItIsNot) {
+  const GoalId id = wait(10);
+  stream(StatusFrames().paused());
+  EXPECT_EQ(progress(id).back().phase, Phase::Held);
+  close("gone", link::Channel::Status);
+  pass(60s);
+  EXPECT_EQ(outcome(id), nullptr);
+  EXPECT_EQ(progress(id).back().phase, Phase::Held);
+}
+
 TEST_F(WaitTimeBlock, needsNoStatusStream) {
   close("gone", link::Channel::Status);
   const GoalId id = wait(1);
