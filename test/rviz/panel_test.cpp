@@ -49,6 +49,11 @@ class Panel : public ::testing::Test {
     ASSERT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
   }
 
+  /// Of J1, on the page that jogs.
+  [[nodiscard]] double jointValue() const {
+    return at_panel_.textOf("value_0").split(' ').front().toDouble();
+  }
+
   Operator at_panel_;
 };
 
@@ -229,10 +234,16 @@ TEST_F(Panel, jogsAJointAsLongAsItsButtonIsHeld) {
   moveToPreset();
   at_panel_.open("jog");
   at_panel_.choose("mode", 2);
-  const double before = at_panel_.textOf("value_0").split(' ').front().toDouble();
-  at_panel_.press("jog_0_plus");
-  ASSERT_TRUE(
-      holdsSoon([&] { return at_panel_.textOf("value_0").split(' ').front().toDouble() > before + 1; }));
+  const double before = jointValue();
+  const auto has_moved = [&] { return jointValue() > before + 1; };
+  // A machine so busy that RViz stands still for a quarter of a second lets go of the arm, as it has to: then
+  // once more.
+  for (int tries = 0; tries < 10 && !has_moved(); ++tries) {
+    at_panel_.release("jog_0_plus");
+    at_panel_.press("jog_0_plus");
+    EXPECT_TRUE(holdsSoon([&] { return has_moved() || !at_panel_.isLit("busy"); }));
+  }
+  EXPECT_TRUE(has_moved()) << at_panel_.textOf("status_text").toStdString();
   at_panel_.release("jog_0_plus");
   EXPECT_EQ(at_panel_.outcome(5), "done") << at_panel_.textOf("status_text").toStdString();
 }

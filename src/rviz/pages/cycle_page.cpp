@@ -131,8 +131,9 @@ void CyclePage::watch(PickAndPlace& command) {
     }
     const bool checked = checking_.get() == &command && !command.isBusy();
     if (checked) workplace_.preview->show(command.plan());
-    if (execution_.get() == &command && command.state().phase == CommandState::Phase::Done)
+    if (execution_.get() == &command && command.state().phase == CommandState::Phase::Done) {
       workplace_.preview->hide();
+    }
   });
 }
 

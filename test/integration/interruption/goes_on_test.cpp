@@ -8,7 +8,6 @@ namespace {
 
 using command::GroupState;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 class WhatIsInterrupted : public ::testing::Test {
  protected:
