@@ -26,77 +26,75 @@ std::string picturesFolder() {
 
 class Panel : public ::testing::Test {
  protected:
-  Panel() : at_panel_(window->frame(), window->panel(), picturesFolder()) {
+  Panel() : at_panel(window->frame(), window->panel(), picturesFolder()) {
     if (isReady()) return;
-    at_panel_.open("connect");
-    at_panel_.click("preset");
-    at_panel_.click("execute");
-    EXPECT_TRUE(holdsSoon([this] { return isReady(); })) << at_panel_.link().toStdString();
+    at_panel.open("connect");
+    at_panel.click("preset");
+    at_panel.click("execute");
+    EXPECT_TRUE(holdsSoon([this] { return isReady(); })) << at_panel.link().toStdString();
   }
 
   ~Panel() override {
-    if (at_panel_.robot() != "/") at_panel_.chooseRobot("/");
+    if (at_panel.robot() != "/") at_panel.chooseRobot("/");
   }
 
-  [[nodiscard]] bool isReady() const { return at_panel_.link().startsWith("ready"); }
+  [[nodiscard]] bool isReady() const { return at_panel.link().startsWith("ready"); }
 
   /// So that each test begins there, whatever was before.
   void moveToPreset() {
-    at_panel_.open("move_absolute");
-    at_panel_.click("preset");
-    at_panel_.enter("speed_percent", 100);
-    at_panel_.click("execute");
-    ASSERT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+    at_panel.open("move_absolute");
+    at_panel.click("preset");
+    at_panel.enter("speed_percent", 100);
+    at_panel.click("execute");
+    ASSERT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
   }
 
   /// Of J1, on the page that jogs.
-  [[nodiscard]] double jointValue() const {
-    return at_panel_.textOf("value_0").split(' ').front().toDouble();
-  }
+  [[nodiscard]] double jointValue() const { return at_panel.textOf("value_0").split(' ').front().toDouble(); }
 
-  Operator at_panel_;
+  Operator at_panel;
 };
 
 TEST_F(Panel, opensEachPageFromTheMainMenu) {
-  at_panel_.clickAlways("main_menu");
-  at_panel_.takePicture("main");
+  at_panel.clickAlways("main_menu");
+  at_panel.takePicture("main");
   for (const char* page : {"connect", "change_base", "change_tcp", "interface", "move_relative",
                            "move_absolute", "move_circle", "pick_and_place", "load_path", "jog"}) {
-    at_panel_.open(page);
-    at_panel_.takePicture(page);
+    at_panel.open(page);
+    at_panel.takePicture(page);
   }
 }
 
 TEST_F(Panel, tellsHowTheConnectionIsAndSinceWhen) {
-  at_panel_.open("connect");
+  at_panel.open("connect");
   ASSERT_TRUE(
-      holdsSoon([this] { return !at_panel_.textOf("connection").contains("Last connection: never"); }));
-  EXPECT_TRUE(at_panel_.textOf("connection").contains("Last loss:"));
+      holdsSoon([this] { return !at_panel.textOf("connection").contains("Last connection: never"); }));
+  EXPECT_TRUE(at_panel.textOf("connection").contains("Last loss:"));
 }
 
 TEST_F(Panel, checksAndThenMakesAnAbsoluteMove) {
-  at_panel_.open("move_absolute");
-  at_panel_.click("preset");
-  at_panel_.click("check");
-  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
-  at_panel_.takePicture("checked");
-  at_panel_.click("execute");
-  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
-  EXPECT_NE(at_panel_.textOf("command_id_ack"), "–");
-  at_panel_.enter("target.0", 0);
-  at_panel_.click("take_target");
-  EXPECT_NEAR(at_panel_.valueOf("target.0"), 400, 0.1);
+  at_panel.open("move_absolute");
+  at_panel.click("preset");
+  at_panel.click("check");
+  EXPECT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
+  at_panel.takePicture("checked");
+  at_panel.click("execute");
+  EXPECT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
+  EXPECT_NE(at_panel.textOf("command_id_ack"), "–");
+  at_panel.enter("target.0", 0);
+  at_panel.click("take_target");
+  EXPECT_NEAR(at_panel.valueOf("target.0"), 400, 0.1);
 }
 
 TEST_F(Panel, saysWhatIsWrongWithATargetOutOfReach) {
-  at_panel_.open("move_absolute");
-  at_panel_.click("preset");
-  at_panel_.enter("target.2", 1050);
-  at_panel_.click("check");
-  EXPECT_EQ(at_panel_.outcome(), "error");
-  EXPECT_EQ(at_panel_.textOf("error_id"), "16#201");
-  EXPECT_FALSE(at_panel_.textOf("status_text").isEmpty());
-  at_panel_.takePicture("refused");
+  at_panel.open("move_absolute");
+  at_panel.click("preset");
+  at_panel.enter("target.2", 1050);
+  at_panel.click("check");
+  EXPECT_EQ(at_panel.outcome(), "error");
+  EXPECT_EQ(at_panel.textOf("error_id"), "16#201");
+  EXPECT_FALSE(at_panel.textOf("status_text").isEmpty());
+  at_panel.takePicture("refused");
 }
 
 /// What the display of the ghost gets.
@@ -118,26 +116,26 @@ class GhostListener {
 TEST_F(Panel, showsTheArmAtATargetInEachConfigurationThatReachesIt) {
   moveToPreset();
   GhostListener ghost;
-  at_panel_.open("move_absolute");
-  at_panel_.enter("target.1", 200);
+  at_panel.open("move_absolute");
+  at_panel.enter("target.1", 200);
   ASSERT_TRUE(holdsSoon([&] { return ghost.isThere(); }));
   std::set<std::vector<double>> seen{ghost.joints()};
   std::set<QString> names;
   for (int i = 0; i < 8; ++i) {
     const std::vector<double> before = ghost.joints();
-    at_panel_.click("configuration_next");
+    at_panel.click("configuration_next");
     EXPECT_TRUE(holdsSoon([&] { return ghost.joints() != before || i == 0; }));
-    names.insert(at_panel_.textOf("configuration"));
+    names.insert(at_panel.textOf("configuration"));
     seen.insert(ghost.joints());
-    if (i == 1) at_panel_.takePicture("ghost");
+    if (i == 1) at_panel.takePicture("ghost");
   }
   EXPECT_GE(names.size(), 4u);
   EXPECT_GE(seen.size(), 4u);
 }
 
 TEST_F(Panel, takesATargetThatIsDraggedInTheScene) {
-  at_panel_.open("move_absolute");
-  at_panel_.click("preset");
+  at_panel.open("move_absolute");
+  at_panel.click("preset");
   ros::Publisher mouse = ros::NodeHandle().advertise<visualization_msgs::InteractiveMarkerFeedback>(
       "preview_target/feedback", 1);
   ASSERT_TRUE(holdsSoon([&] { return mouse.getNumSubscribers() > 0; }));
@@ -151,204 +149,204 @@ TEST_F(Panel, takesATargetThatIsDraggedInTheScene) {
   dragged.pose.position.z = 0.35;
   dragged.pose.orientation.x = 1;
   mouse.publish(dragged);
-  EXPECT_TRUE(holdsSoon([this] { return std::abs(at_panel_.valueOf("target.0") - 450) < 0.01; }));
-  EXPECT_NEAR(at_panel_.valueOf("target.1"), 100, 0.01);
-  EXPECT_NEAR(at_panel_.valueOf("target.3"), 180, 0.01);
+  EXPECT_TRUE(holdsSoon([this] { return std::abs(at_panel.valueOf("target.0") - 450) < 0.01; }));
+  EXPECT_NEAR(at_panel.valueOf("target.1"), 100, 0.01);
+  EXPECT_NEAR(at_panel.valueOf("target.3"), 180, 0.01);
 }
 
 TEST_F(Panel, makesARelativeMove) {
   moveToPreset();
-  at_panel_.open("move_relative");
-  at_panel_.click("preset");
-  at_panel_.choose("movement_command", 0);
-  at_panel_.enter("target.2", 50);
-  at_panel_.click("execute");
-  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
-  at_panel_.open("move_absolute");
-  at_panel_.click("take_target");
-  EXPECT_NEAR(at_panel_.valueOf("target.2"), 450, 0.1);
+  at_panel.open("move_relative");
+  at_panel.click("preset");
+  at_panel.choose("movement_command", 0);
+  at_panel.enter("target.2", 50);
+  at_panel.click("execute");
+  EXPECT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
+  at_panel.open("move_absolute");
+  at_panel.click("take_target");
+  EXPECT_NEAR(at_panel.valueOf("target.2"), 450, 0.1);
 }
 
 TEST_F(Panel, makesACircle) {
   moveToPreset();
-  at_panel_.open("move_circle");
-  at_panel_.click("preset");
-  at_panel_.click("execute");
-  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
+  at_panel.open("move_circle");
+  at_panel.click("preset");
+  at_panel.click("execute");
+  EXPECT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
 }
 
 TEST_F(Panel, changesBaseAndTcpAndBack) {
-  at_panel_.open("change_base");
-  at_panel_.enter("base.0", 100);
-  at_panel_.click("execute");
-  EXPECT_EQ(at_panel_.outcome(), "done");
-  at_panel_.click("preset");
-  at_panel_.click("execute");
-  EXPECT_EQ(at_panel_.outcome(), "done");
-  at_panel_.open("change_tcp");
-  at_panel_.enter("tcp_offset.2", 120);
-  at_panel_.enter("weight", 1.5);
-  at_panel_.click("execute");
-  EXPECT_EQ(at_panel_.outcome(), "done");
-  at_panel_.click("preset");
-  at_panel_.click("execute");
-  EXPECT_EQ(at_panel_.outcome(), "done");
+  at_panel.open("change_base");
+  at_panel.enter("base.0", 100);
+  at_panel.click("execute");
+  EXPECT_EQ(at_panel.outcome(), "done");
+  at_panel.click("preset");
+  at_panel.click("execute");
+  EXPECT_EQ(at_panel.outcome(), "done");
+  at_panel.open("change_tcp");
+  at_panel.enter("tcp_offset.2", 120);
+  at_panel.enter("weight", 1.5);
+  at_panel.click("execute");
+  EXPECT_EQ(at_panel.outcome(), "done");
+  at_panel.click("preset");
+  at_panel.click("execute");
+  EXPECT_EQ(at_panel.outcome(), "done");
 }
 
 TEST_F(Panel, stopsARobotThatMovesWhateverPageIsOpen) {
   moveToPreset();
-  at_panel_.open("move_relative");
-  at_panel_.click("preset");
-  at_panel_.choose("movement_command", 0);
-  at_panel_.choose("data_format", 3);
-  at_panel_.enter("target.1", 300);
-  at_panel_.enter("speed_mm_s", 10);
-  at_panel_.click("execute");
-  ASSERT_TRUE(holdsSoon([this] { return at_panel_.link().contains("moving"); }));
-  EXPECT_TRUE(at_panel_.isLit("busy"));
-  at_panel_.open("change_base");
-  at_panel_.clickStop();
-  EXPECT_TRUE(holdsSoon([this] { return !at_panel_.link().contains("moving"); }));
-  at_panel_.open("move_relative");
-  EXPECT_EQ(at_panel_.outcome(), "aborted");
+  at_panel.open("move_relative");
+  at_panel.click("preset");
+  at_panel.choose("movement_command", 0);
+  at_panel.choose("data_format", 3);
+  at_panel.enter("target.1", 300);
+  at_panel.enter("speed_mm_s", 10);
+  at_panel.click("execute");
+  ASSERT_TRUE(holdsSoon([this] { return at_panel.link().contains("moving"); }));
+  EXPECT_TRUE(at_panel.isLit("busy"));
+  at_panel.open("change_base");
+  at_panel.clickStop();
+  EXPECT_TRUE(holdsSoon([this] { return !at_panel.link().contains("moving"); }));
+  at_panel.open("move_relative");
+  EXPECT_EQ(at_panel.outcome(), "aborted");
 }
 
 TEST_F(Panel, pausesAndResumesAMove) {
   moveToPreset();
-  at_panel_.open("move_relative");
-  at_panel_.click("preset");
-  at_panel_.choose("movement_command", 0);
-  at_panel_.choose("data_format", 3);
-  at_panel_.enter("target.1", 200);
-  at_panel_.enter("speed_mm_s", 10);
-  at_panel_.click("execute");
-  ASSERT_TRUE(holdsSoon([this] { return at_panel_.link().contains("moving"); }));
-  at_panel_.clickAlways("pause");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel_.link().contains("paused"); }));
-  EXPECT_TRUE(at_panel_.isLit("busy"));
-  at_panel_.clickAlways("resume");
-  EXPECT_EQ(at_panel_.outcome(60), "done") << at_panel_.textOf("status_text").toStdString();
+  at_panel.open("move_relative");
+  at_panel.click("preset");
+  at_panel.choose("movement_command", 0);
+  at_panel.choose("data_format", 3);
+  at_panel.enter("target.1", 200);
+  at_panel.enter("speed_mm_s", 10);
+  at_panel.click("execute");
+  ASSERT_TRUE(holdsSoon([this] { return at_panel.link().contains("moving"); }));
+  at_panel.clickAlways("pause");
+  EXPECT_TRUE(holdsSoon([this] { return at_panel.link().contains("paused"); }));
+  EXPECT_TRUE(at_panel.isLit("busy"));
+  at_panel.clickAlways("resume");
+  EXPECT_EQ(at_panel.outcome(60), "done") << at_panel.textOf("status_text").toStdString();
 }
 
 TEST_F(Panel, jogsAJointAsLongAsItsButtonIsHeld) {
   moveToPreset();
-  at_panel_.open("jog");
-  at_panel_.choose("mode", 2);
+  at_panel.open("jog");
+  at_panel.choose("mode", 2);
   const double before = jointValue();
   const auto has_moved = [&] { return jointValue() > before + 1; };
   // A machine so busy that RViz stands still for a quarter of a second lets go of the arm, as it has to: then
   // once more.
   for (int tries = 0; tries < 10 && !has_moved(); ++tries) {
-    at_panel_.release("jog_0_plus");
-    at_panel_.press("jog_0_plus");
-    EXPECT_TRUE(holdsSoon([&] { return has_moved() || !at_panel_.isLit("busy"); }));
+    at_panel.release("jog_0_plus");
+    at_panel.press("jog_0_plus");
+    EXPECT_TRUE(holdsSoon([&] { return has_moved() || !at_panel.isLit("busy"); }));
   }
-  EXPECT_TRUE(has_moved()) << at_panel_.textOf("status_text").toStdString();
-  at_panel_.release("jog_0_plus");
-  EXPECT_EQ(at_panel_.outcome(5), "done") << at_panel_.textOf("status_text").toStdString();
+  EXPECT_TRUE(has_moved()) << at_panel.textOf("status_text").toStdString();
+  at_panel.release("jog_0_plus");
+  EXPECT_EQ(at_panel.outcome(5), "done") << at_panel.textOf("status_text").toStdString();
 }
 
 TEST_F(Panel, jogsTheToolInSteps) {
   moveToPreset();
-  at_panel_.open("jog");
-  at_panel_.choose("mode", 1);
-  at_panel_.tick("stepwise", true);
-  at_panel_.enter("increment_mm", 20);
-  at_panel_.click("jog_2_minus");
-  EXPECT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
-  at_panel_.tick("stepwise", false);
-  at_panel_.open("move_absolute");
-  at_panel_.click("take_target");
-  EXPECT_NEAR(at_panel_.valueOf("target.2"), 420, 0.2);
+  at_panel.open("jog");
+  at_panel.choose("mode", 1);
+  at_panel.tick("stepwise", true);
+  at_panel.enter("increment_mm", 20);
+  at_panel.click("jog_2_minus");
+  EXPECT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
+  at_panel.tick("stepwise", false);
+  at_panel.open("move_absolute");
+  at_panel.click("take_target");
+  EXPECT_NEAR(at_panel.valueOf("target.2"), 420, 0.2);
 }
 
 TEST_F(Panel, runsThePickAndPlaceWithAMoveThatWasEdited) {
-  at_panel_.open("pick_and_place");
-  at_panel_.click("preset");
+  at_panel.open("pick_and_place");
+  at_panel.click("preset");
   for (const char* move : {"edit_3", "edit_6"}) {
-    at_panel_.click(move);
-    at_panel_.enter("dwell", 0);
-    if (std::string(move) == "edit_3") at_panel_.takePicture("edited_move");
-    at_panel_.click("back");
+    at_panel.click(move);
+    at_panel.enter("dwell", 0);
+    if (std::string(move) == "edit_3") at_panel.takePicture("edited_move");
+    at_panel.click("back");
   }
-  at_panel_.click("check");
-  ASSERT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
-  at_panel_.click("execute");
-  ASSERT_TRUE(holdsSoon([this] { return at_panel_.isLit("busy"); }));
-  at_panel_.takePicture("cycle");
-  EXPECT_EQ(at_panel_.outcome(60), "done") << at_panel_.textOf("status_text").toStdString();
+  at_panel.click("check");
+  ASSERT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
+  at_panel.click("execute");
+  ASSERT_TRUE(holdsSoon([this] { return at_panel.isLit("busy"); }));
+  at_panel.takePicture("cycle");
+  EXPECT_EQ(at_panel.outcome(60), "done") << at_panel.textOf("status_text").toStdString();
 }
 
 TEST_F(Panel, drivesAPathFromAFile) {
-  at_panel_.open("load_path");
-  at_panel_.click("preset");
-  at_panel_.click("check");
-  ASSERT_EQ(at_panel_.outcome(), "done") << at_panel_.textOf("status_text").toStdString();
-  at_panel_.takePicture("path");
-  at_panel_.enter("feedrate", 50);
-  at_panel_.click("set_feedrate");
-  EXPECT_TRUE(holdsSoon([this] { return !at_panel_.textOf("path_answer").isEmpty(); }));
-  at_panel_.enter("feedrate", 100);
-  at_panel_.click("set_feedrate");
+  at_panel.open("load_path");
+  at_panel.click("preset");
+  at_panel.click("check");
+  ASSERT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
+  at_panel.takePicture("path");
+  at_panel.enter("feedrate", 50);
+  at_panel.click("set_feedrate");
+  EXPECT_TRUE(holdsSoon([this] { return !at_panel.textOf("path_answer").isEmpty(); }));
+  at_panel.enter("feedrate", 100);
+  at_panel.click("set_feedrate");
 }
 
 TEST_F(Panel, enablesAndDisablesTheInterface) {
-  at_panel_.open("interface");
-  at_panel_.click("preset");
-  at_panel_.enter("life_sign_time_out", 3000);
-  at_panel_.click("execute");
+  at_panel.open("interface");
+  at_panel.click("preset");
+  at_panel.enter("life_sign_time_out", 3000);
+  at_panel.click("execute");
   EXPECT_TRUE(
-      holdsSoon([this] { return at_panel_.textOf("group_state").contains("Interface: initialized"); }));
-  at_panel_.takePicture("interface_enabled");
-  at_panel_.click("cancel");
-  EXPECT_EQ(at_panel_.outcome(), "done");
+      holdsSoon([this] { return at_panel.textOf("group_state").contains("Interface: initialized"); }));
+  at_panel.takePicture("interface_enabled");
+  at_panel.click("cancel");
+  EXPECT_EQ(at_panel.outcome(), "done");
 }
 
 TEST_F(Panel, saysThatThereIsNoNodeForACommandAndWorksOn) {
-  at_panel_.chooseRobot("/nobody");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel_.link() == "no command node"; }));
-  at_panel_.open("change_base");
-  at_panel_.click("execute");
-  EXPECT_TRUE(at_panel_.isLit("busy"));
-  EXPECT_EQ(at_panel_.outcome(), "error");
-  EXPECT_TRUE(at_panel_.textOf("status_text").contains("There is no command node"));
-  at_panel_.chooseRobot("/");
+  at_panel.chooseRobot("/nobody");
+  EXPECT_TRUE(holdsSoon([this] { return at_panel.link() == "no command node"; }));
+  at_panel.open("change_base");
+  at_panel.click("execute");
+  EXPECT_TRUE(at_panel.isLit("busy"));
+  EXPECT_EQ(at_panel.outcome(), "error");
+  EXPECT_TRUE(at_panel.textOf("status_text").contains("There is no command node"));
+  at_panel.chooseRobot("/");
   EXPECT_TRUE(holdsSoon([this] { return isReady(); }));
-  at_panel_.click("execute");
-  EXPECT_EQ(at_panel_.outcome(), "done");
+  at_panel.click("execute");
+  EXPECT_EQ(at_panel.outcome(), "done");
 }
 
 /// Of another robot, whose command node nobody needs, and which is started again.
 TEST_F(Panel, saysThatANodeHasDiedAndFindsTheNextOne) {
-  at_panel_.chooseRobot("/second");
-  at_panel_.open("connect");
-  at_panel_.enter("host", "127.0.0.1");
-  at_panel_.enter("port", 1);
-  at_panel_.enter("timeout", 300);
-  at_panel_.click("execute");
-  ASSERT_TRUE(holdsSoon([this] { return at_panel_.link().startsWith("connecting"); }));
+  at_panel.chooseRobot("/second");
+  at_panel.open("connect");
+  at_panel.enter("host", "127.0.0.1");
+  at_panel.enter("port", 1);
+  at_panel.enter("timeout", 300);
+  at_panel.click("execute");
+  ASSERT_TRUE(holdsSoon([this] { return at_panel.link().startsWith("connecting"); }));
   ASSERT_EQ(std::system("kill -KILL $(rosnode info /second/command_node | sed -n 's/^Pid: //p')"), 0);
-  EXPECT_EQ(at_panel_.outcome(), "error");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel_.link() == "not connected"; }))
-      << at_panel_.link().toStdString();
-  at_panel_.click("execute");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel_.link().startsWith("connecting"); }));
-  at_panel_.click("cancel");
-  EXPECT_EQ(at_panel_.outcome(), "done");
+  EXPECT_EQ(at_panel.outcome(), "error");
+  EXPECT_TRUE(holdsSoon([this] { return at_panel.link() == "not connected"; }))
+      << at_panel.link().toStdString();
+  at_panel.click("execute");
+  EXPECT_TRUE(holdsSoon([this] { return at_panel.link().startsWith("connecting"); }));
+  at_panel.click("cancel");
+  EXPECT_EQ(at_panel.outcome(), "done");
 }
 
 TEST_F(Panel, isSavedWithTheConfigurationOfRviz) {
   auto& panel = dynamic_cast<rviz::Panel&>(window->panel());
-  at_panel_.open("move_relative");
-  at_panel_.click("preset");
-  at_panel_.enter("target.1", 12.5);
+  at_panel.open("move_relative");
+  at_panel.click("preset");
+  at_panel.enter("target.1", 12.5);
   rviz::Config kept;
   panel.save(kept);
-  at_panel_.enter("target.1", 99);
-  at_panel_.clickAlways("main_menu");
+  at_panel.enter("target.1", 99);
+  at_panel.clickAlways("main_menu");
   panel.load(kept);
-  at_panel_.open("move_relative");
-  EXPECT_EQ(at_panel_.valueOf("target.1"), 12.5);
+  at_panel.open("move_relative");
+  EXPECT_EQ(at_panel.valueOf("target.1"), 12.5);
   EXPECT_TRUE(holdsSoon([this] { return isReady(); }));
 }
 

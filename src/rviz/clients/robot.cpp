@@ -93,10 +93,10 @@ std::optional<Eigen::Isometry3d> Robot::toolInBase() const {
 }
 
 std::string Robot::activeBaseFrame() const {
-  constexpr std::string_view base = "base";
+  constexpr std::string_view kBase = "base";
   const std::string& frame = frames_.header.frame_id;
-  if (frame.size() < base.size()) return "";
-  return frame.substr(0, frame.size() - base.size()) + "active_base";
+  if (frame.size() < kBase.size()) return "";
+  return frame.substr(0, frame.size() - kBase.size()) + "active_base";
 }
 
 void Robot::look() {

@@ -31,16 +31,16 @@ class GhostDisplay : public rviz::Display {
   void update(float wall_dt, float ros_dt) override;
   void reset() override;
 
+ private Q_SLOTS:
+  void subscribe();
+  void load();
+  void paint();
+
  protected:
   void onInitialize() override;
   void onEnable() override;
   void onDisable() override;
   void fixedFrameChanged() override;
-
- private Q_SLOTS:
-  void subscribe();
-  void load();
-  void paint();
 
  private:
   void hear(const sensor_msgs::JointState& joints);

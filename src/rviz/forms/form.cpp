@@ -145,9 +145,9 @@ void Form::ruleAgain() {
 }
 
 void addPose(std::vector<Field>& fields, const std::string& prefix, const std::string& group) {
-  constexpr std::array labels{"X", "Y", "Z", "RX", "RY", "RZ"};
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    Field field = numberField(keyOf(prefix, i), labels[i], i < 3 ? "mm" : "°", -kFarthest, kFarthest, 0, 3);
+  constexpr std::array kLabels{"X", "Y", "Z", "RX", "RY", "RZ"};
+  for (std::size_t i = 0; i < kLabels.size(); ++i) {
+    Field field = numberField(keyOf(prefix, i), kLabels[i], i < 3 ? "mm" : "°", -kFarthest, kFarthest, 0, 3);
     field.group = group;
     fields.push_back(std::move(field));
   }

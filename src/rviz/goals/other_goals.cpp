@@ -46,12 +46,12 @@ cobot_command::LoadPathGoal toLoadPath(const Form& form, bool check_only) {
 }
 
 cobot_command::PickAndPlaceGoal toPickAndPlace(const Cycle& cycle, bool check_only) {
-  constexpr std::array modules{"", "EndModule", "ControlBox"};
+  constexpr std::array kModules{"", "EndModule", "ControlBox"};
   cobot_command::PickAndPlaceGoal goal;
   for (const Form& move : cycle.moves) {
     cobot_command::PickAndPlaceStep& step = goal.steps.emplace_back();
     step.move = toMoveAbsolute(move);
-    step.output.module = modules.at(static_cast<std::size_t>(move.whole("output_module")));
+    step.output.module = kModules.at(static_cast<std::size_t>(move.whole("output_module")));
     step.output.output = move.whole("output");
     step.output.value = move.isOn("output_value");
     step.dwell = move.number("dwell");

@@ -105,11 +105,11 @@ void JogPage::look() {
 }
 
 void JogPage::showWhere() {
-  constexpr std::array cartesian{"X", "Y", "Z", "RX", "RY", "RZ"};
+  constexpr std::array kCartesian{"X", "Y", "Z", "RX", "RY", "RZ"};
   const bool joints = isOfJoints(form_);
   const auto now = joints ? workplace_.robot->joints() : workplace_.robot->tool();
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    names_[i]->setText(joints ? QString("J%1").arg(i + 1) : QString(cartesian[i]));
+    names_[i]->setText(joints ? QString("J%1").arg(i + 1) : QString(kCartesian[i]));
     const QString unit = joints || i >= 3 ? "°" : "mm";
     values_[i]->setText(now ? QString("%1 %2").arg((*now)[i], 0, 'f', 2).arg(unit) : QString("–"));
   }

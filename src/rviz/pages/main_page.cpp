@@ -18,7 +18,8 @@ MainPage::MainPage(const std::vector<Area>& areas, const std::function<void(cons
   auto* layout = new QVBoxLayout(this);
   for (const Area& area : areas) {
     auto* box = new QGroupBox(area.name);
-    auto* grid = new QGridLayout(box);
+    auto* grid = new QGridLayout;
+    box->setLayout(grid);
     int cell = 0;
     for (const Page* page : area.pages) {
       auto* button = new QPushButton(page->title());

@@ -47,12 +47,12 @@ QString answerText(bool answered, bool success, const std::string& message) {
 }
 
 QString groupText(const cobot_command::GroupState& state) {
-  constexpr std::array interface { "not initialized", "initialized", "synchronized" };
-  constexpr std::array sequence{"idle", "executing", "interrupted"};
+  constexpr std::array kInterface{"not initialized", "initialized", "synchronized"};
+  constexpr std::array kSequence{"idle", "executing", "interrupted"};
   QString text = QString("Interface: %1\nRobot: %2, %3\nQueue: %4 %, speed override %5 %")
-                     .arg(interface.at(state.ri_state))
+                     .arg(kInterface.at(state.ri_state))
                      .arg(state.enabled ? "enabled" : "not enabled")
-                     .arg(sequence.at(state.sequence))
+                     .arg(kSequence.at(state.sequence))
                      .arg(state.queue_usage, 0, 'f', 0)
                      .arg(state.speed_override, 0, 'f', 0);
   if (!state.out_of_sync.empty()) text += "\nOut of sync: " + QString::fromStdString(state.out_of_sync);

@@ -46,8 +46,9 @@ std::vector<std::string> findRobots() {
 
 QString connectionText(const std::optional<cobot_command::CommandStatus>& status) {
   if (!status) return "no command node";
-  constexpr std::array states{"not connected", "connecting", "connecting", "not in the Listen node", "ready"};
-  QString text = states.at(status->link_state);
+  constexpr std::array kStates{"not connected", "connecting", "connecting", "not in the Listen node",
+                               "ready"};
+  QString text = kStates.at(status->link_state);
   if (!status->host.empty()) {
     text += QString(" · %1:%2").arg(QString::fromStdString(status->host)).arg(status->port);
   }

@@ -69,6 +69,7 @@ void Preview::show(const Plan& plan) {
 
 void Preview::showArm(const std::array<double, 6>& joints) {
   std::vector<double> positions;
+  positions.reserve(joints.size());
   for (const double joint : joints) positions.push_back(joint * kRadiansPerDegree);
   publishArm(robot_.jointNames(), positions);
   hideFault();

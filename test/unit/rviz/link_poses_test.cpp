@@ -21,10 +21,10 @@ urdf::ModelInterfaceSharedPtr arm() {
 }
 
 std::map<std::string, double> named(const std::array<double, 6>& degrees) {
-  constexpr std::array names{"shoulder_1_joint", "shoulder_2_joint", "elbow_joint",
-                             "wrist_1_joint",    "wrist_2_joint",    "wrist_3_joint"};
+  constexpr std::array kNames{"shoulder_1_joint", "shoulder_2_joint", "elbow_joint",
+                              "wrist_1_joint",    "wrist_2_joint",    "wrist_3_joint"};
   std::map<std::string, double> joints;
-  for (std::size_t i = 0; i < names.size(); ++i) joints[names[i]] = degrees[i] * kDegree;
+  for (std::size_t i = 0; i < kNames.size(); ++i) joints[kNames[i]] = degrees[i] * kDegree;
   return joints;
 }
 
