@@ -1,56 +1,39 @@
 // The fields of results and feedback that many actions have, and some have not.
 #pragma once
 
-#include <type_traits>
-
 #include "clients/command.h"
+#include <boost/type_traits/is_detected.hpp>
 
 namespace cobot_command::rviz_plugin::outcome {
 
-template <class Message, class = void>
-struct HasAck : std::false_type {};
 template <class Message>
-struct HasAck<Message, std::void_t<decltype(Message::command_id_ack)>> : std::true_type {};
+using Ack = decltype(Message::command_id_ack);
+template <class Message>
+using Durations = decltype(Message::planned_duration, Message::actual_duration);
+template <class Message>
+using Fraction = decltype(Message::progress);
+template <class Message>
+using Step = decltype(Message::step);
+template <class Message>
+using Steps = decltype(Message::steps);
+template <class Message>
+using Points = decltype(Message::points);
 
-template <class Message, class = void>
-struct HasDurations : std::false_type {};
-template <class Message>
-struct HasDurations<Message,
-                    std::void_t<decltype(Message::planned_duration), decltype(Message::actual_duration)>>
-    : std::true_type {};
-
-template <class Message, class = void>
-struct HasProgress : std::false_type {};
-template <class Message>
-struct HasProgress<Message, std::void_t<decltype(Message::progress)>> : std::true_type {};
-
-template <class Message, class = void>
-struct HasStep : std::false_type {};
-template <class Message>
-struct HasStep<Message, std::void_t<decltype(Message::step)>> : std::true_type {};
-
-template <class Message, class = void>
-struct HasSteps : std::false_type {};
-template <class Message>
-struct HasSteps<Message, std::void_t<decltype(Message::steps)>> : std::true_type {};
-
-template <class Message, class = void>
-struct HasPoints : std::false_type {};
-template <class Message>
-struct HasPoints<Message, std::void_t<decltype(Message::points)>> : std::true_type {};
+template <template <class> class Field, class Message>
+inline constexpr bool kHas = boost::is_detected<Field, Message>::value;
 
 template <class Message>
 void readFeedback(const Message& feedback, CommandState& state) {
   state.text = feedback.text;
-  if constexpr (HasAck<Message>::value) state.command_id_ack = feedback.command_id_ack;
-  if constexpr (HasProgress<Message>::value) state.progress = feedback.progress;
-  if constexpr (HasStep<Message>::value) state.step = feedback.step;
+  if constexpr (kHas<Ack, Message>) state.command_id_ack = feedback.command_id_ack;
+  if constexpr (kHas<Fraction, Message>) state.progress = feedback.progress;
+  if constexpr (kHas<Step, Message>) state.step = feedback.step;
 }
 
 /// Where one command was checked its own error says more than that a step is wrong.
 template <class Message>
 void readErrorOfOnlyStep(const Message& result, CommandState& state) {
-  if constexpr (HasSteps<Message>::value) {
+  if constexpr (kHas<Steps, Message>) {
     if (result.steps.size() != 1 || result.steps.front().error_id == 0) return;
     state.error_id = result.steps.front().error_id;
     state.description = result.steps.front().error_description;
@@ -64,8 +47,8 @@ void readResult(const Message& result, CommandState& state) {
   state.description = result.error_description;
   state.remedy = result.remedy;
   readErrorOfOnlyStep(result, state);
-  if constexpr (HasAck<Message>::value) state.command_id_ack = result.command_id_ack;
-  if constexpr (HasDurations<Message>::value) {
+  if constexpr (kHas<Ack, Message>) state.command_id_ack = result.command_id_ack;
+  if constexpr (kHas<Durations, Message>) {
     state.planned = result.planned_duration.toSec();
     state.actual = result.actual_duration.toSec();
   }
@@ -73,8 +56,8 @@ void readResult(const Message& result, CommandState& state) {
 
 template <class Message>
 Plan readPlan(const Message& result) {
-  if constexpr (HasSteps<Message>::value) return planOf(result.steps);
-  if constexpr (HasPoints<Message>::value) return planOf(result.points);
+  if constexpr (kHas<Steps, Message>) return planOf(result.steps);
+  if constexpr (kHas<Points, Message>) return planOf(result.points);
   return {};
 }
 
