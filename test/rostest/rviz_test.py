@@ -6,6 +6,7 @@ import subprocess
 import unittest
 
 import rospkg
+import rosgraph
 import rosnode
 import rospy
 import rostest
@@ -25,6 +26,11 @@ def on_screen(*command):
 
 def config():
     return os.path.join(rospkg.RosPack().get_path("cobot_command"), "rviz", "cobot.rviz")
+
+
+def is_heard_by(topic, node):
+    _, subscribers, _ = rosgraph.Master("/rviz_test").getSystemState()
+    return any(name == topic and node in nodes for name, nodes in subscribers)
 
 
 class Rviz(unittest.TestCase):
@@ -47,7 +53,8 @@ class Rviz(unittest.TestCase):
     def test_ends_cleanly_when_it_is_told_to(self):
         process = self.start("rviz", "-d", config(), "-f", "base", "__name:=rviz_to_end")
         wait_until(lambda: "/rviz_to_end" in rosnode.get_node_names(), "RViz", 60)
-        rospy.sleep(2)  # what it shows is there; the panel has its clients
+        wait_until(lambda: is_heard_by("/preview_joints", "/rviz_to_end") and is_heard_by("/command_status", "/rviz_to_end"),
+                   "what it shows, and its panel", 60)
         rosnode.kill_nodes(["/rviz_to_end"])
         output, _ = process.communicate(timeout=30)
         print(output)

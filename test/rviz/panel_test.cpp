@@ -49,6 +49,19 @@ class Panel : public ::testing::Test {
     ASSERT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
   }
 
+  /// Along y [mm], and returns while it moves; on the page Move Relative.
+  void moveSlowly(double way) {
+    ASSERT_NO_FATAL_FAILURE(moveToPreset());
+    at_panel.open("move_relative");
+    at_panel.click("preset");
+    at_panel.choose("movement_command", 0);
+    at_panel.choose("data_format", 3);
+    at_panel.enter("target.1", way);
+    at_panel.enter("speed_mm_s", 10);
+    at_panel.click("execute");
+    ASSERT_TRUE(holdsSoon([this] { return at_panel.link().contains("moving"); }));
+  }
+
   /// Of J1, on the page that jogs.
   [[nodiscard]] double jointValue() const { return at_panel.textOf("value_0").split(' ').front().toDouble(); }
 
@@ -194,15 +207,7 @@ TEST_F(Panel, changesBaseAndTcpAndBack) {
 }
 
 TEST_F(Panel, stopsARobotThatMovesWhateverPageIsOpen) {
-  moveToPreset();
-  at_panel.open("move_relative");
-  at_panel.click("preset");
-  at_panel.choose("movement_command", 0);
-  at_panel.choose("data_format", 3);
-  at_panel.enter("target.1", 300);
-  at_panel.enter("speed_mm_s", 10);
-  at_panel.click("execute");
-  ASSERT_TRUE(holdsSoon([this] { return at_panel.link().contains("moving"); }));
+  ASSERT_NO_FATAL_FAILURE(moveSlowly(300));
   EXPECT_TRUE(at_panel.isLit("busy"));
   at_panel.open("change_base");
   at_panel.clickStop();
@@ -212,15 +217,7 @@ TEST_F(Panel, stopsARobotThatMovesWhateverPageIsOpen) {
 }
 
 TEST_F(Panel, pausesAndResumesAMove) {
-  moveToPreset();
-  at_panel.open("move_relative");
-  at_panel.click("preset");
-  at_panel.choose("movement_command", 0);
-  at_panel.choose("data_format", 3);
-  at_panel.enter("target.1", 200);
-  at_panel.enter("speed_mm_s", 10);
-  at_panel.click("execute");
-  ASSERT_TRUE(holdsSoon([this] { return at_panel.link().contains("moving"); }));
+  ASSERT_NO_FATAL_FAILURE(moveSlowly(200));
   at_panel.clickAlways("pause");
   EXPECT_TRUE(holdsSoon([this] { return at_panel.link().contains("paused"); }));
   EXPECT_TRUE(at_panel.isLit("busy"));
