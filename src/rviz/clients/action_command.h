@@ -36,11 +36,15 @@ class ActionCommand : public Command {
     if (client_.isServerConnected()) sendWaiting();
   }
 
+  /// Takes back a goal that still waits for the node.
+  void withdraw() {
+    if (!waiting_) return;
+    waiting_.reset();
+    become({});
+  }
+
   void cancel() override {
-    if (waiting_) {
-      waiting_.reset();
-      become({});
-    }
+    withdraw();
     for (Handle& handle : handles_) {
       if (handle.getCommState() != actionlib::CommState::DONE) handle.cancel();
     }

@@ -76,6 +76,8 @@ void JogPage::press(int axis, int direction) {
 
 void JogPage::release() {
   holding_->stop();
+  // A node that comes later is not to move the arm for a button that nobody holds.
+  if (jog_) jog_->withdraw();
 }
 
 void JogPage::hideEvent(QHideEvent* event) {
