@@ -41,7 +41,11 @@ ALLOWED = {
     "ros/action_parts": {"common", "script", "arm", "blocks"},
     "ros/actions": {"common", "script", "arm", "path", "blocks"},
     "ros/simulation": {"common", "script", "arm", "link", "simulator", "runtime/simulation"},
-    "rviz": set(),
+    "rviz": {"arm", "ros/shared"},
+    "rviz/forms": set(),
+    "rviz/widgets": set(),
+    "rviz/pages": set(),
+    "rviz/panel": set(),
 }
 # The wings of a room, and what each may use of it besides itself, wings and headers; what stands in the room's own folder may use
 # them all; "*.h": each header of the room itself. Above is what a wing may use of other rooms, where it is less than what its room may.

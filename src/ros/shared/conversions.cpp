@@ -66,6 +66,17 @@ arm::Pose toPose(const geometry_msgs::Transform& message) {
   return pose;
 }
 
+arm::Pose toPose(const geometry_msgs::Pose& message) {
+  geometry_msgs::Transform transform;
+  transform.translation.x = message.position.x;
+  transform.translation.y = message.position.y;
+  transform.translation.z = message.position.z;
+  transform.rotation = message.orientation;
+  const auto& q = message.orientation;
+  if (q.x == 0 && q.y == 0 && q.z == 0 && q.w == 0) transform.rotation.w = 1;
+  return toPose(transform);
+}
+
 JointNames jointNames(const std::string& prefix) {
   return {prefix + "shoulder_1_joint", prefix + "shoulder_2_joint", prefix + "elbow_joint",
           prefix + "wrist_1_joint",    prefix + "wrist_2_joint",    prefix + "wrist_3_joint"};

@@ -4,9 +4,11 @@
 #include <cstdint>
 
 #include "clients/action_command.h"
-#include "goals/poses.h"
 #include <cobot_command/ProgramControlAction.h>
 #include <cobot_command/StopAction.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::rviz_plugin {
 namespace {
@@ -84,12 +86,12 @@ std::optional<std::array<double, 6>> Robot::joints() const {
 std::optional<std::array<double, 6>> Robot::tool() const {
   const auto in_base = toolInBase();
   if (!in_base || !frames_.base_known) return std::nullopt;
-  return toSix(toIsometry(frames_.base).inverse() * *in_base);
+  return arm::toControllerPose(ros_adapter::toPose(frames_.base).inverse() * *in_base);
 }
 
 std::optional<Eigen::Isometry3d> Robot::toolInBase() const {
   if (!isStreaming() || tool_.header.frame_id.empty()) return std::nullopt;
-  return toIsometry(tool_.pose);
+  return ros_adapter::toPose(tool_.pose);
 }
 
 std::string Robot::activeBaseFrame() const {

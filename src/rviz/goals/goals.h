@@ -2,8 +2,6 @@
 // message has it.
 #pragma once
 
-#include <array>
-
 #include "forms/cycle.h"
 #include "forms/form.h"
 #include <cobot_command/ChangeBaseGoal.h>
@@ -19,8 +17,6 @@
 #include <cobot_command/PickAndPlaceGoal.h>
 
 namespace cobot_command::rviz_plugin {
-
-[[nodiscard]] cobot_command::Transformation toTransformation(const std::array<double, 6>& six);
 
 [[nodiscard]] cobot_command::ConnectGoal toConnect(const Form& form);
 [[nodiscard]] cobot_command::ChangeBaseGoal toChangeBase(const Form& form);

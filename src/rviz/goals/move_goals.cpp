@@ -1,6 +1,8 @@
 #include "forms/motion_fields.h"
 #include "goals/goals.h"
 
+#include "cobot_command/ros/shared/conversions.h"
+
 namespace cobot_command::rviz_plugin {
 namespace {
 
@@ -18,7 +20,7 @@ void fillMotion(Goal& goal, const Form& form) {
 }
 
 cobot_command::Transformation targetOf(const Form& form) {
-  return toTransformation(form.six(form.field("joints.0").shown ? "joints" : "target"));
+  return ros_adapter::toTransformation(form.six(form.field("joints.0").shown ? "joints" : "target"));
 }
 
 template <class Goal>
@@ -32,17 +34,6 @@ cobot_command::CheckSequenceGoal checkOf(const Goal& goal, std::uint8_t kind,
 }
 
 }  // namespace
-
-cobot_command::Transformation toTransformation(const std::array<double, 6>& six) {
-  cobot_command::Transformation message;
-  message.x = six[0];
-  message.y = six[1];
-  message.z = six[2];
-  message.rx = six[3];
-  message.ry = six[4];
-  message.rz = six[5];
-  return message;
-}
 
 cobot_command::MoveAbsoluteGoal toMoveAbsolute(const Form& form) {
   cobot_command::MoveAbsoluteGoal goal;
@@ -67,8 +58,8 @@ cobot_command::MoveRelativeGoal toMoveRelative(const Form& form) {
 cobot_command::MoveCircleGoal toMoveCircle(const Form& form) {
   cobot_command::MoveCircleGoal goal;
   fillMotion(goal, form);
-  goal.arc_point = toTransformation(form.six("arc"));
-  goal.end_point = toTransformation(form.six("end"));
+  goal.arc_point = ros_adapter::toTransformation(form.six("arc"));
+  goal.end_point = ros_adapter::toTransformation(form.six("end"));
   goal.arc_angle = form.number("arc_angle");
   return goal;
 }

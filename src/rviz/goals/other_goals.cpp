@@ -1,4 +1,8 @@
+#include <array>
+
 #include "goals/goals.h"
+
+#include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::rviz_plugin {
 
@@ -13,7 +17,7 @@ cobot_command::ConnectGoal toConnect(const Form& form) {
 
 cobot_command::ChangeBaseGoal toChangeBase(const Form& form) {
   cobot_command::ChangeBaseGoal goal;
-  goal.transformation = toTransformation(form.six("base"));
+  goal.transformation = ros_adapter::toTransformation(form.six("base"));
   goal.base_name = form.text("base_name");
   goal.buffer_mode = form.whole("buffer_mode");
   return goal;
@@ -21,12 +25,12 @@ cobot_command::ChangeBaseGoal toChangeBase(const Form& form) {
 
 cobot_command::ChangeTCPGoal toChangeTcp(const Form& form) {
   cobot_command::ChangeTCPGoal goal;
-  goal.tcp_offset = toTransformation(form.six("tcp_offset"));
+  goal.tcp_offset = ros_adapter::toTransformation(form.six("tcp_offset"));
   goal.weight = form.number("weight");
   goal.moment_of_inertia.ixx = form.number("ixx");
   goal.moment_of_inertia.iyy = form.number("iyy");
   goal.moment_of_inertia.izz = form.number("izz");
-  goal.mass_center = toTransformation(form.six("mass_center"));
+  goal.mass_center = ros_adapter::toTransformation(form.six("mass_center"));
   goal.tcp_name = form.text("tcp_name");
   goal.buffer_mode = form.whole("buffer_mode");
   return goal;

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdint>
 
-#include "goals/poses.h"
 #include <sensor_msgs/JointState.h>
 #include <visualization_msgs/Marker.h>
 #include <visualization_msgs/MarkerArray.h>
+
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::rviz_plugin {
 namespace {
@@ -97,7 +99,7 @@ void Preview::publishFault(const std::array<double, 6>& place, const std::string
   const std::string frame = robot_.activeBaseFrame();
   if (frame.empty()) return;
   Marker point = markerOf(frame, "offending", Marker::SPHERE);
-  point.pose = toPose(toIsometry(place));
+  point.pose = ros_adapter::toPoseMessage(arm::toPose(place));
   point.scale.x = point.scale.y = point.scale.z = kSphere;
   point.color = colorOf(0.85F, 0.1F, 0.1F);
   Marker text = markerOf(frame, "reason", Marker::TEXT_VIEW_FACING);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "goals/goals.h"
-#include "goals/poses.h"
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::rviz_plugin {
 namespace {
@@ -72,10 +72,10 @@ void Target::placeMarker(const Six& target) {
   if (!server_->get(kName, marker)) {
     server_->insert(markerIn(frame), [this](const InteractiveMarkerFeedback::ConstPtr& feedback) {
       if (feedback->event_type != InteractiveMarkerFeedback::POSE_UPDATE || !dragged_) return;
-      dragged_(toSix(toIsometry(feedback->pose)));
+      dragged_(arm::toControllerPose(ros_adapter::toPose(feedback->pose)));
     });
   }
-  server_->setPose(kName, toPose(toIsometry(target)));
+  server_->setPose(kName, ros_adapter::toPoseMessage(arm::toPose(target)));
   server_->applyChanges();
 }
 
@@ -84,9 +84,9 @@ void Target::ask(const Six& target, const std::optional<Configuration>& configur
   if (!frames.base_known || !frames.tcp_known) return;
   // The service knows no active TCP: the flange in the robot base says the same.
   const Eigen::Isometry3d flange =
-      toIsometry(frames.base) * toIsometry(target) * toIsometry(frames.tcp).inverse();
+      ros_adapter::toPose(frames.base) * arm::toPose(target) * ros_adapter::toPose(frames.tcp).inverse();
   cobot_command::InverseKinematics service;
-  service.request.pose = toTransformation(toSix(flange));
+  service.request.pose = ros_adapter::toTransformation(arm::toControllerPose(flange));
   service.request.configuration = configuration ? cobot_command::InverseKinematicsRequest::GIVEN
                                                 : cobot_command::InverseKinematicsRequest::SAME;
   if (configuration) {

@@ -3,10 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "goals/poses.h"
 #include "source_tree.h"
 #include <gmock/gmock.h>
 #include <urdf_parser/urdf_parser.h>
+
+#include "cobot_command/arm/controller_pose.h"
 
 namespace cobot_command::rviz_plugin {
 namespace {
@@ -31,7 +32,7 @@ std::map<std::string, double> named(const std::array<double, 6>& degrees) {
 TEST(LinkPoses, bringTheFlangeWhereTheControllerHasIt) {
   ASSERT_TRUE(arm());
   const auto poses = linkPoses(*arm(), named({30, -20, 100, 10, 80, -45}));
-  EXPECT_THAT(toSix(poses.at("tool0")),
+  EXPECT_THAT(arm::toControllerPose(poses.at("tool0")),
               Pointwise(DoubleNear(0.001), {330.992, 27.191, 397.019, -172.893, 7.053, 165.439}));
 }
 

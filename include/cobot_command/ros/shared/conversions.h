@@ -35,6 +35,8 @@ struct ClockPair {
 [[nodiscard]] geometry_msgs::Transform toTransform(const arm::Pose& pose);
 [[nodiscard]] geometry_msgs::Pose toPoseMessage(const arm::Pose& pose);
 [[nodiscard]] arm::Pose toPose(const geometry_msgs::Transform& message);
+/// A quaternion of length zero, as a new message has it, is no turn.
+[[nodiscard]] arm::Pose toPose(const geometry_msgs::Pose& message);
 
 using JointNames = std::array<std::string, arm::kJointCount>;
 /// The six joints as the vendor's driver names them, with `prefix` in front.
