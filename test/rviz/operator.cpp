@@ -1,5 +1,6 @@
 #include "operator.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -39,11 +40,17 @@ void Operator::open(const QString& page) {
   if (page_ == nullptr || !page_->isVisible()) throw std::runtime_error("no page " + page.toStdString());
 }
 
-void Operator::chooseRobot(const QString& name) {
+void Operator::typeRobot(const QString& name) {
   auto* robots = panel_.findChild<QComboBox*>("robots");
+  QApplication::setActiveWindow(&frame_);  // nobody manages the windows of this screen
+  robots->lineEdit()->setFocus();
   robots->lineEdit()->selectAll();
   QTest::keyClicks(robots->lineEdit(), name);
-  QTest::keyClick(robots->lineEdit(), Qt::Key_Return);
+}
+
+void Operator::chooseRobot(const QString& name) {
+  typeRobot(name);
+  QTest::keyClick(panel_.findChild<QComboBox*>("robots")->lineEdit(), Qt::Key_Return);
 }
 
 void Operator::click(const QString& button) {
@@ -72,6 +79,12 @@ void Operator::enter(const QString& field, const QString& text) {
   QTest::keyClicks(&line, text);
 }
 
+void Operator::type(const QString& field, const QString& text) {
+  auto& box = find<QDoubleSpinBox>(field);
+  box.selectAll();
+  QTest::keyClicks(&box, text);
+}
+
 void Operator::choose(const QString& field, int value) {
   auto& box = find<QComboBox>(field);
   const int wanted = box.findData(value);
@@ -94,6 +107,14 @@ void Operator::press(const QString& button) {
 
 void Operator::release(const QString& button) {
   QTest::mouseRelease(&find<QPushButton>(button), Qt::LeftButton);
+}
+
+void Operator::releaseElsewhere() {
+  QTest::mouseRelease(&frame_, Qt::LeftButton);
+}
+
+QString Operator::textAlways(const QString& label) const {
+  return panel_.findChild<QLabel*>(label)->text();
 }
 
 bool Operator::isLit(const QString& lamp) const {

@@ -17,14 +17,20 @@ class Operator {
   void open(const QString& page);
   /// By its namespace.
   void chooseRobot(const QString& name);
+  /// In the box of robots, and does not confirm it.
+  void typeRobot(const QString& name);
   /// On the page that is open.
   void click(const QString& button);
   void enter(const QString& field, double number);
   void enter(const QString& field, const QString& text);
+  /// And does not confirm it.
+  void type(const QString& field, const QString& text);
   void choose(const QString& field, int value);
   void tick(const QString& field, bool on);
   void press(const QString& button);
   void release(const QString& button);
+  /// The mouse, where something else has taken it.
+  void releaseElsewhere();
   /// Always at hand.
   void clickStop();
   void clickAlways(const QString& button);
@@ -33,6 +39,8 @@ class Operator {
   [[nodiscard]] QString textOf(const QString& label) const;
   [[nodiscard]] QString link() const;
   [[nodiscard]] QString robot() const;
+  /// Always at hand.
+  [[nodiscard]] QString textAlways(const QString& label) const;
   [[nodiscard]] double valueOf(const QString& field) const;
   /// How the command of the page ended: "done", "error" or "aborted"; "busy" when it has not within so many
   /// seconds.

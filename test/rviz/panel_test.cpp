@@ -1,7 +1,10 @@
 // An operator at RViz, beside a simulated robot and its command node.
 #include <QStringList>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -243,6 +246,74 @@ TEST_F(Panel, jogsAJointAsLongAsItsButtonIsHeld) {
   EXPECT_EQ(at_panel.outcome(5), "done") << at_panel.textOf("status_text").toStdString();
 }
 
+/// A keep-alive names no jog: that of a button that is pressed anew keeps none going that another button has
+/// begun.
+TEST_F(Panel, jogsTheOtherWayWhenTheOtherButtonIsPressedAtOnce) {
+  moveToPreset();
+  at_panel.open("jog");
+  at_panel.choose("mode", 2);
+  at_panel.press("jog_0_plus");
+  const double before = jointValue();
+  ASSERT_TRUE(holdsSoon([&] { return jointValue() > before + 1 || !at_panel.isLit("busy"); }));
+  at_panel.release("jog_0_plus");
+  at_panel.press("jog_0_minus");
+  const double turned = jointValue();
+  bool has_turned_back = false;
+  for (int tries = 0; tries < 10 && !has_turned_back; ++tries) {
+    ASSERT_TRUE(holdsSoon([&] {
+      has_turned_back = jointValue() < turned - 1;
+      return has_turned_back || !at_panel.isLit("busy");
+    }));
+    at_panel.release("jog_0_minus");
+    if (!has_turned_back) at_panel.press("jog_0_minus");
+  }
+  EXPECT_TRUE(has_turned_back) << at_panel.textOf("status_text").toStdString();
+  EXPECT_NE(at_panel.outcome(5), "busy");
+}
+
+TEST_F(Panel, letsGoOfTheArmWhereverTheMouseIsReleased) {
+  moveToPreset();
+  at_panel.open("jog");
+  at_panel.choose("mode", 2);
+  at_panel.press("jog_0_minus");
+  at_panel.releaseElsewhere();
+  EXPECT_EQ(at_panel.outcome(5), "done") << at_panel.textOf("status_text").toStdString();
+}
+
+TEST_F(Panel, saysBeforeWhichLimitAJogHasEnded) {
+  moveToPreset();
+  at_panel.open("jog");
+  at_panel.choose("mode", 2);
+  at_panel.type("speed", "15");  // what is shown counts, confirmed or not
+  for (int tries = 0; tries < 10 && !at_panel.textOf("status_text").contains("limit"); ++tries) {
+    at_panel.press("jog_2_plus");
+    EXPECT_NE(at_panel.outcome(20), "busy");
+    at_panel.release("jog_2_plus");
+  }
+  EXPECT_TRUE(at_panel.textOf("status_text").contains("J3")) << at_panel.textOf("status_text").toStdString();
+  EXPECT_EQ(at_panel.valueOf("speed"), 15);
+  at_panel.enter("speed", 10);
+}
+
+TEST_F(Panel, takesTheNumberThatWasTypedOrKeepsTheOneThatWas) {
+  at_panel.open("move_relative");
+  at_panel.click("preset");
+  at_panel.type("target.0", "12,5");
+  at_panel.click("check");
+  EXPECT_EQ(at_panel.valueOf("target.0"), 12.5);
+  at_panel.type("target.1", "1e2");
+  at_panel.click("check");
+  EXPECT_EQ(at_panel.valueOf("target.1"), 100);
+  at_panel.type("target.2", "1234567");
+  at_panel.click("check");
+  EXPECT_EQ(at_panel.valueOf("target.2"), 0);
+  at_panel.open("change_tcp");
+  at_panel.type("weight", "500");
+  at_panel.open("connect");
+  at_panel.open("change_tcp");
+  EXPECT_EQ(at_panel.valueOf("weight"), 0);
+}
+
 TEST_F(Panel, jogsTheToolInSteps) {
   moveToPreset();
   at_panel.open("jog");
@@ -275,10 +346,12 @@ TEST_F(Panel, runsThePickAndPlaceWithAMoveThatWasEdited) {
 }
 
 TEST_F(Panel, drivesAPathFromAFile) {
+  GhostListener ghost;
   at_panel.open("load_path");
   at_panel.click("preset");
   at_panel.click("check");
   ASSERT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
+  EXPECT_TRUE(holdsSoon([&] { return ghost.isThere(); }));
   at_panel.takePicture("path");
   at_panel.enter("feedrate", 50);
   at_panel.click("set_feedrate");
@@ -313,6 +386,58 @@ TEST_F(Panel, saysThatThereIsNoNodeForACommandAndWorksOn) {
   EXPECT_EQ(at_panel.outcome(), "done");
 }
 
+TEST_F(Panel, sendsNothingBehindAStopThatStillWaitedForItsNode) {
+  at_panel.chooseRobot("/nobody");
+  at_panel.open("change_base");
+  at_panel.click("execute");
+  EXPECT_TRUE(at_panel.isLit("busy"));
+  at_panel.clickStop();
+  EXPECT_FALSE(at_panel.isLit("busy") || at_panel.isLit("error"));
+}
+
+TEST_F(Panel, showsTheRobotThatItCommandsWhateverWasTyped) {
+  at_panel.chooseRobot("no name!");
+  EXPECT_EQ(at_panel.robot(), "/");
+  EXPECT_TRUE(holdsSoon([this] { return at_panel.link() == "'no name!' is no namespace"; }));
+  at_panel.typeRobot("/third");
+  at_panel.open("connect");
+  at_panel.enter("timeout", 30);
+  EXPECT_EQ(at_panel.robot(), "/");
+  EXPECT_TRUE(holdsSoon([this] { return isReady(); }));
+}
+
+/// Of a node that lives: one that hangs does not tell it.
+std::string pidOfSecond() {
+  const std::unique_ptr<FILE, int (*)(FILE*)> told(
+      popen("rosnode info /second/command_node | sed -n 's/^Pid: //p'", "r"), pclose);
+  std::array<char, 16> pid{};
+  return fgets(pid.data(), pid.size(), told.get()) == nullptr ? "" : std::string(pid.data());
+}
+
+void signalTo(const std::string& pid, const char* signal) {
+  ASSERT_EQ(std::system(("kill -" + std::string(signal) + " " + pid).c_str()), 0);
+}
+
+TEST_F(Panel, saysThatANodeDoesNotAnswerAndTakesTheCommandBack) {
+  at_panel.chooseRobot("/second");
+  at_panel.open("change_base");
+  ASSERT_TRUE(holdsSoon([this] { return at_panel.link() == "not connected"; }));
+  ASSERT_TRUE(holdsSoon([this] {  // its clients have found each other
+    at_panel.click("execute");
+    return at_panel.outcome(5) == "error" && at_panel.textOf("error_id") == "16#10";
+  }));
+  const std::string pid = pidOfSecond();
+  ASSERT_NO_FATAL_FAILURE(signalTo(pid, "STOP"));
+  at_panel.click("execute");
+  EXPECT_EQ(at_panel.outcome(), "error");
+  EXPECT_TRUE(at_panel.textOf("status_text").contains("does not answer"));
+  at_panel.clickStop();
+  EXPECT_TRUE(
+      holdsSoon([this] { return at_panel.textAlways("stop_text").contains("Use the emergency stop"); }));
+  ASSERT_NO_FATAL_FAILURE(signalTo(pid, "CONT"));
+  EXPECT_TRUE(holdsSoon([this] { return !at_panel.textAlways("stop_text").contains("emergency stop"); }));
+}
+
 /// Of another robot, whose command node nobody needs, and which is started again.
 TEST_F(Panel, saysThatANodeHasDiedAndFindsTheNextOne) {
   at_panel.chooseRobot("/second");
@@ -322,7 +447,7 @@ TEST_F(Panel, saysThatANodeHasDiedAndFindsTheNextOne) {
   at_panel.enter("timeout", 300);
   at_panel.click("execute");
   ASSERT_TRUE(holdsSoon([this] { return at_panel.link().startsWith("connecting"); }));
-  ASSERT_EQ(std::system("kill -KILL $(rosnode info /second/command_node | sed -n 's/^Pid: //p')"), 0);
+  ASSERT_NO_FATAL_FAILURE(signalTo(pidOfSecond(), "KILL"));
   EXPECT_EQ(at_panel.outcome(), "error");
   EXPECT_TRUE(holdsSoon([this] { return at_panel.link() == "not connected"; }))
       << at_panel.link().toStdString();

@@ -13,6 +13,10 @@
 
 namespace cobot_command::rviz_plugin {
 
+/// What becomes of a goal of which the node says nothing for two seconds. One that it takes up later moves a
+/// robot that nobody expects to move; a stop is never too late.
+enum class Unanswered { TakenBack, Kept };
+
 template <class Action>
 class ActionCommand : public Command {
   ACTION_DEFINITION(Action)
@@ -20,8 +24,9 @@ class ActionCommand : public Command {
   using Handle = typename Client::GoalHandle;
 
  public:
-  ActionCommand(const ros::NodeHandle& node, const std::string& name)
-      : name_(node.resolveName(name)), client_(node, name) {}
+  ActionCommand(const ros::NodeHandle& node, const std::string& name,
+                Unanswered unanswered = Unanswered::TakenBack)
+      : name_(node.resolveName(name)), client_(node, name), unanswered_(unanswered) {}
 
   /// As soon as the node is there: where it just starts, or RViz does, that takes a moment. A node that does
   /// not come is an error of this goal, as it would never hear of it.
@@ -36,11 +41,15 @@ class ActionCommand : public Command {
     if (client_.isServerConnected()) sendWaiting();
   }
 
-  /// Takes back a goal that still waits for the node.
-  void withdraw() {
+  void withdraw() override {
     if (!waiting_) return;
     waiting_.reset();
-    become({});
+    become({}, {});
+  }
+
+  void cancelAll() override {
+    withdraw();
+    client_.cancelAllGoals();
   }
 
   void cancel() override {
@@ -54,6 +63,7 @@ class ActionCommand : public Command {
     if (client_.isServerConnected()) {
       looks_without_node_ = 0;
       if (waiting_) sendWaiting();
+      lookForAnswer();
       return;
     }
     // Where a node is started again its topics are gone for a moment.
@@ -61,28 +71,54 @@ class ActionCommand : public Command {
     if (waiting_) {
       waiting_.reset();
       become(failed("There is no command node that serves " + name_,
-                    "Start it, or choose the robot that it is for"));
+                    "Start it, or choose the robot that it is for"),
+             {});
       return;
     }
     handles_.clear();
     ++newest_;
     become(failed("The command node has gone; nobody knows what became of the command",
-                  "See that the robot stands; start the node again"));
+                  "See that the robot stands; start the node again"),
+           {});
   }
 
  private:
-  static constexpr int kPatience = 20;  ///< looks, of which there are ten in a second
+  /// Looks, of which there are ten in a second.
+  static constexpr int kPatience = 20;
 
   void sendWaiting() {
     forgetEnded();
     const unsigned number = newest_;
     const Goal goal = *waiting_;
     waiting_.reset();
+    looks_for_answer_ = 0;
+    CommandState sent = state();
+    sent.text = "sent";
+    become(sent);
     handles_.push_back(client_.sendGoal(
         goal, [this, number](const Handle& handle) { follow(handle, number); },
         [this, number](const Handle& /*handle*/, const FeedbackConstPtr& feedback) {
           hear(*feedback, number);
         }));
+  }
+
+  /// A connection tells nothing: it lives on for minutes with a node that hangs, or a cable that is out.
+  void lookForAnswer() {
+    if (!isBusy() || waiting_ || looks_for_answer_ < 0) return;
+    if (++looks_for_answer_ < kPatience) return;
+    looks_for_answer_ = -1;
+    if (unanswered_ == Unanswered::TakenBack) {
+      cancel();
+      ++newest_;
+      become(failed("The command node does not answer, and the command was taken back",
+                    "See whether the node and its network live; the robot may do as before"),
+             {});
+      return;
+    }
+    CommandState silent = state();
+    silent.unanswered = true;
+    silent.text = "sent, but the command node does not answer: the robot may do as before";
+    become(silent);
   }
 
   static CommandState failed(std::string description, std::string remedy) {
@@ -108,20 +144,36 @@ class ActionCommand : public Command {
   void hear(const Feedback& feedback, unsigned number) {
     if (number != newest_ || !isBusy()) return;
     CommandState now = state();
+    now.unanswered = false;
+    looks_for_answer_ = -1;
     outcome::readFeedback(feedback, now);
     become(now);
   }
 
+  void hearOfIt() {
+    looks_for_answer_ = -1;
+    if (!state().unanswered) return;
+    CommandState now = state();
+    now.unanswered = false;
+    now.text = "taken";
+    become(now);
+  }
+
   void follow(const Handle& handle, unsigned number) {
-    if (number != newest_ || handle.getCommState() != actionlib::CommState::DONE) return;
+    if (number != newest_) return;
+    if (handle.getCommState() != actionlib::CommState::DONE) {
+      if (handle.getCommState() != actionlib::CommState::WAITING_FOR_GOAL_ACK) hearOfIt();
+      return;
+    }
     CommandState ended = state();
+    ended.unanswered = false;
     ended.phase = phaseOf(handle.getTerminalState());
     ended.text.clear();
     ended.progress = -1;
     ended.step = -1;
     const ResultConstPtr result = handle.getResult();
     if (!result) {
-      become(failed("The goal was lost: the command node was started again", "Give the command again"));
+      become(failed("The goal was lost: the command node was started again", "Give the command again"), {});
       return;
     }
     outcome::readResult(*result, ended);
@@ -141,6 +193,8 @@ class ActionCommand : public Command {
   std::vector<Handle> handles_;  ///< before the client in destruction, as they want it
   unsigned newest_ = 0;          ///< which goal is shown: the one that was sent last
   int looks_without_node_ = 0;
+  int looks_for_answer_ = -1;  ///< since it was sent; -1: it was answered
+  Unanswered unanswered_;
 };
 
 }  // namespace cobot_command::rviz_plugin

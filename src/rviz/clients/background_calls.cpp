@@ -1,5 +1,6 @@
 #include "clients/background_calls.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -8,11 +9,23 @@
 
 namespace cobot_command::rviz_plugin {
 
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds kPatience(1);
+
+}  // namespace
+
 /// Outlives the object while a call hangs.
 struct BackgroundCalls::Shared {
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<std::function<std::function<void()>()>> jobs;
+  struct Job {
+    std::function<std::function<void()>()> run;
+    std::function<void()> dropped;
+    Clock::time_point posted;
+  };
+  std::deque<Job> jobs;
   std::deque<std::function<void()>> answers;
   bool ends = false;
 
@@ -21,12 +34,22 @@ struct BackgroundCalls::Shared {
     while (true) {
       changed.wait(lock, [this] { return ends || !jobs.empty(); });
       if (ends) return;
+      dropLate();
+      if (jobs.empty()) continue;
       auto job = std::move(jobs.front());
       jobs.pop_front();
       lock.unlock();
-      auto answer = job();
+      auto answer = job.run();
       lock.lock();
       answers.push_back(std::move(answer));
+    }
+  }
+
+  /// With the lock held.
+  void dropLate() {
+    while (!jobs.empty() && Clock::now() - jobs.front().posted > kPatience) {
+      if (jobs.front().dropped) answers.push_back(std::move(jobs.front().dropped));
+      jobs.pop_front();
     }
   }
 };
@@ -41,9 +64,9 @@ BackgroundCalls::~BackgroundCalls() {
   shared_->changed.notify_all();
 }
 
-void BackgroundCalls::post(std::function<std::function<void()>()> job) {
+void BackgroundCalls::post(std::function<std::function<void()>()> job, std::function<void()> dropped) {
   const std::lock_guard lock(shared_->mutex);
-  shared_->jobs.push_back(std::move(job));
+  shared_->jobs.push_back({std::move(job), std::move(dropped), Clock::now()});
   shared_->changed.notify_all();
 }
 
@@ -51,6 +74,7 @@ void BackgroundCalls::deliver() {
   std::deque<std::function<void()>> answers;
   {
     const std::lock_guard lock(shared_->mutex);
+    shared_->dropLate();
     answers.swap(shared_->answers);
   }
   for (const auto& answer : answers) answer();

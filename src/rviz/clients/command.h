@@ -16,12 +16,13 @@ struct CommandState {
   int error_id = 0;  ///< 0: none
   std::string description;
   std::string remedy;
-  int command_id_ack = 0;  ///< 0: none
-  std::string text;        ///< what goes on, in plain words
-  double progress = -1;    ///< 0..1; -1: nobody knows
-  int step = -1;           ///< of a cycle, from 0; -1: none is under way
-  double planned = 0;      ///< [s] 0: not known
-  double actual = 0;       ///< [s] 0: not known
+  int command_id_ack = 0;   ///< 0: none
+  std::string text;         ///< what goes on, in plain words
+  double progress = -1;     ///< 0..1; -1: nobody knows
+  int step = -1;            ///< of a cycle, from 0; -1: none is under way
+  bool unanswered = false;  ///< it was sent two seconds ago, and the node has not said a word of it
+  double planned = 0;       ///< [s] 0: not known
+  double actual = 0;        ///< [s] 0: not known
 };
 
 class Command {
@@ -31,8 +32,12 @@ class Command {
   Command& operator=(const Command&) = delete;
   virtual ~Command() = default;
 
-  /// Of all goals that this one has sent.
+  /// Of all goals that this one has sent; takes back what still waits for the node.
   virtual void cancel() = 0;
+  /// Of the goals of all clients, which may be of before this one was there.
+  virtual void cancelAll() = 0;
+  /// Takes back a goal that still waits for the node.
+  virtual void withdraw() = 0;
   /// From time to time: notices that the node has gone, whose goals then never end.
   virtual void look() = 0;
 

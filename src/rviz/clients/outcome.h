@@ -18,6 +18,10 @@ template <class Message>
 using Steps = decltype(Message::steps);
 template <class Message>
 using Points = decltype(Message::points);
+template <class Message>
+using Why = decltype(Message::why);
+template <class Message>
+using Path = decltype(Message::joint_path);
 
 template <template <class> class Field, class Message>
 inline constexpr bool kHas = boost::is_detected<Field, Message>::value;
@@ -46,6 +50,9 @@ void readResult(const Message& result, CommandState& state) {
   state.error_id = result.error_id;
   state.description = result.error_description;
   state.remedy = result.remedy;
+  if constexpr (kHas<Why, Message>) {
+    if (state.description.empty()) state.description = result.why;
+  }
   readErrorOfOnlyStep(result, state);
   if constexpr (kHas<Ack, Message>) state.command_id_ack = result.command_id_ack;
   if constexpr (kHas<Durations, Message>) {
@@ -56,9 +63,13 @@ void readResult(const Message& result, CommandState& state) {
 
 template <class Message>
 Plan readPlan(const Message& result) {
-  if constexpr (kHas<Steps, Message>) return planOf(result.steps);
-  if constexpr (kHas<Points, Message>) return planOf(result.points);
-  return {};
+  Plan plan;
+  if constexpr (kHas<Steps, Message>) plan = planOf(result.steps);
+  if constexpr (kHas<Points, Message>) plan = planOf(result.points);
+  if constexpr (kHas<Path, Message>) {
+    if (plan.path.points.empty()) plan.path = result.joint_path;
+  }
+  return plan;
 }
 
 }  // namespace cobot_command::rviz_plugin::outcome

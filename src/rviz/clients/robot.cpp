@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t kQueue = 10;
 constexpr double kDegreesPerRadian = 180 / M_PI;
+constexpr double kOld = 1;  // [s] for what comes 67 times in one
 
 template <class Message, class Kept>
 ros::Subscriber keep(ros::NodeHandle& node, const char* topic, Kept& kept) {
@@ -31,7 +32,7 @@ cobot_command::ProgramControlGoal controlGoal(std::int32_t command) {
 }  // namespace
 
 Robot::Robot(const std::string& name) : node_(name) {
-  auto stop = std::make_unique<ActionCommand<cobot_command::StopAction>>(node_, "stop");
+  auto stop = std::make_unique<ActionCommand<cobot_command::StopAction>>(node_, "stop", Unanswered::Kept);
   stop_.send = [&sender = *stop] { sender.send({}); };
   stop_.command = std::move(stop);
   auto control =
@@ -49,9 +50,14 @@ Robot::Robot(const std::string& name) : node_(name) {
   tool_topic_ = node_.subscribe<geometry_msgs::PoseStamped>(
       "tool_pose", kQueue, [this](const geometry_msgs::PoseStamped::ConstPtr& heard) {
         tool_ = *heard;
+        tool_heard_ = ros::WallTime::now();
         if (tool_listener_) tool_listener_();
       });
-  frames_topic_ = keep<cobot_command::ActiveFrames>(node_, "active_frames", frames_);
+  frames_topic_ = node_.subscribe<cobot_command::ActiveFrames>(
+      "active_frames", kQueue, [this](const cobot_command::ActiveFrames::ConstPtr& heard) {
+        frames_ = *heard;
+        if (frames_listener_) frames_listener_();
+      });
 }
 
 Robot::~Robot() = default;
@@ -73,7 +79,12 @@ std::optional<cobot_command::GroupState> Robot::groupState() const {
 
 bool Robot::isStreaming() const {
   const auto status = commandStatus();
-  return status && status->status_stream;
+  return status && status->status_stream && (ros::WallTime::now() - tool_heard_).toSec() < kOld;
+}
+
+bool Robot::isSilent() const {
+  const auto status = commandStatus();
+  return status && status->status_stream && !isStreaming();
 }
 
 std::optional<std::array<double, 6>> Robot::joints() const {

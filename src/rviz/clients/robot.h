@@ -45,6 +45,12 @@ class Robot {
   void onTool(std::function<void()> listener) { tool_listener_ = std::move(listener); }
   /// As in joint_states; none: it has told nothing yet.
   [[nodiscard]] const std::vector<std::string>& jointNames() const { return joints_.name; }
+  /// Whether joints and tool are of now: a connection alone tells nothing.
+  [[nodiscard]] bool isStreaming() const;
+  /// The node says that the controller tells where the robot is, and tells nothing of it itself.
+  [[nodiscard]] bool isSilent() const;
+  /// Called when base or TCP have become others.
+  void onFrames(std::function<void()> listener) { frames_listener_ = std::move(listener); }
   /// The frame in tf of the robot base; empty: nobody has told it yet.
   [[nodiscard]] const std::string& baseFrame() const { return frames_.header.frame_id; }
   [[nodiscard]] const cobot_command::ActiveFrames& activeFrames() const { return frames_; }
@@ -66,9 +72,6 @@ class Robot {
     std::function<void()> send;
   };
 
-  /// Whether joints and tool are of now.
-  [[nodiscard]] bool isStreaming() const;
-
   ros::NodeHandle node_;
   std::optional<cobot_command::CommandStatus> command_status_;
   std::optional<cobot_command::RobotStatus> robot_status_;
@@ -80,6 +83,8 @@ class Robot {
   Sender control_;
   std::function<void()> resume_;
   std::function<void()> tool_listener_;
+  std::function<void()> frames_listener_;
+  ros::WallTime tool_heard_;
   /// Last: they are gone before what they write into.
   ros::Subscriber command_status_topic_, robot_status_topic_, group_state_topic_, joints_topic_, tool_topic_,
       frames_topic_;

@@ -1,5 +1,6 @@
 #include "forms/cycle.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "forms/forms.h"
@@ -47,7 +48,10 @@ Preset straight(double y, double z, double speed, double dwell) {
 /// A move, and what follows once the robot stands at its target.
 Form stepForm(const Preset& preset) {
   std::vector<Field> fields = moveAbsoluteForm().fields();
-  fields.erase(fields.end() - 1);  // the buffer mode is that of the cycle
+  // That is of the cycle as a whole.
+  fields.erase(
+      std::remove_if(fields.begin(), fields.end(), [](const Field& f) { return f.key == "buffer_mode"; }),
+      fields.end());
   fields.push_back(choiceField("output_module", "Then set an output of",
                                {{0, "nothing"}, {1, "EndModule"}, {2, "ControlBox"}}, 0));
   fields.push_back(numberField("output", "Output", "", 0, 15, 0));
@@ -58,6 +62,9 @@ Form stepForm(const Preset& preset) {
     const bool sets = form.whole("output_module") != 0;
     form.show("output", sets);
     form.show("output_value", sets);
+    // What follows a move needs a robot that stands.
+    if (!sets && form.number("dwell") == 0) return;
+    for (const char* key : {"blending_enable", "blending_percent", "blending_mm"}) form.show(key, false);
   };
   Form form(std::move(fields), rule);
   form.apply(preset);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
@@ -134,9 +134,11 @@ void Form::restore(const std::map<std::string, std::string>& values) {
       set(value->first, value->second);
       continue;
     }
-    char* end = nullptr;
-    const double number = std::strtod(value->second.c_str(), &end);
-    if (end != value->second.c_str() && *end == '\0') set(value->first, number);
+    // Not strtod: the point of what was saved is none to it where numbers have a comma.
+    double number = 0;
+    const char* const end = value->second.data() + value->second.size();
+    const auto read = std::from_chars(value->second.data(), end, number);
+    if (read.ec == std::errc() && read.ptr == end) set(value->first, number);
   }
 }
 

@@ -37,7 +37,7 @@ class Form {
   [[nodiscard]] int whole(const std::string& key) const;
   [[nodiscard]] bool isOn(const std::string& key) const { return field(key).number != 0; }
   [[nodiscard]] const std::string& text(const std::string& key) const { return field(key).text; }
-  /// Of the fields `prefix`.0 to `prefix`.5, as sixFields() makes them.
+  /// Of the fields `prefix`.0 to `prefix`.5, as addPose() and addJoints() make them.
   [[nodiscard]] std::array<double, 6> six(const std::string& prefix) const;
 
   /// False, and nothing is changed: what was given is out of the range of the field, no option of it, or too

@@ -61,6 +61,7 @@ void addMotion(std::vector<Field>& fields) {
 
 void showUnits(Form& form, const Format& format) {
   const bool blends = form.isOn("blending_enable");
+  form.show("blending_enable", true);
   form.show("speed_percent", !hasAbsoluteSpeed(format));
   form.show("speed_mm_s", hasAbsoluteSpeed(format));
   form.show("blending_percent", blends && !blendsByRadius(format));

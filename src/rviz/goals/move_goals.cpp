@@ -12,7 +12,7 @@ void fillMotion(Goal& goal, const Form& form) {
   goal.data_format = form.whole("data_format");
   goal.speed = form.whole(form.field("speed_mm_s").shown ? "speed_mm_s" : "speed_percent");
   goal.accel_time = form.whole("accel_time");
-  goal.blending_enable = form.isOn("blending_enable");
+  goal.blending_enable = form.field("blending_enable").shown && form.isOn("blending_enable");
   goal.blending_value = form.whole(form.field("blending_mm").shown ? "blending_mm" : "blending_percent");
   // The sense of the field is the contrary of its name: true settles not.
   goal.disable_precise_positioning = !form.isOn("precise");

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "widgets/form_view.h"
 #include "widgets/status_box.h"
@@ -16,6 +17,13 @@ QPushButton* button(const QString& text, const char* name) {
   return made;
 }
 
+QWidget* emptyColumn() {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  return column;
+}
+
 }  // namespace
 
 CommandPage::CommandPage(const CommandPageSpec& spec)
@@ -24,23 +32,29 @@ CommandPage::CommandPage(const CommandPageSpec& spec)
       make_block_(spec.block),
       view_(new FormView(form_)),
       status_(new StatusBox),
-      below_form_(new QWidget) {
-  view_->onEdit([this] { edited(); });
+      pair_(*status_),
+      above_form_(emptyColumn()),
+      below_form_(emptyColumn()) {
+  view_->onEdit([this] { changed(); });
+  pair_.onChange([this] { enableExecute(); });
   auto* layout = new QVBoxLayout(this);
+  layout->addWidget(above_form_);
   layout->addWidget(view_);
   auto* helpers = new QHBoxLayout;
   addPresets(*helpers);
   addTakings(*helpers, spec.takings);
   helpers->addStretch();
   layout->addLayout(helpers);
-  new QVBoxLayout(below_form_);
-  below_form_->layout()->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(below_form_);
   auto* buttons = new QHBoxLayout;
   addButtons(*buttons, spec);
   layout->addLayout(buttons);
   layout->addWidget(status_);
   layout->addStretch();
+}
+
+void CommandPage::addAboveForm(QWidget* widget) {
+  above_form_->layout()->addWidget(widget);
 }
 
 void CommandPage::addBelowForm(QWidget* widget) {
@@ -54,7 +68,7 @@ void CommandPage::addPresets(QBoxLayout& layout) {
     connect(preset, &QPushButton::clicked, this, [this, i] {
       form_.apply(form_.presets()[i]);
       refresh();
-      edited();
+      changed();
     });
     layout.addWidget(preset);
   }
@@ -70,25 +84,22 @@ void CommandPage::addTakings(QBoxLayout& layout, const std::vector<Taking>& taki
 }
 
 void CommandPage::addButtons(QBoxLayout& layout, const CommandPageSpec& spec) {
-  check_ = button("Check", "check");
-  check_->setToolTip("Plans it, and sends nothing");
-  QPushButton* execute = button(spec.execute, "execute");
+  check_button_ = button("Check", "check");
+  check_button_->setToolTip("Plans it, and sends nothing");
+  execute_button_ = button(spec.execute, "execute");
   QPushButton* cancel = button(spec.cancel, "cancel");
-  connect(check_, &QPushButton::clicked, this, [this] {
-    shown_ = block_.checking.get();
-    block_.check(form_);
+  connect(check_button_, &QPushButton::clicked, this, [this] {
+    view_->commit();
+    pair_.showCheck();
+    check_(form_);
   });
-  connect(execute, &QPushButton::clicked, this, [this] {
-    shown_ = block_.execution.get();
-    block_.execute(form_);
+  connect(execute_button_, &QPushButton::clicked, this, [this] {
+    view_->commit();
+    pair_.showExecution();
+    execute_(form_);
   });
-  connect(cancel, &QPushButton::clicked, this, [this] {
-    block_.execution->cancel();
-    if (block_.checking) block_.checking->cancel();
-  });
-  layout.addWidget(check_);
-  layout.addWidget(execute);
-  layout.addWidget(cancel);
+  connect(cancel, &QPushButton::clicked, this, [this, all = spec.cancels_all] { pair_.cancel(all); });
+  for (QPushButton* made : {check_button_, execute_button_, cancel}) layout.addWidget(made);
 }
 
 void CommandPage::take(const Taking& taking) {
@@ -96,7 +107,7 @@ void CommandPage::take(const Taking& taking) {
   const auto joints = workplace_.robot->joints();
   if (joints && !taking.joints.empty()) form_.setSix(taking.joints, *joints);
   refresh();
-  edited();
+  changed();
 }
 
 void CommandPage::refresh() {
@@ -105,32 +116,22 @@ void CommandPage::refresh() {
 
 void CommandPage::bind(const Workplace& workplace) {
   workplace_ = workplace;
-  block_ = make_block_(workplace.robot->node());
-  shown_ = block_.execution.get();
-  watch(*block_.execution);
-  check_->setVisible(block_.checking != nullptr);
-  if (block_.checking) watch(*block_.checking);
-  status_->show(shown_->state());
+  Block block = make_block_(workplace.robot->node());
+  execute_ = std::move(block.execute);
+  check_ = std::move(block.check);
+  pair_.bind(std::move(block.execution), std::move(block.checking), *workplace.preview);
+  check_button_->setVisible(pair_.canCheck());
 }
 
-void CommandPage::watch(Command& command) {
-  command.onChange([this, &command] {
-    if (shown_ == &command) status_->show(command.state());
-    showEnd(command);
-  });
+void CommandPage::changed() {
+  enableExecute();
+  edited();
+  tellEdit();
 }
 
-void CommandPage::showEnd(const Command& command) {
-  if (block_.checking.get() == &command) {
-    if (!command.isBusy()) workplace_.preview->show(command.plan());
-  } else if (command.state().phase == CommandState::Phase::Done) {
-    workplace_.preview->hide();
-  }
-}
-
-void CommandPage::look() {
-  block_.execution->look();
-  if (block_.checking) block_.checking->look();
+void CommandPage::enableExecute() {
+  const bool refuses = !form_.has("buffer_mode") || form_.whole("buffer_mode") == 0;
+  execute_button_->setEnabled(!refuses || !pair_.execution().isBusy());
 }
 
 void CommandPage::restore(const Values& values) {

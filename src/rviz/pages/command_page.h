@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clients/block.h"
+#include "pages/command_pair.h"
 #include "pages/page.h"
 
 class QBoxLayout;
@@ -32,6 +33,7 @@ struct CommandPageSpec {
   std::vector<Taking> takings;
   QString execute = "Execute";
   QString cancel = "Cancel";
+  bool cancels_all = false;  ///< also what another client has begun
 };
 
 class CommandPage : public Page {
@@ -39,7 +41,8 @@ class CommandPage : public Page {
   explicit CommandPage(const CommandPageSpec& spec);
 
   void bind(const Workplace& workplace) override;
-  void look() override;
+  void look() override { pair_.look(); }
+  void withdraw() override { pair_.withdraw(); }
   [[nodiscard]] Values saved() const override { return form_.saved(); }
   void restore(const Values& values) override;
 
@@ -50,6 +53,8 @@ class CommandPage : public Page {
   void refresh();
   /// Somebody has changed the form: by hand, a preset, or by taking where the robot is.
   virtual void edited() {}
+  /// What does not move when fields come and go.
+  void addAboveForm(QWidget* widget);
   /// Between the form and the buttons.
   void addBelowForm(QWidget* widget);
 
@@ -58,19 +63,22 @@ class CommandPage : public Page {
   void addTakings(QBoxLayout& layout, const std::vector<Taking>& takings);
   void addButtons(QBoxLayout& layout, const CommandPageSpec& spec);
   void take(const Taking& taking);
-  void watch(Command& command);
-  /// Of a check that has ended its plan; of a motion that is done nothing any more.
-  void showEnd(const Command& command);
+  void changed();
+  /// Execute would be refused while this block is busy, unless its goals wait or take over.
+  void enableExecute();
 
   Form form_;
   std::function<Block(const ros::NodeHandle&)> make_block_;
   Workplace workplace_;
-  Block block_;
-  Command* shown_ = nullptr;  ///< that was started last: the check, or the execution
+  std::function<void(const Form&)> execute_;
+  std::function<void(const Form&)> check_;
   FormView* view_;
   StatusBox* status_;
-  QPushButton* check_ = nullptr;
-  QWidget* below_form_ = nullptr;
+  CommandPair pair_;
+  QPushButton* check_button_ = nullptr;
+  QPushButton* execute_button_ = nullptr;
+  QWidget* above_form_;
+  QWidget* below_form_;
 };
 
 }  // namespace cobot_command::rviz_plugin

@@ -5,12 +5,15 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
-#include <cstdlib>
+#include <memory>
+#include <utility>
 
+#include "clients/action_command.h"
 #include "goals/goals.h"
 #include "widgets/cycle_view.h"
 #include "widgets/form_view.h"
 #include "widgets/status_box.h"
+#include <cobot_command/PickAndPlaceAction.h>
 
 namespace cobot_command::rviz_plugin {
 namespace {
@@ -26,10 +29,14 @@ CyclePage::CyclePage()
     : Page("pick_and_place", "PnP Sequence"),
       cycle_(presetCycle()),
       views_(new QStackedWidget),
-      status_(new StatusBox) {
+      status_(new StatusBox),
+      pair_(*status_) {
   auto* layout = new QVBoxLayout(this);
   views_->addWidget(makeOverview());
   for (std::size_t move = 0; move < Cycle::kMoves; ++move) views_->addWidget(makeEditor(move));
+  pair_.onChange([this] { picture_->showStep(pair_.execution().state().step); });
+  for (FormView* editor : editors_) editor->onEdit([this] { changed(); });
+  general_->onEdit([this] { changed(); });
   connect(views_, &QStackedWidget::currentChanged, this, [this] { fitHeight(); });
   fitHeight();
   layout->addWidget(views_);
@@ -100,46 +107,33 @@ void CyclePage::addButtons(QBoxLayout& layout) {
     cycle_.general = preset.general;
     refresh();
   });
-  add("Check", "check", [this] { start(*checking_, true); });
-  add("Execute", "execute", [this] { start(*execution_, false); });
-  add("Cancel", "cancel", [this] {
-    execution_->cancel();
-    checking_->cancel();
+  add("Check", "check", [this] {
+    commit();
+    pair_.showCheck();
+    send_(true);
   });
-}
-
-void CyclePage::start(PickAndPlace& command, bool check_only) {
-  shown_ = &command;
-  command.send(toPickAndPlace(cycle_, check_only));
+  add("Execute", "execute", [this] {
+    commit();
+    pair_.showExecution();
+    send_(false);
+  });
+  add("Cancel", "cancel", [this] { pair_.cancel(false); });
 }
 
 void CyclePage::bind(const Workplace& workplace) {
+  using PickAndPlace = ActionCommand<cobot_command::PickAndPlaceAction>;
   workplace_ = workplace;
-  execution_ = std::make_unique<PickAndPlace>(workplace.robot->node(), "pick_and_place");
-  checking_ = std::make_unique<PickAndPlace>(workplace.robot->node(), "pick_and_place");
-  shown_ = execution_.get();
-  watch(*execution_);
-  watch(*checking_);
-  status_->show(shown_->state());
+  auto execution = std::make_unique<PickAndPlace>(workplace.robot->node(), "pick_and_place");
+  auto checking = std::make_unique<PickAndPlace>(workplace.robot->node(), "pick_and_place");
+  send_ = [this, &execute = *execution, &check = *checking](bool check_only) {
+    (check_only ? check : execute).send(toPickAndPlace(cycle_, check_only));
+  };
+  pair_.bind(std::move(execution), std::move(checking), *workplace.preview);
 }
 
-void CyclePage::watch(PickAndPlace& command) {
-  command.onChange([this, &command] {
-    if (shown_ == &command) {
-      status_->show(command.state());
-      picture_->showStep(command.state().step);
-    }
-    const bool checked = checking_.get() == &command && !command.isBusy();
-    if (checked) workplace_.preview->show(command.plan());
-    if (execution_.get() == &command && command.state().phase == CommandState::Phase::Done) {
-      workplace_.preview->hide();
-    }
-  });
-}
-
-void CyclePage::look() {
-  execution_->look();
-  checking_->look();
+void CyclePage::commit() {
+  for (FormView* editor : editors_) editor->commit();
+  general_->commit();
 }
 
 Page::Values CyclePage::saved() const {
@@ -161,6 +155,11 @@ void CyclePage::restore(const Values& values) {
     cycle_.moves[move].restore(of_move);
   }
   refresh();
+}
+
+void CyclePage::changed() {
+  picture_->update();
+  tellEdit();
 }
 
 void CyclePage::refresh() {

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <array>
-#include <memory>
+#include <functional>
 
-#include "clients/action_command.h"
 #include "forms/cycle.h"
+#include "pages/command_pair.h"
 #include "pages/page.h"
-#include <cobot_command/PickAndPlaceAction.h>
-
 class QBoxLayout;
 class QStackedWidget;
 
@@ -23,31 +21,30 @@ class CyclePage : public Page {
   CyclePage();
 
   void bind(const Workplace& workplace) override;
-  void look() override;
+  void look() override { pair_.look(); }
+  void withdraw() override { pair_.withdraw(); }
   [[nodiscard]] Values saved() const override;
   void restore(const Values& values) override;
 
  private:
-  using PickAndPlace = ActionCommand<cobot_command::PickAndPlaceAction>;
-
   void fitHeight();
   QWidget* makeOverview();
   QWidget* makeEditor(std::size_t move);
   void addButtons(QBoxLayout& layout);
-  void start(PickAndPlace& command, bool check_only);
-  void watch(PickAndPlace& command);
+  /// Takes what was typed and not confirmed.
+  void commit();
+  void changed();
   void refresh();
 
   Cycle cycle_;
   Workplace workplace_;
-  std::unique_ptr<PickAndPlace> execution_;
-  std::unique_ptr<PickAndPlace> checking_;
-  PickAndPlace* shown_ = nullptr;  ///< that was started last
-  QStackedWidget* views_;          ///< the overview, then an editor for each move
+  std::function<void(bool check_only)> send_;
+  QStackedWidget* views_;  ///< the overview, then an editor for each move
   CycleView* picture_ = nullptr;
   FormView* general_ = nullptr;
   std::array<FormView*, Cycle::kMoves> editors_{};
   StatusBox* status_;
+  CommandPair pair_;
 };
 
 }  // namespace cobot_command::rviz_plugin

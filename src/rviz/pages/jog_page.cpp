@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -33,16 +34,24 @@ JogPage::JogPage()
       status_(new StatusBox),
       holding_(new QTimer(this)) {
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(view_);
+  // On top, where nothing that comes and goes below moves them under the mouse.
   auto* grid = new QGridLayout;
   for (int axis = 0; axis < kAxes; ++axis) addAxis(*grid, axis);
   layout->addLayout(grid);
+  layout->addWidget(view_);
+  auto* cancel = new QPushButton("Cancel");
+  cancel->setObjectName("cancel");
+  connect(cancel, &QPushButton::clicked, this, [this] { jog_->cancel(); });
+  layout->addWidget(cancel);
   layout->addWidget(status_);
   layout->addStretch();
   holding_->setInterval(kKeepAlivePeriod);
   holding_->setTimerType(Qt::PreciseTimer);
-  connect(holding_, &QTimer::timeout, this, [this] { keep_alive_.publish(std_msgs::Empty()); });
-  view_->onEdit([this] { showWhere(); });
+  connect(holding_, &QTimer::timeout, this, [this] { hold(); });
+  view_->onEdit([this] {
+    showWhere();
+    tellEdit();
+  });
   QApplication::instance()->installEventFilter(this);
 }
 
@@ -63,21 +72,42 @@ QPushButton* JogPage::makeButton(int axis, int direction) {
   button->setObjectName(QString("jog_%1_%2").arg(axis).arg(direction < 0 ? "minus" : "plus"));
   button->setMinimumHeight(kButtonHeight);
   button->setFocusPolicy(Qt::NoFocus);  // no key repeats it, or keeps it pressed
+  buttons_.push_back(button);
   connect(button, &QPushButton::pressed, this, [this, axis, direction] { press(axis, direction); });
   connect(button, &QPushButton::released, this, [this] { release(); });
   return button;
 }
 
 void JogPage::press(int axis, int direction) {
-  keep_alive_.publish(std_msgs::Empty());
-  if (!form_.isOn("stepwise")) holding_->start();
-  jog_->send(toJog(form_, axis, direction));
+  view_->commit();
+  pressed_ = Pressed{axis, direction};
+  begin();
+}
+
+void JogPage::begin() {
+  if (!pressed_ || jog_->isBusy()) return;
+  const Pressed pressed = *pressed_;
+  pressed_.reset();
+  if (!form_.isOn("stepwise")) {
+    keep_alive_.publish(std_msgs::Empty());
+    holding_->start();
+  }
+  jog_->send(toJog(form_, pressed.axis, pressed.direction));
 }
 
 void JogPage::release() {
   holding_->stop();
+  pressed_.reset();
+  for (QPushButton* button : buttons_) button->setDown(false);
   // A node that comes later is not to move the arm for a button that nobody holds.
   if (jog_) jog_->withdraw();
+}
+
+void JogPage::follow() {
+  status_->show(jog_->state());
+  if (jog_->isBusy()) return;
+  holding_->stop();
+  begin();
 }
 
 void JogPage::hideEvent(QHideEvent* event) {
@@ -85,8 +115,21 @@ void JogPage::hideEvent(QHideEvent* event) {
   Page::hideEvent(event);
 }
 
+void JogPage::hold() {
+  // A menu, or a dialog, takes the mouse, and its buttons are not heard of here.
+  if (QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr) {
+    release();
+    return;
+  }
+  keep_alive_.publish(std_msgs::Empty());
+}
+
 bool JogPage::eventFilter(QObject* object, QEvent* event) {
-  if (event->type() == QEvent::ApplicationDeactivate || event->type() == QEvent::WindowDeactivate) release();
+  const bool left = event->type() == QEvent::MouseButtonRelease &&
+                    static_cast<const QMouseEvent*>(event)->button() == Qt::LeftButton;
+  const bool away =
+      event->type() == QEvent::ApplicationDeactivate || event->type() == QEvent::WindowDeactivate;
+  if (left || away) release();
   return Page::eventFilter(object, event);
 }
 
@@ -96,7 +139,7 @@ void JogPage::bind(const Workplace& workplace) {
   ros::NodeHandle node = workplace.robot->node();
   keep_alive_ = node.advertise<std_msgs::Empty>("jog_keep_alive", 1);
   jog_ = std::make_unique<ActionCommand<cobot_command::JogAction>>(node, "jog");
-  jog_->onChange([this] { status_->show(jog_->state()); });
+  jog_->onChange([this] { follow(); });
   status_->show(jog_->state());
   showWhere();
 }

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "clients/action_command.h"
 #include "forms/form.h"
@@ -27,6 +29,7 @@ class JogPage : public Page {
 
   void bind(const Workplace& workplace) override;
   void look() override;
+  void withdraw() override { release(); }
   [[nodiscard]] Values saved() const override { return form_.saved(); }
   void restore(const Values& values) override;
 
@@ -42,15 +45,27 @@ class JogPage : public Page {
   QPushButton* makeButton(int axis, int direction);
   void press(int axis, int direction);
   void release();
+  /// Sends what is pressed, once the arm has come to rest from before: a keep-alive names no jog, and would
+  /// keep that one going.
+  void begin();
+  void hold();
+  void follow();
   void showWhere();
 
+  struct Pressed {
+    int axis;
+    int direction;
+  };
+
   Form form_;
+  std::optional<Pressed> pressed_;  ///< and not sent yet
   Workplace workplace_;
   std::unique_ptr<ActionCommand<cobot_command::JogAction>> jog_;
   ros::Publisher keep_alive_;
   FormView* view_;
   StatusBox* status_;
   QTimer* holding_;
+  std::vector<QPushButton*> buttons_;
   std::array<QLabel*, kAxes> names_{};
   std::array<QLabel*, kAxes> values_{};
 };

@@ -30,7 +30,7 @@ QString nameOf(const Configuration& configuration) {
 }  // namespace
 
 MoveAbsolutePage::MoveAbsolutePage() : CommandPage(moveAbsolutePage()), configuration_(new QLabel) {
-  addBelowForm(makeStepper());
+  addAboveForm(makeStepper());
 }
 
 QWidget* MoveAbsolutePage::makeStepper() {
@@ -56,6 +56,9 @@ QWidget* MoveAbsolutePage::makeStepper() {
 void MoveAbsolutePage::bind(const Workplace& workplace) {
   CommandPage::bind(workplace);
   workplace.target->onDrag([this](const Target::Six& target) { drag(target); });
+  workplace.robot->onFrames([this] {
+    if (isVisible()) showTarget();
+  });
 }
 
 void MoveAbsolutePage::showEvent(QShowEvent* event) {
@@ -92,6 +95,7 @@ void MoveAbsolutePage::drag(const Target::Six& target) {
   if (!form().setSix("target", rounded)) return;
   refresh();
   showTarget();
+  tellEdit();
 }
 
 void MoveAbsolutePage::step(int by) {

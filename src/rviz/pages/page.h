@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -33,11 +34,21 @@ class Page : public QWidget {
   virtual void bind(const Workplace& workplace) = 0;
   /// A few times a second: shows what the robot has told.
   virtual void look() {}
+  /// Somebody stops the robot: what has not been sent yet is not sent any more.
+  virtual void withdraw() {}
+  /// What is entered here has become something else.
+  void onEdit(std::function<void()> listener) { edit_listener_ = std::move(listener); }
   [[nodiscard]] virtual Values saved() const { return {}; }
   virtual void restore(const Values& /*values*/) {}
 
+ protected:
+  void tellEdit() const {
+    if (edit_listener_) edit_listener_();
+  }
+
  private:
   QString title_;
+  std::function<void()> edit_listener_;
 };
 
 }  // namespace cobot_command::rviz_plugin

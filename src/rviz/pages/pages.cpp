@@ -7,6 +7,8 @@
 #include <QPushButton>
 
 #include "forms/forms.h"
+#include "widgets/number_box.h"
+#include "widgets/wording.h"
 #include <cobot_command/SetFeedrate.h>
 #include <std_srvs/Trigger.h>
 
@@ -16,7 +18,7 @@ namespace {
 constexpr double kMostFeedrate = 125;
 
 CommandPageSpec connectPage() {
-  return {"connect", "Connect", connectForm, connectBlock, {}, "Connect", "Disconnect"};
+  return {"connect", "Connect", connectForm, connectBlock, {}, "Connect", "Disconnect", true};
 }
 
 CommandPageSpec loadPathPage() {
@@ -24,7 +26,7 @@ CommandPageSpec loadPathPage() {
 }
 
 CommandPageSpec interfacePage() {
-  return {"interface", "Interface", interfaceForm, interfaceBlock, {}, "Enable", "Disable"};
+  return {"interface", "Interface", interfaceForm, interfaceBlock, {}, "Enable", "Disable", true};
 }
 
 QLabel* textBlock(const char* name) {
@@ -47,12 +49,12 @@ QString answerText(bool answered, bool success, const std::string& message) {
 }
 
 QString groupText(const cobot_command::GroupState& state) {
-  constexpr std::array kInterface{"not initialized", "initialized", "synchronized"};
-  constexpr std::array kSequence{"idle", "executing", "interrupted"};
+  constexpr std::array<const char*, 3> kInterface{"not initialized", "initialized", "synchronized"};
+  constexpr std::array<const char*, 3> kSequence{"idle", "executing", "interrupted"};
   QString text = QString("Interface: %1\nRobot: %2, %3\nQueue: %4 %, speed override %5 %")
-                     .arg(kInterface.at(state.ri_state))
+                     .arg(wordFor(kInterface, state.ri_state))
                      .arg(state.enabled ? "enabled" : "not enabled")
-                     .arg(kSequence.at(state.sequence))
+                     .arg(wordFor(kSequence, state.sequence))
                      .arg(state.queue_usage, 0, 'f', 0)
                      .arg(state.speed_override, 0, 'f', 0);
   if (!state.out_of_sync.empty()) text += "\nOut of sync: " + QString::fromStdString(state.out_of_sync);
@@ -105,7 +107,7 @@ QWidget* LoadPathPage::makeFeedrate() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* feedrate = new QDoubleSpinBox;
+  auto* feedrate = new NumberBox;
   feedrate->setObjectName("feedrate");
   feedrate->setRange(0, kMostFeedrate);
   feedrate->setValue(100);
@@ -119,7 +121,10 @@ QWidget* LoadPathPage::makeFeedrate() {
   resume->setObjectName("resume_path");
   auto* set = new QPushButton("Set");
   set->setObjectName("set_feedrate");
-  connect(set, &QPushButton::clicked, this, [this, feedrate] { setFeedrate(feedrate->value()); });
+  connect(set, &QPushButton::clicked, this, [this, feedrate] {
+    feedrate->interpretText();
+    setFeedrate(feedrate->value());
+  });
   connect(stop, &QPushButton::clicked, this, [this] { trigger("stop_on_path"); });
   connect(resume, &QPushButton::clicked, this, [this] { trigger("resume_path"); });
   layout->addWidget(new QLabel("Feedrate"));
@@ -131,6 +136,7 @@ QWidget* LoadPathPage::makeFeedrate() {
 }
 
 void LoadPathPage::setFeedrate(double percent) {
+  answer_->setText("Asked ...");
   cobot_command::SetFeedrate service;
   service.request.percent = percent;
   workplace().calls->call<cobot_command::SetFeedrate>(
@@ -141,6 +147,7 @@ void LoadPathPage::setFeedrate(double percent) {
 }
 
 void LoadPathPage::trigger(const char* service) {
+  answer_->setText("Asked ...");
   workplace().calls->call<std_srvs::Trigger>(
       workplace().robot->node().resolveName(service), {},
       [this](bool answered, const std_srvs::Trigger& answer) {

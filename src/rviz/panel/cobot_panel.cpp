@@ -1,11 +1,14 @@
 #include "panel/cobot_panel.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
+#include <QCompleter>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -17,6 +20,7 @@
 #include "pages/move_absolute_page.h"
 #include "pages/pages.h"
 #include "widgets/stop_bar.h"
+#include "widgets/wording.h"
 #include <pluginlib/class_list_macros.hpp>
 #include <ros/master.h>
 #include <ros/this_node.h>
@@ -24,13 +28,20 @@
 namespace cobot_command::rviz_plugin {
 namespace {
 
-constexpr int kPeriod = 100;            // [ms]
+constexpr int kPeriod = 100;  // [ms]
+constexpr int kLooksAtFault = 40;
 constexpr int kLooksBetweenLists = 30;  // of the robots that there are
 
 /// "/robot_1/command_status" → "/robot_1".
 std::string namespaceOf(const std::string& topic) {
   const std::size_t end = topic.rfind('/');
   return end == 0 || end == std::string::npos ? "/" : topic.substr(0, end);
+}
+
+/// From the root, as it is shown: ROS has nothing for the root itself.
+std::string absolute(const std::string& name) {
+  const std::string resolved = ros::names::resolve(name);
+  return resolved.empty() ? "/" : resolved;
 }
 
 std::vector<std::string> findRobots() {
@@ -46,9 +57,9 @@ std::vector<std::string> findRobots() {
 
 QString connectionText(const std::optional<cobot_command::CommandStatus>& status) {
   if (!status) return "no command node";
-  constexpr std::array kStates{"not connected", "connecting", "connecting", "not in the Listen node",
-                               "ready"};
-  QString text = kStates.at(status->link_state);
+  constexpr std::array<const char*, 5> kStates{"not connected", "connecting", "connecting",
+                                               "not in the Listen node", "ready"};
+  QString text = wordFor(kStates, status->link_state);
   if (!status->host.empty()) {
     text += QString(" · %1:%2").arg(QString::fromStdString(status->host)).arg(status->port);
   }
@@ -104,11 +115,14 @@ QWidget* CobotPanel::makeHeader() {
   robots_->setObjectName("robots");
   robots_->setEditable(true);
   robots_->setInsertPolicy(QComboBox::NoInsert);
+  robots_->setCompleter(nullptr);  // it would make a robot of another one's first letters
   robots_->addItem(QString::fromStdString(ros::this_node::getNamespace()));
+  robots_->setMinimumContentsLength(10);
   robots_->setToolTip("The namespace of the robot's command node");
   connection_->setObjectName("link");
   connect(robots_, qOverload<int>(&QComboBox::activated), this, [this] { choose(robots_->currentText()); });
   connect(robots_->lineEdit(), &QLineEdit::returnPressed, this, [this] { choose(robots_->currentText()); });
+  connect(robots_->lineEdit(), &QLineEdit::editingFinished, this, [this] { showName(); });
   layout->addWidget(new QLabel("Robot"));
   layout->addWidget(robots_);
   layout->addWidget(connection_, 1);
@@ -151,28 +165,48 @@ void CobotPanel::makePages() {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     stack_->addWidget(scroll);
   }
+  for (Page* page : pages_) page->onEdit([this] { Q_EMIT configChanged(); });
+  stop_bar_->onStop([this] {
+    for (Page* page : pages_) page->withdraw();
+  });
   open(*main);
 }
 
 void CobotPanel::choose(const QString& name) {
   std::string fault;
-  const std::string wanted = name.toStdString();
-  if (!ros::names::validate(wanted, fault)) {
-    connection_->setText("'" + name + "' is no namespace");
+  if (!ros::names::validate(name.toStdString(), fault)) {
+    fault_ = "'" + name + "' is no namespace";
+    fault_looks_ = kLooksAtFault;
+    showName();
     return;
   }
-  if (robot_ && robot_->node().getNamespace() == ros::names::resolve("/", wanted)) return;
+  const std::string wanted = absolute(name.toStdString());
+  if (robot_ && name_.toStdString() == wanted) {
+    showName();
+    return;
+  }
   // The clients of the one before go only when the pages have new ones.
   auto robot = std::make_unique<Robot>(wanted);
   auto preview = std::make_unique<Preview>(*robot);
-  auto target = std::make_unique<Target>(*robot, calls_, *preview);
-  const Workplace workplace{robot.get(), &calls_, preview.get(), target.get()};
+  auto target = std::make_unique<Target>(*robot, *preview);
+  auto calls = std::make_unique<BackgroundCalls>();
+  const Workplace workplace{robot.get(), calls.get(), preview.get(), target.get()};
+  name_ = QString::fromStdString(wanted);
   for (Page* page : pages_) page->bind(workplace);
-  stop_bar_->bind(*robot);
+  stop_bar_->bind(*robot, name_);
   target_ = std::move(target);
   preview_ = std::move(preview);
+  calls_ = std::move(calls);
   robot_ = std::move(robot);
+  showName();
   Q_EMIT configChanged();
+}
+
+void CobotPanel::showName() {
+  const QSignalBlocker blocked(robots_);
+  if (robots_->findText(name_) < 0) robots_->addItem(name_);
+  robots_->setCurrentIndex(robots_->findText(name_));
+  robots_->setEditText(name_);
 }
 
 void CobotPanel::open(const Page& page) {
@@ -182,30 +216,42 @@ void CobotPanel::open(const Page& page) {
 }
 
 void CobotPanel::look() {
-  calls_.deliver();
+  questions_.deliver();
+  calls_->deliver();
+  target_->look();
+  preview_->look();
   robot_->look();
   for (Page* page : pages_) page->look();
-  connection_->setText(connectionText(robot_->commandStatus()) + robotText(robot_->robotStatus()));
+  QString now = connectionText(robot_->commandStatus());
+  if (robot_->isStreaming()) now += robotText(robot_->robotStatus());
+  if (robot_->isSilent()) now = "the command node says nothing: what is shown is old";
+  if (fault_looks_ > 0) --fault_looks_;
+  connection_->setText(fault_looks_ > 0 ? fault_ : now);
   if (looks_++ % kLooksBetweenLists == 0) askForRobots();
 }
 
 void CobotPanel::askForRobots() {
-  calls_.post([this]() -> std::function<void()> {
-    const std::vector<std::string> names = findRobots();
-    return [this, names] { offerRobots(names); };
-  });
+  if (is_asking_) return;
+  is_asking_ = true;
+  const auto ask = [this]() -> std::function<void()> {
+    return [this, names = findRobots()] { offerRobots(names); };
+  };
+  questions_.post(ask, [this] { is_asking_ = false; });
 }
 
 void CobotPanel::offerRobots(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    const QString item = QString::fromStdString(name);
-    if (robots_->findText(item) < 0) robots_->addItem(item);
-  }
+  is_asking_ = false;
+  // Not under the hand of somebody who types, or has the list open.
+  if (robots_->lineEdit()->hasFocus() || robots_->view()->isVisible()) return;
+  const QSignalBlocker blocked(robots_);
+  robots_->clear();
+  for (const std::string& name : names) robots_->addItem(QString::fromStdString(name));
+  showName();
 }
 
 void CobotPanel::save(rviz::Config config) const {
   rviz::Panel::save(config);
-  config.mapSetValue("Robot", robots_->currentText());
+  config.mapSetValue("Robot", name_);
   config.mapSetValue("Page", stack_->currentIndex());
   rviz::Config forms = config.mapMakeChild("Forms");
   for (const Page* page : pages_) {
@@ -231,7 +277,6 @@ void CobotPanel::load(const rviz::Config& config) {
   }
   QString robot;
   if (config.mapGetString("Robot", &robot)) {
-    robots_->setEditText(robot);
     choose(robot);
   }
   int page = 0;

@@ -34,13 +34,16 @@ class CobotPanel : public rviz::Panel {
   QWidget* makeNavigation();
   /// Another robot, by its namespace.
   void choose(const QString& name);
+  /// In the box: what is commanded, whatever was typed.
+  void showName();
   void open(const Page& page);
   void look();
   /// Beside the user interface, as a master may hang.
   void askForRobots();
   void offerRobots(const std::vector<std::string>& names);
 
-  BackgroundCalls calls_;
+  BackgroundCalls questions_;               ///< to the master
+  std::unique_ptr<BackgroundCalls> calls_;  ///< to the robot: what hangs with one holds up no other
   std::unique_ptr<Robot> robot_;
   std::unique_ptr<Preview> preview_;
   std::unique_ptr<Target> target_;
@@ -51,7 +54,11 @@ class CobotPanel : public rviz::Panel {
   QLabel* title_;
   QStackedWidget* stack_;
   QTimer* timer_;
+  QString name_;         ///< of the robot that is commanded, from the root
+  QString fault_;        ///< of a name that was entered
+  int fault_looks_ = 0;  ///< so long it is shown
   int looks_ = 0;
+  bool is_asking_ = false;
 };
 
 }  // namespace cobot_command::rviz_plugin

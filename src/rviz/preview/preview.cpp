@@ -59,6 +59,11 @@ Preview::Preview(Robot& robot) : robot_(robot) {
   robot.onTool([this] { followTool(); });
 }
 
+Preview::~Preview() {
+  robot_.onTool(nullptr);
+  hide();
+}
+
 void Preview::show(const Plan& plan) {
   hide();
   if (plan.offending) {
@@ -124,7 +129,12 @@ void Preview::followTool() {
   const auto status = robot_.robotStatus();
   const auto place = robot_.toolInBase();
   const bool moves = status && status->in_motion == cobot_command::RobotStatus::TRUE;
-  if (!place || !trail_.add(place->translation(), moves, ros::WallTime::now().toSec())) return;
+  if (place && trail_.add(place->translation(), moves, ros::WallTime::now().toSec())) has_grown_ = true;
+}
+
+void Preview::look() {
+  if (!has_grown_) return;
+  has_grown_ = false;
   Marker line = markerOf(robot_.baseFrame(), "driven_path", Marker::LINE_STRIP);
   line.scale.x = kLine;
   line.color = colorOf(0.9F, 0.5F, 0.1F);

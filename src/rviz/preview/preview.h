@@ -17,6 +17,10 @@ namespace cobot_command::rviz_plugin {
 class Preview {
  public:
   explicit Preview(Robot& robot);
+  Preview(const Preview&) = delete;
+  Preview& operator=(const Preview&) = delete;
+  /// Nothing of this robot is left in the scene.
+  ~Preview();
 
   /// The end of the plan as a ghost; or its offending point in red, with the reason.
   void show(const Plan& plan);
@@ -25,6 +29,8 @@ class Preview {
   /// A TCP in the active base [mm, deg] that no arm reaches.
   void showUnreachable(const std::array<double, 6>& target, const std::string& reason);
   void hide();
+  /// Ten times a second: tells the path that was driven.
+  void look();
 
  private:
   void followTool();
@@ -37,6 +43,7 @@ class Preview {
   ros::Publisher markers_;
   ros::Publisher trail_topic_;
   Trail trail_;
+  bool has_grown_ = false;  ///< the trail, since it was told
 };
 
 }  // namespace cobot_command::rviz_plugin

@@ -46,20 +46,27 @@ Configuration configurationOf(const cobot_command::RobotPose& bits) {
 
 }  // namespace
 
-Target::Target(Robot& robot, BackgroundCalls& calls, Preview& preview)
+Target::Target(Robot& robot, Preview& preview)
     : robot_(robot),
-      calls_(calls),
       preview_(preview),
       server_(std::make_unique<interactive_markers::InteractiveMarkerServer>(
           robot.node().resolveName("preview_target"))) {}
 
 void Target::show(const Six& target, const std::optional<Configuration>& configuration) {
+  is_hidden_ = false;
   placeMarker(target);
-  ask(target, configuration);
+  const Question question{target, configuration};
+  if (is_asking_) {
+    next_ = question;
+  } else {
+    ask(question);
+  }
 }
 
 void Target::hide() {
-  ++asked_;
+  is_hidden_ = true;
+  next_.reset();
+  configurations_.clear();
   server_->clear();
   server_->applyChanges();
   preview_.hide();
@@ -79,9 +86,10 @@ void Target::placeMarker(const Six& target) {
   server_->applyChanges();
 }
 
-void Target::ask(const Six& target, const std::optional<Configuration>& configuration) {
+void Target::ask(const Question& question) {
   const cobot_command::ActiveFrames& frames = robot_.activeFrames();
   if (!frames.base_known || !frames.tcp_known) return;
+  const auto& [target, configuration] = question;
   // The service knows no active TCP: the flange in the robot base says the same.
   const Eigen::Isometry3d flange =
       ros_adapter::toPose(frames.base) * arm::toPose(target) * ros_adapter::toPose(frames.tcp).inverse();
@@ -96,19 +104,30 @@ void Target::ask(const Six& target, const std::optional<Configuration>& configur
   }
   const auto joints = robot_.joints();
   if (joints) std::copy(joints->begin(), joints->end(), service.request.joints.begin());
-  const unsigned number = ++asked_;
-  const std::weak_ptr<bool> alive = alive_;
+  is_asking_ = true;
   calls_.call<cobot_command::InverseKinematics>(
       robot_.node().resolveName("inverse_kinematics"), service,
-      [this, alive, number, target](bool answered, const cobot_command::InverseKinematics& told) {
-        if (answered && !alive.expired() && number == asked_) answer(target, told);
+      [this, asked = question.target](bool answered, const cobot_command::InverseKinematics& told) {
+        answer(asked, answered, told);
       });
 }
 
-void Target::answer(const Six& target, const cobot_command::InverseKinematics& service) {
+void Target::answer(const Six& target, bool answered, const cobot_command::InverseKinematics& service) {
+  is_asking_ = false;
+  if (is_hidden_) return;
+  if (next_) {
+    const Question newest = *next_;
+    next_.reset();
+    ask(newest);
+    return;
+  }
   configurations_.clear();
   for (const cobot_command::ArmPosture& branch : service.response.branches) {
     if (branch.within_limits) configurations_.push_back(configurationOf(branch.bits));
+  }
+  if (!answered) {
+    preview_.hide();
+    return;
   }
   if (!service.response.success) {
     preview_.showUnreachable(target, service.response.message);

@@ -22,29 +22,37 @@ class Target {
  public:
   using Six = std::array<double, 6>;
 
-  Target(Robot& robot, BackgroundCalls& calls, Preview& preview);
+  Target(Robot& robot, Preview& preview);
 
   /// The active TCP in the active base [mm, deg]. Nothing for `configuration`: as the arm stands now.
   void show(const Six& target, const std::optional<Configuration>& configuration);
   void hide();
+  /// Often.
+  void look() { calls_.deliver(); }
   /// In which the target that was shown last can be reached, within the limits.
   [[nodiscard]] const std::vector<Configuration>& configurations() const { return configurations_; }
   /// Where somebody has dragged it to.
   void onDrag(std::function<void(const Six&)> listener) { dragged_ = std::move(listener); }
 
  private:
-  void ask(const Six& target, const std::optional<Configuration>& configuration);
-  void answer(const Six& target, const cobot_command::InverseKinematics& service);
+  struct Question {
+    Six target;
+    std::optional<Configuration> configuration;
+  };
+
+  void ask(const Question& question);
+  void answer(const Six& target, bool answered, const cobot_command::InverseKinematics& service);
   void placeMarker(const Six& target);
 
   Robot& robot_;
-  BackgroundCalls& calls_;
   Preview& preview_;
   std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;
   std::function<void(const Six&)> dragged_;
   std::vector<Configuration> configurations_;
-  unsigned asked_ = 0;  ///< answers to older questions count no more
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+  bool is_asking_ = false;        ///< one question at a time
+  std::optional<Question> next_;  ///< the newest one, while another is being answered
+  bool is_hidden_ = true;
+  BackgroundCalls calls_;  ///< of its own: a target that is dragged holds up nothing else
 };
 
 }  // namespace cobot_command::rviz_plugin

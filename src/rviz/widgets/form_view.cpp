@@ -11,6 +11,8 @@
 #include <QLineEdit>
 #include <algorithm>
 
+#include "widgets/number_box.h"
+
 namespace cobot_command::rviz_plugin {
 namespace {
 
@@ -103,7 +105,7 @@ QWidget* FormView::editorOf(const Field& field) {
 }
 
 QWidget* FormView::numberEditor(const Field& field) {
-  auto* box = new QDoubleSpinBox;
+  auto* box = new NumberBox;
   box->setDecimals(field.decimals);
   box->setRange(field.lowest, field.highest);
   box->setKeyboardTracking(false);
@@ -155,6 +157,10 @@ QWidget* FormView::textEditor(const Field& field) {
     edited();
   });
   return line;
+}
+
+void FormView::commit() {
+  for (QDoubleSpinBox* box : findChildren<QDoubleSpinBox*>()) box->interpretText();
 }
 
 void FormView::edited() {

@@ -19,6 +19,8 @@ class FormView : public QWidget {
 
   /// What the form has, when somebody else has changed it.
   void refresh();
+  /// Takes what was typed and not confirmed: what is shown is what counts.
+  void commit();
   void onEdit(std::function<void()> listener) { listener_ = std::move(listener); }
 
  private:

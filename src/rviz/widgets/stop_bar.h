@@ -2,8 +2,11 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+#include <utility>
 
 class QLabel;
+class QPushButton;
 
 namespace cobot_command::rviz_plugin {
 
@@ -14,14 +17,20 @@ class StopBar : public QWidget {
  public:
   explicit StopBar(QWidget* parent = nullptr);
 
-  /// Another robot; the one before is not used any more.
-  void bind(Robot& robot);
+  /// Another robot, by the name that is written on the button; the one before is not used any more.
+  void bind(Robot& robot, const QString& name);
+  /// In front of the stop itself.
+  void onStop(std::function<void()> listener) { stop_listener_ = std::move(listener); }
 
  private:
-  void tell(const char* what, const Command& command);
+  void stop();
+  static void tell(QLabel& text, const QString& what, const Command& command);
 
   Robot* robot_ = nullptr;
-  QLabel* text_;
+  QPushButton* stop_;
+  QLabel* stop_text_;
+  QLabel* control_text_;
+  std::function<void()> stop_listener_;
 };
 
 }  // namespace cobot_command::rviz_plugin
