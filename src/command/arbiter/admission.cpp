@@ -40,6 +40,10 @@ bool Admission::joinNext(Instant now) {
 bool Admission::admitNext(Instant now) {
   Waiting& first = desks_.queue.front();
   const std::vector<blocks::Failure> failures = occupancy_.objectionsTo(first);
+  if (failures.empty() && occupancy_.hasToAwaitRest(first)) {
+    sender_.askForRest();
+    return true;
+  }
   if (failures.empty() && isBeingPlanned(first, now)) return false;
   Waiting next = desks_.queue.take();
   if (failures.empty()) {

@@ -100,12 +100,13 @@ std::optional<blocks::Failure> Occupancy::objectionTo(const blocks::Command& com
 
 /// Whether a motion that is under way stands again can only be told where there is a stream.
 bool Occupancy::isHeldBack(const Waiting& next) const {
-  const robot::LooseMotion& loose = parts_.forecast.loose();
-  const bool is_told = parts_.robot.tellsMotion();
-  const bool robot_stands = !loose.mayMove() || !is_told;
-  const blocks::GoalTraits traits = blocks::GoalRules(next.goal).traits();
-  return parts_.speed.isZero() || (traits.awaits_rest && loose.endsByItself() && is_told) ||
-         parts_.permit.holdsBack(traits, robot_stands);
+  const bool robot_stands = !parts_.forecast.loose().mayMove() || !parts_.robot.tellsMotion();
+  return parts_.speed.isZero() ||
+         parts_.permit.holdsBack(blocks::GoalRules(next.goal).traits(), robot_stands);
+}
+
+bool Occupancy::hasToAwaitRest(const Waiting& next) const {
+  return blocks::GoalRules(next.goal).traits().awaits_rest && parts_.forecast.loose().endsByItself();
 }
 
 bool Occupancy::robotStands() const {

@@ -56,6 +56,8 @@ class Occupancy {
 
   /// It has to wait, though it would be its turn: by the speed override, or by the interface.
   [[nodiscard]] bool isHeldBack(const Waiting& next) const;
+  /// A blended motion in front of it has to come to its end first, which nothing tells of yet.
+  [[nodiscard]] bool hasToAwaitRest(const Waiting& next) const;
   /// As far as that is known: nothing of ours moves it, and nothing else that can be seen.
   [[nodiscard]] bool robotStands() const;
 

@@ -106,8 +106,11 @@ void Turns::refuseLeft(const Left& left, const blocks::Failure& failure, Instant
     under_way_.run->commandRefused(left.command.key, failure, now);
     return;
   }
-  const std::string why = fmt::format("the rest of a blended {} could not go on: {}",
-                                      toString(left.command.block), failure.found);
+  const std::string why =
+      left.command.traits.awaits_motion
+          ? fmt::format("the end of a blended motion could not be waited for: {}", failure.found)
+          : fmt::format("the rest of a blended {} could not go on: {}", toString(left.command.block),
+                        failure.found);
   parts_.actions.emplace_back(LogMessage{Severity::Error, why});
   abortAll(why, desks_.queue.newest(), now);
 }
@@ -140,6 +143,7 @@ void Turns::endNobodys(const CommandWindow::Ended& ended, Instant now) {
   if (ended.outcome.ending != Ending::Aborted) return;
   Left left;
   left.command.block = ended.block;
+  left.command.traits.awaits_motion = ended.has_tag;
   refuseLeft(left, {ended.outcome.error_id, ended.outcome.error_description, ""}, now);
 }
 

@@ -1,5 +1,10 @@
 #include "sending/command_sender.h"
 
+#include <utility>
+#include <vector>
+
+#include "cobot_command/blocks/list/goal.h"
+
 namespace cobot_command::command {
 
 std::optional<blocks::Failure> CommandSender::prepare(const blocks::Command& command, Instant now) {
@@ -39,6 +44,18 @@ std::deque<Left> CommandSender::takeLeft() {
   if (!trail_.empty()) left = trail_.left(*forecast_.arm());
   trail_.clear();
   return left;
+}
+
+void CommandSender::askForRest() {
+  Left rest;
+  rest.command.key = nobodys_++;
+  rest.command.block = blocks::kBlock<blocks::RunScriptGoal>;
+  rest.command.traits.awaits_motion = true;
+  // As long as its tag is awaited the arm moves: a cancel has to stop it.
+  rest.command.order = [](const arm::Pose& /*base*/) {
+    return blocks::motionOrder(std::vector<script::ScriptCommand>{});
+  };
+  left_.push_back(std::move(rest));
 }
 
 void CommandSender::goOnWith(std::deque<Left> left) {

@@ -52,7 +52,9 @@ class CommandSender {
   /// What of it is left. Precondition: objectionToResuming() is nothing, and the robot stands.
   [[nodiscard]] std::deque<Left> takeLeft();
 
-  // --- What was taken from the controller.
+  // --- What nobody is told of: what was taken from the controller, and what tells the end of motions.
+  /// Has the controller tell, by a script that is a tag alone, when all that it has has come to its end.
+  void askForRest();
   void goOnWith(std::deque<Left> left);
   [[nodiscard]] bool goesOn() const { return !left_.empty(); }
   /// The first of it. Precondition: goesOn().

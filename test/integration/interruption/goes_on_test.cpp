@@ -198,6 +198,26 @@ TEST_F(WhatIsInterrupted, isAWaitForATimeThatStandsStillMeanwhile) {
   rig.expectDone(behind);
 }
 
+/// Its time begins at the end of what is left of the motion, and what comes behind it begins there.
+TEST_F(WhatIsInterrupted, isABlendedMotionThatATimeWaitsFor) {
+  rig.submit(blended(30, lineTo({517.5, -122.3, 361.05, 180, 0, 90})));
+  auto wait = good<blocks::WaitTimeGoal>();
+  wait.time = 0.5;
+  const GoalId id = rig.submit(inMode(BufferMode::Buffered, wait));
+  const GoalId behind = rig.submit(inMode(BufferMode::Buffered, lineBy({0, 50, 0, 0, 0, 0})));
+  ASSERT_TRUE(rig.passUntilZ(420));
+  rig.expectInterrupted();
+  EXPECT_FALSE(rig.accepted(id));
+  rig.pass(1s);
+  rig.expectGoesOn();
+  ASSERT_TRUE(rig.passUntil([&] { return rig.accepted(id); }, 1min));
+  EXPECT_TRUE(rig.stands());
+  EXPECT_NEAR(rig.place().z(), 361.05, 0.05);
+  rig.expectDone(id);
+  EXPECT_NEAR(rig.place().y(), -122.3, 0.05);
+  rig.expectDone(behind);
+}
+
 TEST_F(WhatIsInterrupted, isAPathByEitherWayOfLoading) {
   for (const auto execution : {blocks::Execution::Pvt, blocks::Execution::Script}) {
     SCOPED_TRACE(toString(execution));

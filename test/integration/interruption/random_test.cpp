@@ -29,7 +29,7 @@ blocks::Goal queued(Random& random, Goal goal) {
 }
 
 blocks::Goal goalFrom(Random& random) {
-  switch (below(random, 5)) {
+  switch (below(random, 6)) {
     case 0:
       return queued(random, lineTo(placeIn(random)));
     case 1: {
@@ -47,6 +47,8 @@ blocks::Goal goalFrom(Random& random) {
       goal.buffer_mode = static_cast<int>(BufferMode::Buffered);
       return goal;
     }
+    case 4:
+      return inMode(BufferMode::Buffered, blocks::WaitTimeGoal{between(random, 0, 1)});
     default:
       return queued(random, moveJoints({between(random, -20, 20), between(random, -5, 5),
                                         between(random, 80, 100), 0, 90, 0}));

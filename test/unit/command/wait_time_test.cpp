@@ -116,16 +116,86 @@ TEST_F(WaitTimeBlock, beginsWhenTheBlendedMotionInFrontOfItHasComeToItsEnd) {
   stream(StatusFrames().moving());
   const GoalId id = wait(1, kBuffered);
   EXPECT_THAT(progress(id).back().text, HasSubstr("until the robot stands"));
+  reply(takeScript().id);
   for (int i = 0; i < 20; ++i) {
     pass(100ms);
     status(StatusFrames().moving());
   }
   EXPECT_FALSE(accepted(id));
-  stream(StatusFrames(), 60);
+  tag(latest().open_tags.at(0));
+  EXPECT_FALSE(accepted(id));
+  stream(StatusFrames());
   EXPECT_TRUE(accepted(id));
   EXPECT_EQ(outcome(id), nullptr);
   pass(1s);
   expectEnd(id, Ending::Done);
+}
+
+/// Where no stream tells that the robot stands, or none any more, the motions around it must not blend
+/// either.
+TEST_F(WaitTimeBlock, asksForTheEndOfTheBlendedMotionInFrontOfItByATagAlone) {
+  close("gone", link::Channel::Status);
+  move(true);
+  reply(takeScript().id);
+  const GoalId id = wait(1, kBuffered);
+  const GoalId behind = move();
+  const auto asked = takeScript();
+  EXPECT_EQ(asked.script, "QueueTag(1,0)");
+  reply(asked.id);
+  pass(3s);
+  EXPECT_FALSE(accepted(id));
+  EXPECT_TRUE(nothingSent());
+  tag(latest().open_tags.at(0));
+  EXPECT_EQ(progress(id).back().phase, Phase::Active);
+  pass(999ms);
+  EXPECT_TRUE(nothingSent());
+  pass(1ms);
+  expectEnd(id, Ending::Done);
+  EXPECT_THAT(takeScript().script, HasSubstr("PTP"));
+  EXPECT_EQ(outcome(behind), nullptr);
+}
+
+TEST_F(WaitTimeBlock, asksForNothingWhereTheBlendedMotionHasEnded) {
+  move(true);
+  reply(takeScript().id);
+  stream(StatusFrames(), 60);
+  EXPECT_TRUE(accepted(wait(1, kBuffered)));
+  EXPECT_TRUE(nothingSent());
+}
+
+TEST_F(WaitTimeBlock, isDroppedWhereTheEndOfTheMotionInFrontOfItCannotBeWaitedFor) {
+  move(true);
+  reply(takeScript().id);
+  const GoalId id = wait(1, kBuffered);
+  reply(takeScript().id, false);
+  expectEnd(id, Ending::CommandAborted);
+  EXPECT_THAT(outcome(id)->error_description,
+              HasSubstr("the end of a blended motion could not be waited for"));
+}
+
+TEST_F(WaitTimeBlock, leavesTheMotionInFrontOfItAloneWhenItIsCancelledBeforeItsTurn) {
+  move(true);
+  reply(takeScript().id);
+  const GoalId id = wait(1, kBuffered);
+  const GoalId behind = move();
+  reply(takeScript().id);
+  cancel(id);
+  expectEnd(id, Ending::CommandAborted);
+  EXPECT_TRUE(nothingSent());
+  tag(latest().open_tags.at(0));
+  stream(StatusFrames());
+  EXPECT_THAT(takeScript().script, HasSubstr("PTP"));
+  EXPECT_EQ(outcome(behind), nullptr);
+}
+
+TEST_F(WaitTimeBlock, endsWithAStopWhileItWaitsForTheEndOfTheMotionInFrontOfIt) {
+  move(true);
+  reply(takeScript().id);
+  const GoalId id = wait(1, kBuffered);
+  reply(takeScript().id);
+  submit(StopGoal{});
+  expectEnd(id, Ending::CommandAborted);
+  EXPECT_THAT(takeScript().script, HasSubstr("StopAndClearBuffer"));
 }
 
 TEST_F(WaitTimeBlock, isRefusedWhileAnotherIsBusyAndDoesNotWantToWait) {

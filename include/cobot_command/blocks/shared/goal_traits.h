@@ -29,7 +29,8 @@ struct GoalTraits {
   bool halts = false;          ///< it can only take motion away from the robot
   bool resumes = false;        ///< it lets a robot go on that is held
   bool ends_blend = false;     ///< a blended motion in front of it goes to its end, but with dynamic blending
-  bool awaits_rest = false;    ///< its turn comes when a blended motion in front of it has come to its end
+  bool awaits_rest = false;    ///< its turn comes when a blended motion in front of it has come to its end,
+                               ///< as a tag behind that tells
   bool tried_anyway = false;   ///< Way::Beside: on any connection, also one that is not known to listen
   bool chains = false;         ///< behind another one of its block it waits, whatever its buffer_mode
   bool needs_base = false;     ///< a target in a tf frame: the active base has to be known

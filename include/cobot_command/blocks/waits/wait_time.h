@@ -1,4 +1,4 @@
-// Waits in its turn until a time is over (SRCI: WaitTime). Nothing is sent.
+// Waits in its turn until a time is over (SRCI: WaitTime). Nothing is sent for the time itself.
 #pragma once
 
 #include <memory>
