@@ -6,6 +6,8 @@
 
 #include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/list/goal_rules.h"
+#include "cobot_command/blocks/shared/error_catalogue.h"
+#include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::command {
 
@@ -19,10 +21,7 @@ void Interruption::look(Instant now) {
   seen.moves = moves();
   parts_.guard.look(seen, now);
   if (parts_.guard.takePause()) pause_.pauseForGood(now);
-  if (parts_.guard.takeTold()) {
-    warn(fmt::format("{}: {}", parts_.guard.refuses() ? "motions are refused" : "motions are interrupted",
-                     parts_.sync.whyNot()));
-  }
+  if (parts_.guard.takeTold()) warnOfReaction();
   const bool holds_back = parts_.guard.interrupts() || parts_.speed.isZero();
   if (std::exchange(held_back_, holds_back) != holds_back) desks_.queue.retell();
   if (parts_.exchange.takeDisabled() && parts_.exchange.isRequired()) stopWithout(now);
@@ -48,8 +47,15 @@ void Interruption::proceed() {
   if (!desks_.queue.empty()) parts_.guard.motionWaits();
 }
 
-void Interruption::warn(std::string text) {
-  parts_.actions.emplace_back(LogMessage{Severity::Warning, std::move(text)});
+void Interruption::warnOfReaction() {
+  using namespace blocks::interface_error;
+  const bool refuses = parts_.guard.refuses();
+  const int code = refuses ? kNotSynchronized : kInterrupted;
+  const std::string remedy = parts_.sync.remedy();
+  parts_.actions.emplace_back(LogMessage{
+      Severity::Warning,
+      fmt::format("motions are {}: {}", refuses ? "refused" : "interrupted", parts_.sync.whyNot()), code,
+      remedy.empty() ? blocks::findError(blocks::kBlock<blocks::MoveAbsoluteGoal>, code)->remedy : remedy});
 }
 
 }  // namespace cobot_command::command

@@ -28,7 +28,7 @@ class Interruption {
   [[nodiscard]] bool moves() const;
   /// Whoever needs the interface for moving has disabled it.
   void stopWithout(Instant now);
-  void warn(std::string text);
+  void warnOfReaction();
 
   CoreParts parts_;
   ArbiterDesks desks_;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "sync/same_values.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
@@ -15,8 +16,6 @@ namespace {
 
 /// Of degrees that were made radians and back [rad].
 constexpr double kRounding = 1e-6;
-/// Half a step more than a thousandth of a degree, as the controller tells floats [rad].
-constexpr double kSameAngle = degToRad(0.00105);
 
 }  // namespace
 
@@ -61,7 +60,9 @@ DynamicsAnswer LimitsDesk::write(const SoftwareLimits& limits, bool under_way) {
   }
   if (under_way || robot_.moving().value_or(false)) {
     return {false, dynamics_error::kLimitsWhileMoving,
-            "a goal is under way or waits, or the robot moves: set them when it stands, and nothing waits"};
+            "a goal is under way or waits, or the robot moves: set them when it stands, and nothing waits; a "
+            "stop "
+            "ends all of it"};
   }
   auto limited = std::make_shared<const arm::ArmModel>(
       arm->limitedTo(limits.lower.cwiseMax(model.lower), limits.upper.cwiseMin(model.upper)));
@@ -92,7 +93,6 @@ std::optional<ReferenceDynamics> LimitsDesk::reference() const {
 }
 
 void LimitsDesk::see(const link::RobotStatus& status) {
-  theirs_.reset();
   if (status.safety_lower && status.safety_upper) theirs_ = {*status.safety_lower, *status.safety_upper};
 }
 
@@ -104,10 +104,12 @@ std::string LimitsDesk::excess() const {
     const bool is_inside =
         ours.lower[i] >= theirs_->lower[i] - kSameAngle && ours.upper[i] <= theirs_->upper[i] + kSameAngle;
     if (is_inside) continue;
+    const bool is_none = theirs_->lower[i] >= theirs_->upper[i];
     text += fmt::format(
-        "{}J{} is kept between {:.6g} and {:.6g} deg by the controller's safety functions, and planned "
+        "{}J{} is kept between {:.6g} and {:.6g} deg by the controller's safety functions{}, and planned "
         "between {:.6g} and {:.6g} deg here",
         text.empty() ? "" : "; ", i + 1, radToDeg(theirs_->lower[i]), radToDeg(theirs_->upper[i]),
+        is_none ? ", which are no limits: where it has none, do not enable software_limits" : "",
         radToDeg(ours.lower[i]), radToDeg(ours.upper[i]));
   }
   return text;

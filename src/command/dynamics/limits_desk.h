@@ -29,7 +29,7 @@ class LimitsDesk {
   [[nodiscard]] std::optional<ReferenceDynamics> reference() const;
 
   // --- Those of the safety functions, which nobody changes but by the pendant.
-  /// Each frame of the stream; while none come, what the last one has told counts on.
+  /// Each frame of the stream; while none comes that has them, what the last one has told counts on.
   void see(const link::RobotStatus& status);
   /// There may be another robot now.
   void forget() { theirs_.reset(); }

@@ -7,17 +7,19 @@ namespace cobot_command::command {
 using blocks::Failure;
 
 std::vector<Failure> MotionPermit::objectionsTo(const blocks::GoalTraits& traits) const {
-  if (traits.resumes && guard_.deniesResume()) return {{blocks::interface_error::kInterrupted, text(), ""}};
+  if (traits.resumes && guard_.deniesResume())
+    return {{blocks::interface_error::kInterrupted, text(), sync_.remedy()}};
   if (!traits.may_move || traits.check_only) return {};
   std::vector<Failure> failures;
   if (exchange_.isRequired() && !exchange_.isEnabled()) {
     failures.push_back({blocks::interface_error::kNotEnabled, "", ""});
   }
   if (guard_.refuses()) {
-    failures.push_back({blocks::interface_error::kNotSynchronized, sync_.whyNot(), ""});
+    failures.push_back({blocks::interface_error::kNotSynchronized, sync_.whyNot(), sync_.remedy()});
   }
   if (guard_.interrupts() && traits.buffer_mode != blocks::BufferMode::Buffered) {
-    failures.push_back({blocks::interface_error::kInterrupted, text(), ""});
+    failures.push_back({blocks::interface_error::kInterrupted, text(),
+                        guard_.deniesResume() ? sync_.remedy() : "RESUME with program_control, or stop"});
   }
   return failures;
 }

@@ -291,6 +291,13 @@ std::string SyncDesk::whyNot() const {
   return why;
 }
 
+std::string SyncDesk::remedy() const {
+  if (!is_active_ || limitsReason().empty()) return "";
+  return "Set them back on the pendant, then RESUME with program_control; or stop, and narrow those here "
+         "with "
+         "write_software_limits";
+}
+
 std::string SyncDesk::differencesIn(const tables::Use& use) const {
   std::string text;
   const auto add = [&](Kind kind, const std::vector<int>& indices) {

@@ -47,7 +47,7 @@ class SyncDesk {
 
   // --- What is so.
   /// The sets were looked at, or cannot be.
-  [[nodiscard]] bool isJudged() const { return is_judged_; }
+  [[nodiscard]] bool isJudged() const { return is_judged_ || !limitsReason().empty(); }
   /// All that are enabled.
   [[nodiscard]] bool isInSync() const;
   [[nodiscard]] blocks::RiState riState() const;
@@ -62,6 +62,8 @@ class SyncDesk {
   [[nodiscard]] int infoId() const;
   /// What is out of sync, in words; empty: nothing.
   [[nodiscard]] std::string whyNot() const;
+  /// Where it is by the software limits, which no write of an entry brings into line; else "".
+  [[nodiscard]] std::string remedy() const;
   /// Which of these entries differ from the controller's, in words; empty: none.
   [[nodiscard]] std::string differencesIn(const tables::Use& use) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sync/same_values.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
@@ -14,12 +15,6 @@ namespace cobot_command::command {
 namespace {
 
 using tables::Kind;
-
-// Half a step more than the contract has them, as the controller tells floats.
-constexpr double kSamePlace = mmToM(0.00105);
-constexpr double kSameAngle = degToRad(0.00105);
-constexpr double kSameMass = 0.00101;      // [kg]
-constexpr double kSameInertia = 0.101e-6;  // [kg m^2]
 
 bool isSamePose(const arm::Pose& a, const arm::Pose& b) {
   const arm::Pose apart(a.inverse() * b);

@@ -1,6 +1,7 @@
 #include "dynamics/limit_parameters.h"
 
 #include <charconv>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -31,19 +32,19 @@ bool takeMark(std::string_view& text, char mark) {
   return true;
 }
 
-/// False: it is none of these texts.
-bool takeLimits(std::string_view text, command::SoftwareLimits& limits) {
+/// Its joint, from 1 on; nothing: it is none of these texts.
+std::optional<int> takeLimits(std::string_view text, command::SoftwareLimits& limits) {
   const auto joint = take<int>(text);
   if (!joint || *joint < 1 || *joint > static_cast<int>(arm::kJointCount) || !takeMark(text, '=')) {
-    return false;
+    return std::nullopt;
   }
   const auto lower = take<double>(text);
-  if (!lower || !takeMark(text, ',')) return false;
+  if (!lower || !takeMark(text, ',')) return std::nullopt;
   const auto upper = take<double>(text);
-  if (!upper || !text.empty()) return false;
+  if (!upper || !text.empty()) return std::nullopt;
   limits.lower[*joint - 1] = degToRad(*lower);
   limits.upper[*joint - 1] = degToRad(*upper);
-  return true;
+  return joint;
 }
 
 }  // namespace
@@ -62,8 +63,13 @@ std::optional<SettingFault> readLimits(const std::vector<std::string>& texts, co
   }
   const command::SoftwareLimits model = command::limitsOf(*arm);
   command::SoftwareLimits wanted = model;
+  std::set<int> named;
   for (const std::string& text : texts) {
-    if (!takeLimits(text, wanted)) return SettingFault{kName, "holds " + quoted(text), kAllowed};
+    const auto joint = takeLimits(text, wanted);
+    if (!joint) return SettingFault{kName, "holds " + quoted(text), kAllowed};
+    if (!named.insert(*joint).second) {
+      return SettingFault{kName, fmt::format("names joint {} twice", *joint), kAllowed};
+    }
   }
   if (const auto fault = command::faultIn(wanted, model)) {
     return SettingFault{kName, "does not do: " + *fault, kAllowed};

@@ -335,6 +335,9 @@ TEST(ParametersOfTheCommandNode, haveSoftwareLimitsOfSomeJoints) {
     ASSERT_FALSE(refused) << text;
     EXPECT_THAT(refused.error().message, HasSubstr("J1 is to stay between")) << text;
   }
+  const auto twice = limited({{"1=-90,90"}, {"1=-45,45"}});
+  ASSERT_FALSE(twice);
+  EXPECT_THAT(twice.error().message, HasSubstr("names joint 1 twice"));
   EXPECT_FALSE(readCommandParameters(ofNode({{"software_limits", {GivenList{{"1=-90,90"}}}}})));
 }
 

@@ -143,6 +143,33 @@ TEST_F(LimitsInSync, areComparedWithWhatWasToldLastWhileTheStreamIsSilent) {
   EXPECT_THAT(rig.group_state.out_of_sync, HasSubstr("J1"));
 }
 
+TEST_F(LimitsInSync, areComparedWithWhatWasToldLastWhereTheItemsAreStreamedNoMore) {
+  rig.status(streaming(-90, 100));
+  enable();
+  rig.status(StatusFrames());
+  EXPECT_EQ(report().ri_state, RiState::Initialized);
+  EXPECT_THAT(rig.group_state.out_of_sync, HasSubstr("J1"));
+}
+
+TEST_F(LimitsInSync, areForgottenWithTheLink) {
+  rig.status(streaming(-90, 100));
+  enable();
+  rig.close("gone", link::Channel::Status);
+  rig.close("gone");
+  rig.connect();
+  rig.status(StatusFrames());
+  enable();
+  EXPECT_EQ(report().ri_state, RiState::Synchronized);
+  EXPECT_THAT(report().local_sets, Contains("software_limits"));
+}
+
+TEST_F(LimitsInSync, areSaidToBeNoneWhereTheyLeaveNoAngle) {
+  rig.status(streaming(Angles(6, 0), Angles(6, 0)));
+  enable();
+  EXPECT_EQ(report().ri_state, RiState::Initialized);
+  EXPECT_THAT(rig.group_state.out_of_sync, HasSubstr("are no limits: where it has none, do not enable"));
+}
+
 TEST_F(LimitsInSync, areLeftAloneWhereTheyAreNotEnabled) {
   rig.status(streaming(-90, 100));
   enable([](ExchangeSettings& s) {
@@ -170,6 +197,38 @@ TEST_F(LimitsInSync, refuseMotionsAsTheReactionSays) {
   ASSERT_NE(rig.outcome(refused), nullptr);
   EXPECT_EQ(rig.outcome(refused)->error_id, 0x8C06);
   EXPECT_THAT(rig.outcome(refused)->error_description, HasSubstr("J1"));
+}
+
+/// The reads of the tables wait for an answer, and nothing is known of these.
+TEST_F(LimitsInSync, refuseMotionsAlsoBeforeTheTablesWereRead) {
+  rig.status(streaming(-90, 100));
+  tables::Tool tool;
+  tool.name = "gripper";
+  tool.pose = arm::Pose::Identity();
+  ASSERT_TRUE(rig.core.writeTable({3, std::optional(tool)}));
+  enable([](ExchangeSettings& s) {
+    s.data_enable_sync.tools = s.data_in_sync.tools = true;
+    s.sync_reaction = static_cast<int>(SyncReaction::NoEnable);
+  });
+  EXPECT_EQ(rig.outcome(rig.submit(CoreRig::move()))->error_id, 0x8C06);
+  rig.discardSent();
+}
+
+TEST_F(LimitsInSync, interruptMotionsAndSayHowTheyGoOn) {
+  rig.status(streaming(kLower, kUpper));
+  enable([](ExchangeSettings& s) { s.sync_reaction = static_cast<int>(SyncReaction::InterruptAtOnce); });
+  rig.status(streaming(-90, 100));
+  const GoalId refused = rig.submit(CoreRig::move());
+  EXPECT_EQ(rig.outcome(refused)->error_id, 0x8C30);
+  EXPECT_THAT(rig.outcome(refused)->remedy, HasSubstr("write_software_limits"));
+  const command::Message& told = rig.messages.front();
+  EXPECT_EQ(told.code, 0x8C30);
+  EXPECT_THAT(told.text, HasSubstr("motions are interrupted: J1"));
+  EXPECT_THAT(told.remedy, HasSubstr("on the pendant"));
+  plan(-90, 100);
+  const GoalId still = rig.submit(CoreRig::move());
+  EXPECT_EQ(rig.outcome(still)->error_id, 0x8C30) << "nothing resumes by itself";
+  EXPECT_EQ(rig.outcome(still)->remedy, "RESUME with program_control, or stop");
 }
 
 TEST_F(LimitsInSync, areToldNoMoreWhenTheInterfaceIsDisabled) {
