@@ -5,9 +5,11 @@ All kinds of bad values are tried without ROS, in test/unit/ros/parameters_test.
 once came through to where they were an exception.
 """
 import subprocess
+import tempfile
 import unittest
 
 import rospy
+import yaml
 
 from cobot_test import program
 from waiting import wait_until
@@ -102,6 +104,19 @@ class Parameters(unittest.TestCase):
                                       timeout=DEADLINE, check=False)
                 self.assertNotEqual(done.returncode, 0)
                 self.assertIn(words, done.stdout + done.stderr)
+
+    def test_that_a_file_adds_to_those_of_the_launch_file(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            file.write("safety_limits: ['1=-90,90']\ntime_scale: 2.0\n")
+            file.flush()
+            done = subprocess.run(["roslaunch", "--dump-params", "cobot_command", "bringup.launch", "sim:=true",
+                                   f"sim_parameters:={file.name}", f"parameters:={file.name}"], capture_output=True, text=True,
+                                  timeout=DEADLINE, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        given = yaml.safe_load(done.stdout)
+        for node in ("simulated_controller", "command_node"):
+            self.assertEqual(given[f"/{node}/safety_limits"], ["1=-90,90"])
+        self.assertEqual(given["/simulated_controller/time_scale"], 1.0, "the argument rules")
 
     def test_that_are_misspelt_are_named_and_the_node_goes_on(self):
         process = start("simulated_controller_node", {"robot_model": "tm5-900", "project_sped": 50, **FREE_PORTS})

@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "sync/same_values.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/robot/same_values.h"
 
 namespace cobot_command::command {
 namespace {
@@ -101,8 +101,8 @@ std::string LimitsDesk::excess() const {
   const SoftwareLimits ours = limitsOf(*forecast_.limitedArm());
   std::string text;
   for (Eigen::Index i = 0; i < ours.lower.size(); ++i) {
-    const bool is_inside =
-        ours.lower[i] >= theirs_->lower[i] - kSameAngle && ours.upper[i] <= theirs_->upper[i] + kSameAngle;
+    const bool is_inside = ours.lower[i] >= theirs_->lower[i] - robot::same::kAngle &&
+                           ours.upper[i] <= theirs_->upper[i] + robot::same::kAngle;
     if (is_inside) continue;
     const bool is_none = theirs_->lower[i] >= theirs_->upper[i];
     text += fmt::format(

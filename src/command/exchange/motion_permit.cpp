@@ -7,8 +7,9 @@ namespace cobot_command::command {
 using blocks::Failure;
 
 std::vector<Failure> MotionPermit::objectionsTo(const blocks::GoalTraits& traits) const {
-  if (traits.resumes && guard_.deniesResume())
+  if (traits.resumes && guard_.deniesResume()) {
     return {{blocks::interface_error::kInterrupted, text(), sync_.remedy()}};
+  }
   if (!traits.may_move || traits.check_only) return {};
   std::vector<Failure> failures;
   if (exchange_.isRequired() && !exchange_.isEnabled()) {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sync/same_values.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/overloaded.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/robot/same_values.h"
 
 namespace cobot_command::command {
 namespace {
@@ -18,14 +18,14 @@ using tables::Kind;
 
 bool isSamePose(const arm::Pose& a, const arm::Pose& b) {
   const arm::Pose apart(a.inverse() * b);
-  const bool is_place = (a.translation() - b.translation()).cwiseAbs().maxCoeff() <= kSamePlace;
-  return is_place && Eigen::AngleAxisd(apart.linear()).angle() <= kSameAngle;
+  const bool is_place = (a.translation() - b.translation()).cwiseAbs().maxCoeff() <= robot::same::kPlace;
+  return is_place && Eigen::AngleAxisd(apart.linear()).angle() <= robot::same::kAngle;
 }
 
 bool isSameLoad(const tables::Load& a, const tables::Load& b) {
-  bool is_same = std::abs(a.mass - b.mass) <= kSameMass && isSamePose(a.centre, b.centre);
+  bool is_same = std::abs(a.mass - b.mass) <= robot::same::kMass && isSamePose(a.centre, b.centre);
   for (std::size_t i = 0; i < a.inertia.size(); ++i) {
-    is_same = is_same && std::abs(a.inertia[i] - b.inertia[i]) <= kSameInertia;
+    is_same = is_same && std::abs(a.inertia[i] - b.inertia[i]) <= robot::same::kInertia;
   }
   return is_same;
 }
