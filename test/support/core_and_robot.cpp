@@ -89,9 +89,10 @@ std::optional<command::OverrideAnswer> CoreAndRobot::setSpeedOverride(double per
   return *override_;
 }
 
-void CoreAndRobot::finish() {
-  static_cast<void>(core_.finish(blocks::FinishAfter::Move, now_));
+command::FinishReport CoreAndRobot::finish() {
+  command::FinishReport report = core_.finish(blocks::FinishAfter::Move, now_);
   settle();
+  return report;
 }
 
 void CoreAndRobot::shutDown() {

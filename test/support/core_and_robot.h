@@ -26,7 +26,7 @@ class CoreAndRobot {
   blocks::GoalId connect();
   blocks::GoalId submit(const blocks::Goal& goal);
   void cancel(blocks::GoalId goal);
-  void finish();
+  command::FinishReport finish();
   void shutDown();
   void operate(const simulator::OperatorAction& action);
   command::TableAnswer write(const command::TableWrite& entry);

@@ -90,9 +90,10 @@ FinishReport Arbiter::finish(blocks::FinishAfter after, Instant now, std::option
   FinishReport found;
   found.moves_on = parts_.forecast.loose().mayMove();
   found.dropped = queue_.dropBehindTurn(kNothingBehindFinish, newest.value_or(queue_.newest()));
+  const auto kept = aside_.underWay() != 0 ? aside_.block() : std::nullopt;  // a wait ends at once
   found.dropped += aside_.finish(after, kNothingBehindFinish, now);
   found.under_way = turns_.occupancy().busyWith();
-  if (!found.under_way) found.under_way = aside_.block();
+  if (!found.under_way) found.under_way = kept;
   turns_.finish(after, now);
   return found;
 }

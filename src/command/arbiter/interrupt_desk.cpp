@@ -195,7 +195,7 @@ void InterruptDesk::setAside(Instant now) {
 void InterruptDesk::putBack(Instant now) {
   const bool behind_segment = !isAt(desks_.aside.position()->joints);
   Aside aside = desks_.aside.take(behind_segment, now);
-  if (aside.run) {
+  if (aside.run && !aside.run->leavesTheRobot()) {  // waits tell how they go on
     blocks::Progress progress;
     progress.phase =
         parts_.speed.isZero() || parts_.robot.held() ? blocks::Phase::Held : blocks::Phase::Active;

@@ -191,6 +191,8 @@ TEST_F(WhatIsInterrupted, isAWaitForATimeThatStandsStillMeanwhile) {
   rig.pass(20s);
   EXPECT_EQ(rig.outcome(id), nullptr);
   rig.expectGoesOn();
+  EXPECT_EQ(rig.progress(id).back().phase, blocks::Phase::Active);
+  EXPECT_NEAR(toSeconds(rig.progress(id).back().remaining.value_or(0s)), 8, 0.2);
   rig.pass(7s);
   EXPECT_EQ(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(behind), nullptr);

@@ -140,6 +140,17 @@ TEST_F(WhileMotionsAreInterrupted, finishLeavesTheOneThatWasUnderWay) {
   rig.expectDone(first);
 }
 
+TEST(WhileAWaitIsInterrupted, finishEndsItAtOnceAndNamesIt) {
+  InterruptedRobot rig;
+  const GoalId id = rig.submit(good<blocks::WaitTimeGoal>());
+  rig.pass(1s);
+  rig.expectInterrupted();
+  const command::FinishReport report = rig.finish();
+  EXPECT_EQ(report.under_way, blocks::kBlock<blocks::WaitTimeGoal>);
+  EXPECT_EQ(report.dropped, 0);
+  EXPECT_EQ(rig.endOf(id).ending, Ending::CommandAborted);
+}
+
 TEST_F(WhileMotionsAreInterrupted, theyEndWithTheLayer) {
   rig.shutDown();
   expectAborted(first, "shutting down");
