@@ -10,6 +10,20 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from flight import programs, report  # noqa: E402  its folder has to be known first
+from flight.run import RunError  # noqa: E402
+from flight.verdict import Difference, Verdict  # noqa: E402
+
+
+def replays(run, arguments):
+    """The verdicts of both; of one that cannot be made, why: the recording is drawn all the same."""
+    verdicts = []
+    for name in ("decoder", "simulator"):
+        try:
+            verdicts += programs.replays(run, arguments, of_decoder=name == "decoder", of_simulator=name == "simulator")
+        except RunError as reason:
+            why = f"{reason}; --no-replay draws without"
+            verdicts.append(Verdict(name, differences=[Difference(0.0, "the replay as a whole", "a run", why)]))
+    return verdicts
 
 
 def main():
@@ -19,7 +33,7 @@ def main():
     parser.add_argument("--no-replay", action="store_true", help="draw only")
     arguments = parser.parse_args()
     run = programs.read(arguments)
-    verdicts = [] if arguments.no_replay else programs.replays(run, arguments)
+    verdicts = [] if arguments.no_replay else replays(run, arguments)
     programs.tell(verdicts)
     analysis, files = report.write(run, verdicts, arguments.folder)
     for fault in analysis.faults:

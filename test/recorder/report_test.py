@@ -4,6 +4,7 @@
 Usage: report_test.py FOLDER, for the pictures"""
 import pathlib
 import re
+import subprocess
 import sys
 import unittest
 
@@ -16,6 +17,7 @@ from flight.verdict import Difference, Verdict
 from reading_test import BagTestCase
 
 FOLDER = pathlib.Path(sys.argv.pop(1))
+PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "recorder" / "flight_report.py"
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -82,6 +84,16 @@ class Report(BagTestCase):
 
         _, page = self.written(fill)
         self.assert_has(page, "16#226")
+
+    def test_is_drawn_where_a_replay_cannot_be_made(self):
+        self.made(write_short_run)
+        folder = FOLDER / self.id().rpartition(".")[2]
+        done = subprocess.run([sys.executable, PROGRAM, self.file, "--folder", folder, "--programs", self.file.parent],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("there is no", done.stdout)
+        self.assertIn("--no-replay draws without", done.stdout)
+        self.assertTrue((folder / "report.png").is_file())
 
     def test_tells_a_folder_that_it_cannot_use(self):
         with self.assertRaisesRegex(RunError, "cannot be written into .*give another folder"):
