@@ -129,12 +129,12 @@ std::optional<blocks::Goal> InterruptDesk::withPlace(const blocks::Goal& goal) c
   const robot::ActiveFrames frames = parts_.forecast.frames();
   const arm::Pose tcp = frames.tcp.value_or(arm::Pose::Identity());
   const arm::Pose now = arm::forwardKinematics(*arm, *joints) * tcp;
-  const auto targetAt = [&](const arm::JointVector& at) {
+  const auto target_at = [&](const arm::JointVector& at) {
     const arm::Pose there = arm::forwardKinematics(*arm, at) * tcp;
     return blocks::ReturnTarget{at, there, mToMm((there.translation() - now.translation()).norm())};
   };
-  blocks::ReturnPlace place{targetAt(position.joints), std::nullopt, differenceIn(position.setup, setup())};
-  if (position.segment_end) place.segment_end = targetAt(*position.segment_end);
+  blocks::ReturnPlace place{target_at(position.joints), std::nullopt, differenceIn(position.setup, setup())};
+  if (position.segment_end) place.segment_end = target_at(*position.segment_end);
   blocks::ReturnToPrimaryGoal filled = *way_back;
   filled.place = std::move(place);
   return blocks::Goal(std::move(filled));

@@ -60,6 +60,7 @@ arm::JointVector endOfAll(const std::vector<blocks::Goal>& goals, Random* interr
                           std::vector<blocks::Ending>& ends) {
   InterruptedRobot rig;
   std::vector<GoalId> ids;
+  ids.reserve(goals.size());
   for (const blocks::Goal& goal : goals) ids.push_back(rig.submit(goal));
   // The last ones may be blended: done with their acceptance.
   const auto is_over = [&] {
@@ -99,6 +100,7 @@ TEST(InterruptionsAtRandom, loseNothingOfASequence) {
     SCOPED_TRACE(::testing::Message() << "COBOT_TEST_SEED=" << seed);
     Random random(seed);
     std::vector<blocks::Goal> goals;
+    goals.reserve(8);
     for (int i = 0; i < 8; ++i) goals.push_back(goalFrom(random));
     std::vector<Ending> plain;
     std::vector<Ending> interrupted;
