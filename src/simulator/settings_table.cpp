@@ -1,5 +1,6 @@
 // The settings of the simulated controller, a row each: parameters, options and pages are made of them.
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/arm/joint_range.h"
 #include "cobot_command/common/setting_kinds.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/simulator/control_line.h"
@@ -111,19 +113,23 @@ SettingKind postures(std::map<std::string, arm::JointVector>& values) {
                     [](const Six& six) { return arm::toJointVector(six); });
 }
 
+/// Written so that NaN is refused as well.
+bool isSane(const arm::JointRange& range) {
+  return std::abs(range.lower) <= arm::kMaxCoordinate && std::abs(range.upper) <= arm::kMaxCoordinate &&
+         range.lower < range.upper;
+}
+
 SettingKind safetyLimits(std::map<std::size_t, arm::JointLimit>& values) {
   using Limits = std::map<std::size_t, arm::JointLimit>;
-  return list(values, "a list of texts N=LOWER,UPPER [deg], N the joint, 1 to 6",
-              [](Limits& made, const std::string& text) {
-                const auto found = parseJointRange(text);
-                if (!found) return Found("holds " + quoted(text));
-                const auto& [joint, lower, upper] = *found;
-                arm::JointLimit limit;
-                limit.lower = degToRad(lower);
-                limit.upper = degToRad(upper);
-                const bool is_new = made.emplace(joint - 1, limit).second;
-                return is_new ? Found() : Found(fmt::format("names joint {} twice", joint));
-              });
+  return list(values, arm::kJointRangesAllowed, [](Limits& made, const std::string& text) {
+    const auto range = arm::parseJointRange(text);
+    if (!range || !isSane(*range)) return Found("holds " + quoted(text));
+    arm::JointLimit limit;
+    limit.lower = degToRad(range->lower);
+    limit.upper = degToRad(range->upper);
+    const bool is_new = made.emplace(range->joint - 1, limit).second;
+    return is_new ? Found() : Found(fmt::format("names joint {} twice", range->joint));
+  });
 }
 
 SettingKind declarations(std::vector<std::string>& values) {

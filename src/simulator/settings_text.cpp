@@ -84,18 +84,6 @@ Result<NamedNumbers, std::string> parseNamedNumbers(const std::string& text) {
   return NamedNumbers(std::move(name), numbers);
 }
 
-std::optional<JointRange> parseJointRange(const std::string& text) {
-  const auto named = parseNamedList(text);
-  if (!named || named->first.size() != 1 || named->second.size() != 2) return std::nullopt;
-  const JointRange range{static_cast<std::size_t>(named->first.front() - '0'), named->second[0],
-                         named->second[1]};
-  const bool is_joint = range.joint >= 1 && range.joint <= arm::kJointCount;
-  // Written so that NaN is refused as well.
-  const bool is_range = std::abs(range.lower) <= arm::kMaxCoordinate &&
-                        std::abs(range.upper) <= arm::kMaxCoordinate && range.lower < range.upper;
-  return is_joint && is_range ? std::optional(range) : std::nullopt;
-}
-
 Result<WriteClients, std::string> parseWriteClients(const std::string& text) {
   WriteClients clients;
   if (text == "all") return clients;

@@ -24,14 +24,6 @@ using NamedNumbers = std::pair<std::string, std::array<double, 6>>;
 [[nodiscard]] std::optional<NamedList> parseNamedList(const std::string& text);
 /// "NAME=1,2,3,4,5,6": a pose [mm, deg], or joint angles [deg].
 [[nodiscard]] Result<NamedNumbers, std::string> parseNamedNumbers(const std::string& text);
-/// A joint, 1 to 6, and between which angles it is [deg].
-struct JointRange {
-  std::size_t joint = 1;
-  double lower = 0;
-  double upper = 0;
-};
-/// "1=-90,90": finite numbers, the lower one first; nothing when it is otherwise.
-[[nodiscard]] std::optional<JointRange> parseJointRange(const std::string& text);
 /// "all", "none", or addresses, separated by commas; these as the system writes them.
 [[nodiscard]] Result<WriteClients, std::string> parseWriteClients(const std::string& text);
 
