@@ -51,7 +51,7 @@ void Interruption::warnOfReaction() {
   using namespace blocks::interface_error;
   const bool refuses = parts_.guard.refuses();
   const int code = refuses ? kNotSynchronized : kInterrupted;
-  const std::string remedy = parts_.sync.remedy();
+  const std::string remedy = parts_.permit.remedy();
   parts_.actions.emplace_back(LogMessage{
       Severity::Warning,
       fmt::format("motions are {}: {}", refuses ? "refused" : "interrupted", parts_.sync.whyNot()), code,

@@ -53,22 +53,16 @@ bool Turns::continueRun(Instant now) {
   }
   const auto command = under_way_.run->next();
   if (!command) return false;
-  if (isHeld(*command, parts_)) {
-    sender_.forget();  // its plan is made anew when it goes on, with all the time that a plan has
-    return false;
-  }
   if (command->leaves_only && !parts_.keeper.objectionsToCommands().empty()) {
     under_way_.run->commandEnded(command->key, {}, now);  // the flow has left the node by itself
     return true;
   }
-  auto failure = occupancy_.objectionTo(*command);
-  if (!failure) {
-    if (sender_.look(*command, under_way_.run->goal(), now) == NextCommand::State::Planning) return false;
-    failure = sender_.prepare(*command, now);
-  }
-  if (failure) {
-    sender_.forget();
-    under_way_.run->commandRefused(command->key, *failure, now);
+  const auto ready = isHeld(*command, parts_) ? sender_.holdBack()
+                                              : sender_.makeReady(*command, under_way_.run->goal(),
+                                                                  occupancy_.objectionTo(*command), now);
+  if (!ready.is_known) return false;
+  if (ready.failure) {
+    under_way_.run->commandRefused(command->key, *ready.failure, now);
   } else {
     under_way_.run->commandStarted(command->key);
     desks_.stops.commanded();
@@ -81,19 +75,14 @@ bool Turns::continueRun(Instant now) {
 bool Turns::continueLeft(Instant now) {
   if (!desks_.window.empty()) return false;
   const Left left = sender_.left();
-  if (isHeld(left.command, parts_)) {
-    sender_.forget();
-    return false;
-  }
-  auto failure = occupancy_.objectionTo(left.command);
-  if (!failure) {
-    if (sender_.look(left.command, left.goal, now) == NextCommand::State::Planning) return false;
-    failure = sender_.prepare(left.command, now);
-  }
+  const auto ready =
+      isHeld(left.command, parts_)
+          ? sender_.holdBack()
+          : sender_.makeReady(left.command, left.goal, occupancy_.objectionTo(left.command), now);
+  if (!ready.is_known) return false;
   sender_.leftDone();
-  if (failure) {
-    sender_.forget();
-    refuseLeft(left, *failure, now);
+  if (ready.failure) {
+    refuseLeft(left, *ready.failure, now);
   } else {
     desks_.stops.commanded();
     sender_.send(left.command, left.goal, true, now);
@@ -260,23 +249,17 @@ void Turns::stopBetweenCommands(const std::string& why, Instant now) {
 }
 
 void Turns::stopEnded(const StopRun::Result& result, Instant now) {
-  if (result.failed() && std::exchange(stops_for_later_, false) && desks_.window.empty() && under_way_.run &&
-      !under_way_.run->outcome()) {
-    const auto next = under_way_.run->next();
-    const blocks::Block block = next ? next->block : under_way_.run->block();
-    under_way_.run->commandEnded(next ? next->key : 0,
-                                 toOutcome(block, blocks::Ending::Aborted, result.failure), now);
-  }
-  if (!stopping_ || stopping_->stop != result.number || !under_way_.run || under_way_.run->outcome()) return;
+  const bool was_for_later =
+      result.failed() && std::exchange(stops_for_later_, false) && desks_.window.empty();
+  const bool was_for_run = stopping_ && stopping_->stop == result.number;
+  if ((!was_for_later && !was_for_run) || !under_way_.run || under_way_.run->outcome()) return;
   const auto next = under_way_.run->next();
-  const auto key = next ? next->key : 0;
   const blocks::Block block = next ? next->block : under_way_.run->block();
-  if (result.failed()) {
-    under_way_.run->commandEnded(key, toOutcome(block, blocks::Ending::Aborted, result.failure), now);
-  } else {
-    const std::string words = fmt::format("{}; {}", stopping_->why, result.words());
-    under_way_.run->commandEnded(key, blocks::commandAborted(words), now);
-  }
+  under_way_.run->commandEnded(
+      next ? next->key : 0,
+      result.failed() ? toOutcome(block, blocks::Ending::Aborted, result.failure)
+                      : blocks::commandAborted(fmt::format("{}; {}", stopping_->why, result.words())),
+      now);
 }
 
 bool Turns::takeOut(blocks::GoalId goal, const std::string& why, Instant now) {

@@ -8,7 +8,7 @@ using blocks::Failure;
 
 std::vector<Failure> MotionPermit::objectionsTo(const blocks::GoalTraits& traits) const {
   if (traits.resumes && guard_.deniesResume()) {
-    return {{blocks::interface_error::kInterrupted, text(), sync_.remedy()}};
+    return {{blocks::interface_error::kInterrupted, text(), remedy()}};
   }
   if (!traits.may_move || traits.check_only) return {};
   std::vector<Failure> failures;
@@ -16,11 +16,10 @@ std::vector<Failure> MotionPermit::objectionsTo(const blocks::GoalTraits& traits
     failures.push_back({blocks::interface_error::kNotEnabled, "", ""});
   }
   if (guard_.refuses()) {
-    failures.push_back({blocks::interface_error::kNotSynchronized, sync_.whyNot(), sync_.remedy()});
+    failures.push_back({blocks::interface_error::kNotSynchronized, sync_.whyNot(), remedy()});
   }
   if (guard_.interrupts() && traits.buffer_mode != blocks::BufferMode::Buffered) {
-    failures.push_back({blocks::interface_error::kInterrupted, text(),
-                        guard_.deniesResume() ? sync_.remedy() : "RESUME with program_control, or stop"});
+    failures.push_back({blocks::interface_error::kInterrupted, text(), remedy()});
   }
   return failures;
 }
@@ -34,6 +33,11 @@ std::string MotionPermit::text() const {
   const std::string why = guard_.deniesResume() ? sync_.whyNot() : "";
   return why.empty() ? "interrupted, as data were out of sync: program_control with RESUME lets it go on"
                      : "interrupted: " + why;
+}
+
+std::string MotionPermit::remedy() const {
+  const bool only_waits = guard_.interrupts() && !guard_.deniesResume();
+  return only_waits ? "RESUME with program_control, or stop" : sync_.remedy();
 }
 
 }  // namespace cobot_command::command

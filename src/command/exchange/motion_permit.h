@@ -27,6 +27,8 @@ class MotionPermit {
   [[nodiscard]] bool interrupts() const { return guard_.interrupts(); }
   /// Why motions that wait do not begin. Precondition: interrupts().
   [[nodiscard]] std::string text() const;
+  /// What leads out of it, or of a refusal, where that is not what the table of errors says; else "".
+  [[nodiscard]] std::string remedy() const;
 
  private:
   const ExchangeDesk& exchange_;

@@ -12,6 +12,21 @@ std::optional<blocks::Failure> CommandSender::prepare(const blocks::Command& com
   return window_.prepare(next_.order(), command.traits, now);
 }
 
+CommandSender::Readiness CommandSender::makeReady(const blocks::Command& command, blocks::GoalId goal,
+                                                  std::optional<blocks::Failure> objection, Instant now) {
+  if (!objection) {
+    if (look(command, goal, now) == NextCommand::State::Planning) return {};
+    objection = prepare(command, now);
+  }
+  if (objection) forget();
+  return {true, std::move(objection)};
+}
+
+CommandSender::Readiness CommandSender::holdBack() {
+  forget();
+  return {};
+}
+
 void CommandSender::send(const blocks::Command& command, blocks::GoalId goal, bool is_resumed, Instant now) {
   CommandOrder order = std::move(next_.order());
   next_.forget();

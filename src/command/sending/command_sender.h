@@ -32,6 +32,16 @@ class CommandSender {
   }
   /// What speaks against it, last of all. Precondition: look() did not say Planning, in this event.
   [[nodiscard]] std::optional<blocks::Failure> prepare(const blocks::Command& command, Instant now);
+  /// Whether it can go out now.
+  struct Readiness {
+    bool is_known = false;                   ///< not as long as it is held back, or planned
+    std::optional<blocks::Failure> failure;  ///< what speaks against it
+  };
+  /// Looks and prepares, unless something speaks against it already.
+  [[nodiscard]] Readiness makeReady(const blocks::Command& command, blocks::GoalId goal,
+                                    std::optional<blocks::Failure> objection, Instant now);
+  /// What is planned of it is made anew when it goes on, with all the time that a plan has.
+  Readiness holdBack();
   /// That it is told by. Precondition: it is prepared.
   [[nodiscard]] int acknowledgedId() { return next_.order().command_id_ack; }
   /// Precondition: it is prepared.

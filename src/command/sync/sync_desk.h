@@ -46,7 +46,7 @@ class SyncDesk {
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
   // --- What is so.
-  /// The sets were looked at, or cannot be.
+  /// The tables were looked at, or cannot be; or limits are out of sync, for which nobody has to look.
   [[nodiscard]] bool isJudged() const { return is_judged_ || !limitsReason().empty(); }
   /// All that are enabled.
   [[nodiscard]] bool isInSync() const;
