@@ -1,16 +1,11 @@
 // An operator at RViz, beside a simulated robot and its command node.
 #include <QStringList>
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "operator.h"
-#include "rviz_window.h"
+#include "panel_fixture.h"
 #include <gmock/gmock.h>
 #include <ros/node_handle.h>
 #include <rviz/panel.h>
@@ -19,57 +14,6 @@
 
 namespace cobot_command::test {
 namespace {
-
-RvizWindow* window = nullptr;
-
-std::string picturesFolder() {
-  const char* folder = std::getenv("COBOT_PICTURES");
-  return folder == nullptr ? "" : folder;
-}
-
-class Panel : public ::testing::Test {
- protected:
-  Panel() : at_panel(window->frame(), window->panel(), picturesFolder()) {
-    if (isReady()) return;
-    at_panel.open("connect");
-    at_panel.click("preset");
-    at_panel.click("execute");
-    EXPECT_TRUE(holdsSoon([this] { return isReady(); })) << at_panel.link().toStdString();
-  }
-
-  ~Panel() override {
-    if (at_panel.robot() != "/") at_panel.chooseRobot("/");
-  }
-
-  [[nodiscard]] bool isReady() const { return at_panel.link().startsWith("ready"); }
-
-  /// So that each test begins there, whatever was before.
-  void moveToPreset() {
-    at_panel.open("move_absolute");
-    at_panel.click("preset");
-    at_panel.enter("speed_percent", 100);
-    at_panel.click("execute");
-    ASSERT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
-  }
-
-  /// Along y [mm], and returns while it moves; on the page Move Relative.
-  void moveSlowly(double way) {
-    ASSERT_NO_FATAL_FAILURE(moveToPreset());
-    at_panel.open("move_relative");
-    at_panel.click("preset");
-    at_panel.choose("movement_command", 0);
-    at_panel.choose("data_format", 3);
-    at_panel.enter("target.1", way);
-    at_panel.enter("speed_mm_s", 10);
-    at_panel.click("execute");
-    ASSERT_TRUE(holdsSoon([this] { return at_panel.link().contains("moving"); }));
-  }
-
-  /// Of J1, on the page that jogs.
-  [[nodiscard]] double jointValue() const { return at_panel.textOf("value_0").split(' ').front().toDouble(); }
-
-  Operator at_panel;
-};
 
 TEST_F(Panel, opensEachPageFromTheMainMenu) {
   at_panel.clickAlways("main_menu");
@@ -228,73 +172,6 @@ TEST_F(Panel, pausesAndResumesAMove) {
   EXPECT_EQ(at_panel.outcome(60), "done") << at_panel.textOf("status_text").toStdString();
 }
 
-TEST_F(Panel, jogsAJointAsLongAsItsButtonIsHeld) {
-  moveToPreset();
-  at_panel.open("jog");
-  at_panel.choose("mode", 2);
-  const double before = jointValue();
-  const auto has_moved = [&] { return jointValue() > before + 1; };
-  // A machine so busy that RViz stands still for a quarter of a second lets go of the arm, as it has to: then
-  // once more.
-  for (int tries = 0; tries < 10 && !has_moved(); ++tries) {
-    at_panel.release("jog_0_plus");
-    at_panel.press("jog_0_plus");
-    EXPECT_TRUE(holdsSoon([&] { return has_moved() || !at_panel.isLit("busy"); }));
-  }
-  EXPECT_TRUE(has_moved()) << at_panel.textOf("status_text").toStdString();
-  at_panel.release("jog_0_plus");
-  EXPECT_EQ(at_panel.outcome(5), "done") << at_panel.textOf("status_text").toStdString();
-}
-
-/// A keep-alive names no jog: that of a button that is pressed anew keeps none going that another button has
-/// begun.
-TEST_F(Panel, jogsTheOtherWayWhenTheOtherButtonIsPressedAtOnce) {
-  moveToPreset();
-  at_panel.open("jog");
-  at_panel.choose("mode", 2);
-  at_panel.press("jog_0_plus");
-  const double before = jointValue();
-  ASSERT_TRUE(holdsSoon([&] { return jointValue() > before + 1 || !at_panel.isLit("busy"); }));
-  at_panel.release("jog_0_plus");
-  at_panel.press("jog_0_minus");
-  const double turned = jointValue();
-  bool has_turned_back = false;
-  for (int tries = 0; tries < 10 && !has_turned_back; ++tries) {
-    ASSERT_TRUE(holdsSoon([&] {
-      has_turned_back = jointValue() < turned - 1;
-      return has_turned_back || !at_panel.isLit("busy");
-    }));
-    at_panel.release("jog_0_minus");
-    if (!has_turned_back) at_panel.press("jog_0_minus");
-  }
-  EXPECT_TRUE(has_turned_back) << at_panel.textOf("status_text").toStdString();
-  EXPECT_NE(at_panel.outcome(5), "busy");
-}
-
-TEST_F(Panel, letsGoOfTheArmWhereverTheMouseIsReleased) {
-  moveToPreset();
-  at_panel.open("jog");
-  at_panel.choose("mode", 2);
-  at_panel.press("jog_0_minus");
-  at_panel.releaseElsewhere();
-  EXPECT_EQ(at_panel.outcome(5), "done") << at_panel.textOf("status_text").toStdString();
-}
-
-TEST_F(Panel, saysBeforeWhichLimitAJogHasEnded) {
-  moveToPreset();
-  at_panel.open("jog");
-  at_panel.choose("mode", 2);
-  at_panel.type("speed", "15");  // what is shown counts, confirmed or not
-  for (int tries = 0; tries < 10 && !at_panel.textOf("status_text").contains("limit"); ++tries) {
-    at_panel.press("jog_2_plus");
-    EXPECT_NE(at_panel.outcome(20), "busy");
-    at_panel.release("jog_2_plus");
-  }
-  EXPECT_TRUE(at_panel.textOf("status_text").contains("J3")) << at_panel.textOf("status_text").toStdString();
-  EXPECT_EQ(at_panel.valueOf("speed"), 15);
-  at_panel.enter("speed", 10);
-}
-
 TEST_F(Panel, takesTheNumberThatWasTypedOrKeepsTheOneThatWas) {
   at_panel.open("move_relative");
   at_panel.click("preset");
@@ -312,20 +189,6 @@ TEST_F(Panel, takesTheNumberThatWasTypedOrKeepsTheOneThatWas) {
   at_panel.open("connect");
   at_panel.open("change_tcp");
   EXPECT_EQ(at_panel.valueOf("weight"), 0);
-}
-
-TEST_F(Panel, jogsTheToolInSteps) {
-  moveToPreset();
-  at_panel.open("jog");
-  at_panel.choose("mode", 1);
-  at_panel.tick("stepwise", true);
-  at_panel.enter("increment_mm", 20);
-  at_panel.click("jog_2_minus");
-  EXPECT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
-  at_panel.tick("stepwise", false);
-  at_panel.open("move_absolute");
-  at_panel.click("take_target");
-  EXPECT_NEAR(at_panel.valueOf("target.2"), 420, 0.2);
 }
 
 TEST_F(Panel, runsThePickAndPlaceWithAMoveThatWasEdited) {
@@ -372,93 +235,8 @@ TEST_F(Panel, enablesAndDisablesTheInterface) {
   EXPECT_EQ(at_panel.outcome(), "done");
 }
 
-TEST_F(Panel, saysThatThereIsNoNodeForACommandAndWorksOn) {
-  at_panel.chooseRobot("/nobody");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel.link() == "no command node"; }));
-  at_panel.open("change_base");
-  at_panel.click("execute");
-  EXPECT_TRUE(at_panel.isLit("busy"));
-  EXPECT_EQ(at_panel.outcome(), "error");
-  EXPECT_TRUE(at_panel.textOf("status_text").contains("There is no command node"));
-  at_panel.chooseRobot("/");
-  EXPECT_TRUE(holdsSoon([this] { return isReady(); }));
-  at_panel.click("execute");
-  EXPECT_EQ(at_panel.outcome(), "done");
-}
-
-TEST_F(Panel, sendsNothingBehindAStopThatStillWaitedForItsNode) {
-  at_panel.chooseRobot("/nobody");
-  at_panel.open("change_base");
-  at_panel.click("execute");
-  EXPECT_TRUE(at_panel.isLit("busy"));
-  at_panel.clickStop();
-  EXPECT_FALSE(at_panel.isLit("busy") || at_panel.isLit("error"));
-}
-
-TEST_F(Panel, showsTheRobotThatItCommandsWhateverWasTyped) {
-  at_panel.chooseRobot("no name!");
-  EXPECT_EQ(at_panel.robot(), "/");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel.link() == "'no name!' is no namespace"; }));
-  at_panel.typeRobot("/third");
-  at_panel.open("connect");
-  at_panel.enter("timeout", 30);
-  EXPECT_EQ(at_panel.robot(), "/");
-  EXPECT_TRUE(holdsSoon([this] { return isReady(); }));
-}
-
-/// Of a node that lives: one that hangs does not tell it.
-std::string pidOfSecond() {
-  const std::unique_ptr<FILE, int (*)(FILE*)> told(
-      popen("rosnode info /second/command_node | sed -n 's/^Pid: //p'", "r"), pclose);
-  std::array<char, 16> pid{};
-  return fgets(pid.data(), pid.size(), told.get()) == nullptr ? "" : std::string(pid.data());
-}
-
-void signalTo(const std::string& pid, const char* signal) {
-  ASSERT_EQ(std::system(("kill -" + std::string(signal) + " " + pid).c_str()), 0);
-}
-
-TEST_F(Panel, saysThatANodeDoesNotAnswerAndTakesTheCommandBack) {
-  at_panel.chooseRobot("/second");
-  at_panel.open("change_base");
-  ASSERT_TRUE(holdsSoon([this] { return at_panel.link() == "not connected"; }));
-  ASSERT_TRUE(holdsSoon([this] {  // its clients have found each other
-    at_panel.click("execute");
-    return at_panel.outcome(5) == "error" && at_panel.textOf("error_id") == "16#10";
-  }));
-  const std::string pid = pidOfSecond();
-  ASSERT_NO_FATAL_FAILURE(signalTo(pid, "STOP"));
-  at_panel.click("execute");
-  EXPECT_EQ(at_panel.outcome(), "error");
-  EXPECT_TRUE(at_panel.textOf("status_text").contains("does not answer"));
-  at_panel.clickStop();
-  EXPECT_TRUE(
-      holdsSoon([this] { return at_panel.textAlways("stop_text").contains("Use the emergency stop"); }));
-  ASSERT_NO_FATAL_FAILURE(signalTo(pid, "CONT"));
-  EXPECT_TRUE(holdsSoon([this] { return !at_panel.textAlways("stop_text").contains("emergency stop"); }));
-}
-
-/// Of another robot, whose command node nobody needs, and which is started again.
-TEST_F(Panel, saysThatANodeHasDiedAndFindsTheNextOne) {
-  at_panel.chooseRobot("/second");
-  at_panel.open("connect");
-  at_panel.enter("host", "127.0.0.1");
-  at_panel.enter("port", 1);
-  at_panel.enter("timeout", 300);
-  at_panel.click("execute");
-  ASSERT_TRUE(holdsSoon([this] { return at_panel.link().startsWith("connecting"); }));
-  ASSERT_NO_FATAL_FAILURE(signalTo(pidOfSecond(), "KILL"));
-  EXPECT_EQ(at_panel.outcome(), "error");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel.link() == "not connected"; }))
-      << at_panel.link().toStdString();
-  at_panel.click("execute");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel.link().startsWith("connecting"); }));
-  at_panel.click("cancel");
-  EXPECT_EQ(at_panel.outcome(), "done");
-}
-
 TEST_F(Panel, isSavedWithTheConfigurationOfRviz) {
-  auto& panel = dynamic_cast<rviz::Panel&>(window->panel());
+  auto& panel = dynamic_cast<rviz::Panel&>(Panel::window->panel());
   at_panel.open("move_relative");
   at_panel.click("preset");
   at_panel.enter("target.1", 12.5);
@@ -478,6 +256,6 @@ TEST_F(Panel, isSavedWithTheConfigurationOfRviz) {
 int main(int argc, char** argv) {
   ::testing::InitGoogleMock(&argc, argv);
   cobot_command::test::RvizWindow rviz(argc, argv);
-  cobot_command::test::window = &rviz;
+  cobot_command::test::Panel::window = &rviz;
   return RUN_ALL_TESTS();
 }
