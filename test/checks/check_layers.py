@@ -120,7 +120,7 @@ WINGS = {
 # The rooms that may include ROS.
 OF_ROS = {"ros", "rviz"}
 # Folders of headers that the core may include. What is not here is refused: nobody can list all packages of ROS.
-LIBRARIES = {"Eigen", "arpa", "boost", "console_bridge", "fmt", "gmock", "gtest", "kdl", "netinet", "nlohmann", "rapidcheck", "sys",
+LIBRARIES = {"Eigen", "arpa", "boost", "console_bridge", "fmt", "gmock", "gtest", "kdl", "netinet", "nlohmann", "openssl", "rapidcheck", "sys",
              "tl", "urdf_model", "urdf_parser"}
 FOLDER = re.compile(r'\s*#\s*include\s*[<"](?!cobot_command/)([^/>"]+)/')
 MESSAGE = re.compile(r'\s*#\s*include\s*[<"]cobot_command/[A-Z]')
