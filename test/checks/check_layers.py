@@ -10,6 +10,7 @@ ALLOWED = {
     "tm_script": {"common"},
     "script": {"common", "tm_script"},
     "protocol": {"common"},
+    "automata": {"common"},
     "arm": {"common"},
     "tables": {"common", "arm"},
     "kinematics": {"common", "arm", "tables"},
