@@ -1,7 +1,9 @@
 #include "cobot_command/automata/verification.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "verification_model.h"
@@ -16,7 +18,8 @@ using verification::Model;
 using verification::State;
 using Number = std::uint32_t;
 
-constexpr std::size_t kFaultsShown = 20;
+/// Of each kind: one mistake is seen from many states.
+constexpr std::size_t kFaultsShown = 3;
 constexpr Number kNobody = ~Number{0};
 
 /// The largest set of states without one that breaks a spec, that no uncontrollable event leaves, and in
@@ -182,6 +185,7 @@ class Verifier {
     const Tuple& tuple = model_.states()[number].tuple;
     std::vector<std::pair<std::size_t, std::size_t>> held;  // zone and robot
     for (std::size_t robot = 0; robot < tuple.size(); ++robot) {
+      if (holds_[robot].empty()) continue;
       for (const std::size_t zone : holds_[robot][tuple[robot]]) held.emplace_back(zone, robot);
     }
     std::sort(held.begin(), held.end());
@@ -229,13 +233,18 @@ class Verifier {
 
   template <class... Values>
   void fault(fmt::format_string<Values...> text, Values&&... values) {
-    if (++faults_ <= kFaultsShown) {
-      found_.faults.push_back(fmt::format(text, std::forward<Values>(values)...));
-    }
+    const fmt::string_view kind = text;
+    if (++faults_[{kind.data(), kind.size()}] > kFaultsShown) return;
+    found_.faults.push_back(fmt::format(text, std::forward<Values>(values)...));
   }
 
   Verification finish() {
-    if (faults_ > kFaultsShown) found_.faults.push_back(fmt::format("and {} more", faults_ - kFaultsShown));
+    for (const auto& [kind, count] : faults_) {
+      const std::string beginning(kind.substr(0, kind.find_first_of(":{")));
+      if (count > kFaultsShown) {
+        found_.faults.push_back(fmt::format("and {} more: {}", count - kFaultsShown, beginning));
+      }
+    }
     return std::move(found_);
   }
 
@@ -245,8 +254,8 @@ class Verifier {
   Model model_;
   bool is_supervised_ = false;
   std::vector<Before> before_;
-  std::vector<Number> order_;  ///< what is reached under the supervisor
-  std::size_t faults_ = 0;
+  std::vector<Number> order_;                       ///< what is reached under the supervisor
+  std::map<std::string_view, std::size_t> faults_;  ///< by the words that they are told with
   Verification found_;
 };
 

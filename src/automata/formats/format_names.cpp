@@ -27,8 +27,9 @@ const std::string& FormatNames::of(const std::string& name) {
   if (known != names_.end()) return known->second;
   const std::string wanted = allowed(name);
   std::string written = wanted;
-  for (int number = 2; !taken_.insert(written).second; ++number)
+  for (int number = 2; !taken_.insert(written).second; ++number) {
     written = fmt::format("{}_{}", wanted, number);
+  }
   return names_.emplace(name, written).first->second;
 }
 

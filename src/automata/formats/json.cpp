@@ -51,8 +51,9 @@ class Names {
   }
   [[nodiscard]] std::uint32_t of(const json& value, const std::string& place) const {
     const auto at = index_.find(text(value, place));
-    if (at == index_.end())
+    if (at == index_.end()) {
       fail("{}: there is no {} \"{}\"", place, what_, foreignText(text(value, place), kQuoteLimit));
+    }
     return at->second;
   }
 

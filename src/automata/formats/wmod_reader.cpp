@@ -35,7 +35,8 @@ std::string attribute(const XMLElement& element, const char* name) {
 /// Where things are drawn, and what people have written beside them.
 bool isForPeople(std::string_view name) {
   constexpr std::string_view kGeometry = "Geometry";
-  return name == "Comment" ||
+  // Comments have a namespace of their own, under whatever prefix.
+  return name.substr(name.find(':') + 1) == "Comment" ||
          (name.size() >= kGeometry.size() && name.substr(name.size() - kGeometry.size()) == kGeometry);
 }
 
@@ -55,6 +56,26 @@ void forEachChild(const XMLElement& parent, std::initializer_list<std::string_vi
   }
 }
 
+/// What names mean by the comments of our own files; of others, there are none.
+std::map<std::string, std::string> meaningsIn(const XMLElement& element) {
+  std::map<std::string, std::string> meanings;
+  for (const auto* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node->ToComment() == nullptr) continue;
+    const std::string text = wmod::fromComment(node->Value());
+    const std::string begin = std::string(" ") + wmod::kMeaning;
+    const auto middle = text.find(" = ");
+    if (text.compare(0, begin.size(), begin) != 0 || middle == std::string::npos) continue;
+    meanings[text.substr(begin.size(), middle - begin.size())] =
+        text.substr(middle + 3, text.size() - middle - 4);
+  }
+  return meanings;
+}
+
+void giveMeaning(std::string& name, const std::map<std::string, std::string>& meanings) {
+  const auto at = meanings.find(name);
+  if (at != meanings.end()) name = at->second;
+}
+
 class Reader {
  public:
   Problem read(const XMLElement& module) {
@@ -68,6 +89,9 @@ class Reader {
                      [&](const XMLElement& component) { readAutomaton(component); });
       }
     });
+    const auto meanings = meaningsIn(module);
+    for (Event& event : problem_.events) giveMeaning(event.name, meanings);
+    for (Automaton& automaton : problem_.automata) giveMeaning(automaton.name, meanings);
     return std::move(problem_);
   }
 
@@ -75,8 +99,9 @@ class Reader {
   void readEvent(const XMLElement& element) {
     const std::string kind = attribute(element, "Kind");
     const std::string name = attribute(element, "Name");
-    if (element.FirstChildElement("RangeList") != nullptr)
+    if (element.FirstChildElement("RangeList") != nullptr) {
       fail(element, "the event \"{}\" has an index: it is not read", name);
+    }
     if (kind == "PROPOSITION") return;
     if (kind != "CONTROLLABLE" && kind != "UNCONTROLLABLE") {
       fail(element, "an event is {}: known are CONTROLLABLE, UNCONTROLLABLE and PROPOSITION",
@@ -119,6 +144,8 @@ class Reader {
     if (automaton.marked.empty()) {
       for (StateIndex state = 0; state < automaton.states.size(); ++state) automaton.marked.push_back(state);
     }
+    const auto meanings = meaningsIn(element);
+    for (std::string& state : automaton.states) giveMeaning(state, meanings);
     problem_.automata.push_back(std::move(automaton));
   }
 

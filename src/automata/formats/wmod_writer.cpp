@@ -2,6 +2,7 @@
 
 #include "formats/format_names.h"
 #include "formats/wmod_names.h"
+#include <fmt/format.h>
 #include <tinyxml2.h>
 
 #include "cobot_command/automata/formats.h"
@@ -107,11 +108,8 @@ class Writer {
   }
 
   void writeTable(const FormatNames& names) {
-    for (std::string line : names.table()) {
-      // Two hyphens would end the comment.
-      for (std::size_t at = line.find("--"); at != std::string::npos; at = line.find("--"))
-        line.replace(at, 2, "- ");
-      printer_.PushComment((" " + line + " ").c_str());
+    for (const std::string& line : names.table()) {
+      printer_.PushComment(fmt::format(" {}{} ", wmod::kMeaning, wmod::toComment(line)).c_str());
     }
   }
 
