@@ -173,6 +173,36 @@ bool SafeOrder::bringHomeAtOnce(const Robot& robot, Tuple& state) const {
   return true;
 }
 
+const SafeOrder::Robot& SafeOrder::robotOf(std::size_t automaton) const {
+  return *std::find_if(robots_.begin(), robots_.end(),
+                       [&](const Robot& robot) { return robot.automaton == automaton; });
+}
+
+bool SafeOrder::comesHomeBehind(const Tuple& state, std::size_t robot,
+                                const std::vector<std::size_t>& others) const {
+  Tuple after = state;
+  Scratch scratch;
+  for (const std::size_t other : others) {
+    if (!bringHome(robotOf(other), after, scratch)) return false;
+  }
+  return bringHome(robotOf(robot), after, scratch);
+}
+
+std::vector<std::size_t> SafeOrder::aheadOf(const Tuple& state, std::size_t robot) const {
+  std::vector<std::size_t> ahead;
+  for (const std::size_t other : orderHome(state)) {
+    if (other == robot) break;
+    if (!robotOf(other).is_home[state[other]]) ahead.push_back(other);
+  }
+  if (!comesHomeBehind(state, robot, ahead)) return {};
+  for (std::size_t index = ahead.size(); index-- > 0;) {
+    std::vector<std::size_t> fewer = ahead;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(index));
+    if (comesHomeBehind(state, robot, fewer)) ahead = std::move(fewer);
+  }
+  return ahead;
+}
+
 bool SafeOrder::needsDecision(EventIndex event, const Tuple& state) const {
   if (!composition_.isControllable(event)) return false;
   if (takes_zone_[event]) return true;

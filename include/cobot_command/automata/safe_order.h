@@ -34,6 +34,10 @@ class SafeOrder {
   [[nodiscard]] std::vector<std::size_t> orderHome(const Tuple& state) const;
   [[nodiscard]] bool isSafe(const Tuple& state) const { return orderHome(state).size() == robots_.size(); }
 
+  /// Those that have to come home before one can, in an order in which they can; without any of them it
+  /// cannot. Empty, too, where nothing helps. `robot`: an automaton, as in orderHome().
+  [[nodiscard]] std::vector<std::size_t> aheadOf(const Tuple& state, std::size_t robot) const;
+
   /// Precondition: `state` is the initial one, or granted events have led to it.
   [[nodiscard]] Decision decide(const Tuple& state, EventIndex event) const;
   [[nodiscard]] const Tuple& initial() const { return composition_.initial(); }
@@ -52,8 +56,12 @@ class SafeOrder {
   };
   struct Scratch;
 
+  /// False: it cannot come home, and the state is as before.
   [[nodiscard]] bool bringHome(const Robot& robot, Tuple& state, Scratch& scratch) const;
   [[nodiscard]] bool bringHomeAtOnce(const Robot& robot, Tuple& state) const;
+  [[nodiscard]] bool comesHomeBehind(const Tuple& state, std::size_t robot,
+                                     const std::vector<std::size_t>& others) const;
+  [[nodiscard]] const Robot& robotOf(std::size_t automaton) const;
   [[nodiscard]] bool needsDecision(EventIndex event, const Tuple& state) const;
 
   Problem problem_;

@@ -158,6 +158,8 @@ TEST(SafeOrder, bringsAllHomeInTheOrderThatItSays) {
     state = rule.decide(state, eventOf(problem, name)).next;
   }
   EXPECT_THAT(rule.orderHome(state), testing::ElementsAre(1, 2, 0)) << "R1 waits for R2";
+  EXPECT_THAT(rule.aheadOf(state, 0), testing::ElementsAre(1)) << "R3 is at home";
+  EXPECT_THAT(rule.aheadOf(state, 1), testing::IsEmpty());
 }
 
 TEST(SafeOrder, choosesAmongPathsOnlyThoseThatLeadHome) {

@@ -1,0 +1,137 @@
+#include "cobot_command/cell/model/supervisors.h"
+
+#include <array>
+#include <utility>
+
+#include "model/part_problem.h"
+#include <fmt/format.h>
+
+#include "cobot_command/automata/canonical.h"
+#include "cobot_command/automata/decomposition.h"
+#include "cobot_command/automata/safe_order.h"
+
+namespace cobot_command::cell {
+namespace {
+
+constexpr std::array<std::pair<Policy, const char*>, 4> kPolicyNames = {{{Policy::Supervisor, "supervisor"},
+                                                                         {Policy::SafeOrder, "safe_order"},
+                                                                         {Policy::MutualExclusion, "mutex"},
+                                                                         {Policy::None, "none"}}};
+
+std::string conflictWords(const automata::StateSpace& space, const automata::Problem& problem) {
+  std::vector<std::string> names;
+  for (const auto event : automata::shortestWayIntoConflict(space))
+    names.push_back(problem.events[event].name);
+  return fmt::format(
+      "no supervisor can keep the robots out of a conflict that cannot be refused; the shortest way into "
+      "one: "
+      "{}. Let what happens there be controllable, or change the programs",
+      names.empty() ? "the beginning" : fmt::format("{}", fmt::join(names, ", ")));
+}
+
+enum class Found { Done, TooLarge };
+
+/// Fills in what is found of the part.
+Result<Found, std::string> synthesizePart(const PartProblem& part, std::size_t max_states,
+                                          PartSupervisor& found) {
+  const automata::Composition composition(part.problem());
+  const auto space = automata::StateSpace::explore(composition, max_states);
+  if (!space) return Found::TooLarge;
+  const automata::Synthesis synthesis(*space);
+  if (synthesis.empty()) return refuse(conflictWords(*space, part.problem()));
+  found.frontier = automata::compile(synthesis, part.problem()).frontier;
+  const auto automaton = automata::automatonOf(synthesis, part.problem());
+  found.fingerprint =
+      automata::canonicalFormOf(automaton, part.problem().events).fingerprint(part.problem().events);
+  found.counts = synthesis.counts();
+  return Found::Done;
+}
+
+Result<PartSupervisor, std::string> supervisorOf(const CellModel& model, const automata::PartOfProblem& part,
+                                                 Policy policy, std::size_t max_states) {
+  PartSupervisor found;
+  found.automata = part.automata;
+  found.policy = policy;
+  if (policy == Policy::Supervisor) {
+    for (const bool is_compressed : {false, true}) {
+      found.is_compressed = is_compressed;
+      const auto result = synthesizePart(PartProblem(model, part, is_compressed), max_states, found);
+      if (!result) return refuse(result.error());
+      if (*result == Found::Done) return found;
+    }
+    found.is_compressed = false;
+    found.policy = Policy::SafeOrder;
+  }
+  if (found.policy == Policy::SafeOrder) {
+    const auto objections = automata::SafeOrder::objectionsTo(part.problem);
+    if (!objections.empty()) {
+      return refuse(
+          fmt::format("{}, so that safe_order cannot decide{}", objections.front(),
+                      policy == Policy::Supervisor
+                          ? fmt::format("; and a supervisor has more than max_states = {} states", max_states)
+                          : std::string()));
+    }
+  }
+  return found;
+}
+
+automata::PartOfProblem partOf(const CellModel& model, const PartSupervisor& supervisor) {
+  for (automata::PartOfProblem& part : automata::independentParts(model.problem)) {
+    if (part.automata == supervisor.automata) return std::move(part);
+  }
+  return {};
+}
+
+}  // namespace
+
+const char* toString(Policy policy) {
+  for (const auto& [known, name] : kPolicyNames) {
+    if (known == policy) return name;
+  }
+  return "";
+}
+
+std::optional<Policy> policyNamed(std::string_view name) {
+  for (const auto& [policy, known] : kPolicyNames) {
+    if (known == name) return policy;
+  }
+  return std::nullopt;
+}
+
+Result<std::vector<PartSupervisor>, std::string> synthesizeParts(const CellModel& model, Policy policy,
+                                                                 std::size_t max_states) {
+  std::vector<PartSupervisor> supervisors;
+  for (const automata::PartOfProblem& part : automata::independentParts(model.problem)) {
+    auto supervisor = supervisorOf(model, part, policy, max_states);
+    if (!supervisor) return refuse(supervisor.error());
+    supervisors.push_back(std::move(*supervisor));
+  }
+  return supervisors;
+}
+
+std::vector<automata::Verification> verifyParts(const CellModel& model,
+                                                const std::vector<PartSupervisor>& parts,
+                                                std::size_t max_states) {
+  std::vector<automata::Verification> found;
+  for (const PartSupervisor& supervisor : parts) {
+    const automata::PartOfProblem part = partOf(model, supervisor);
+    if (part.automata.empty()) {
+      found.push_back({{"a supervisor is of robots and zones that are no part of the cell"}, {}});
+    } else if (supervisor.policy == Policy::Supervisor) {
+      const PartProblem problem(model, part, supervisor.is_compressed);
+      found.push_back(automata::verify({problem.problem(), supervisor.frontier}, supervisor.fingerprint,
+                                       problem.holds(model), {max_states}));
+    } else if (supervisor.policy == Policy::SafeOrder) {
+      found.push_back({automata::SafeOrder::objectionsTo(part.problem), {}});
+    } else {
+      found.push_back(
+          {{fmt::format("the policy {} is proved to do nothing", toString(supervisor.policy))}, {}});
+    }
+  }
+  if (automata::independentParts(model.problem).size() != parts.size()) {
+    found.push_back({{"a part of the cell has no supervisor, or several"}, {}});
+  }
+  return found;
+}
+
+}  // namespace cobot_command::cell
