@@ -228,8 +228,8 @@ Decision SafeOrder::decide(const Tuple& state, EventIndex event) const {
     case Composition::Step::Possible:
       break;
   }
-  if (needsDecision(event, state) && !isSafe(decision.next)) return {Verdict::WouldBlock, std::nullopt, {}};
   decision.verdict = Verdict::Granted;
+  if (needsDecision(event, state) && !isSafe(decision.next)) decision.verdict = Verdict::WouldBlock;
   return decision;
 }
 

@@ -35,10 +35,9 @@ Decision Supervisor::decide(const Tuple& state, EventIndex event) const {
     case Composition::Step::Possible:
       break;
   }
-  if (frontier_.find(decision.next.data())) {
-    return {is_controllable ? Verdict::WouldBlock : Verdict::BreaksSpec, std::nullopt, {}};
-  }
   decision.verdict = Verdict::Granted;
+  if (frontier_.find(decision.next.data()))
+    decision.verdict = is_controllable ? Verdict::WouldBlock : Verdict::BreaksSpec;
   return decision;
 }
 

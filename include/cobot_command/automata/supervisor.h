@@ -34,7 +34,7 @@ struct Decision {
   };
   Verdict verdict = Verdict::UnknownEvent;
   std::optional<std::size_t> automaton;  ///< that cannot make it, if one cannot
-  Tuple next;                            ///< of one that is granted
+  Tuple next;                            ///< where it leads, if nobody but the supervisor speaks against it
 };
 
 class Supervisor {

@@ -85,17 +85,17 @@ Decision Rules::decide(const automata::Tuple& state, automata::EventIndex event)
     case Composition::Step::Possible:
       break;
   }
-  if (policy_ != Policy::None && parts_[part_of_event_[event]]->keepsOutOf(state, decision.next, event)) {
-    return {is_controllable ? Verdict::WouldBlock : Verdict::BreaksSpec, std::nullopt, {}};
-  }
   decision.verdict = Verdict::Granted;
+  if (policy_ != Policy::None && parts_[part_of_event_[event]]->keepsOutOf(state, decision.next, event)) {
+    decision.verdict = is_controllable ? Verdict::WouldBlock : Verdict::BreaksSpec;
+  }
   return decision;
 }
 
 std::optional<automata::Tuple> Rules::undone(const automata::Tuple& state,
-                                             automata::EventIndex booking) const {
-  if (booking >= model_.events.size() || !undo_.isBooking(booking)) return std::nullopt;
-  return undo_.before(state, booking);
+                                             automata::EventIndex event) const {
+  if (event >= model_.events.size() || !composition_.isControllable(event)) return std::nullopt;
+  return undo_.before(state, event);
 }
 
 std::vector<RobotIndex> Rules::stuckIn(const automata::Tuple& state) const {

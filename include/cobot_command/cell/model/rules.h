@@ -27,11 +27,15 @@ class Rules {
   [[nodiscard]] bool isHome(const automata::Tuple& state) const {
     return composition_.isMarked(state.data());
   }
-  /// Where all were before a booking that nothing was done with; none: it is not the last thing that its
-  /// robot did.
+  /// Where all were before a booking, or a go, that nothing was done with; none: it is not the last thing
+  /// that its robot did.
   [[nodiscard]] std::optional<automata::Tuple> undone(const automata::Tuple& state,
-                                                      automata::EventIndex booking) const;
+                                                      automata::EventIndex event) const;
 
+  /// They share zones, directly or through others.
+  [[nodiscard]] bool haveToDoWithEachOther(RobotIndex one, RobotIndex other) const {
+    return part_of_robot_[one] == part_of_robot_[other];
+  }
   /// The robots that could not come home from there, one after the other; empty: all could.
   [[nodiscard]] std::vector<RobotIndex> stuckIn(const automata::Tuple& state) const;
   /// The robots that have to go on before `robot` can come home, in the order in which they do.

@@ -1,0 +1,65 @@
+// What a supervisor has carried out, so that it knows after a restart (cell.md, M30).
+//
+// A record is a line: a checksum, and the record as JSON. A torn last line was never told to anyone, and is
+// dropped.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cobot_command/cell/supervision/report.h"
+#include "cobot_command/common/result.h"
+
+namespace cobot_command::cell::journal {
+
+/// The supervisor has started, with this artifact.
+struct Started {
+  std::uint64_t instance = 0;
+  std::uint64_t epoch = 0;
+  std::string hash;
+};
+/// From now on that session of a robot is listened to; its numbers begin behind `acknowledged`.
+struct Joined {
+  std::string robot;
+  std::uint64_t session = 0;
+  std::uint64_t acknowledged = 0;
+};
+struct CarriedOut {
+  std::string robot;
+  std::uint64_t session = 0;
+  NumberedEvent event;
+};
+/// A person has said where it is.
+struct Recovered {
+  std::string robot;
+  std::string place;
+  std::string person;
+};
+/// A person has taken it out of the cell, with all zones that it had.
+struct TakenOut {
+  std::string robot;
+  std::string person;
+};
+using Record = std::variant<Started, Joined, CarriedOut, Recovered, TakenOut>;
+
+[[nodiscard]] std::string toLine(const Record& record);
+
+struct Damage {
+  std::size_t line = 0;  ///< from 1
+  std::string message;
+};
+/// All records of a journal; `torn` bytes at its end are of one that was not written wholly.
+struct Contents {
+  std::vector<Record> records;
+  std::size_t torn = 0;
+};
+[[nodiscard]] Result<Contents, Damage> read(std::string_view bytes);
+
+/// Writes a line so that it is there after a loss of power; false: it could not, and nothing of it counts.
+using Append = std::function<bool(const std::string& line)>;
+
+}  // namespace cobot_command::cell::journal

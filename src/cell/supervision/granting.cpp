@@ -1,0 +1,84 @@
+#include "supervision/granting.h"
+
+#include <algorithm>
+
+namespace cobot_command::cell {
+
+using Verdict = automata::Decision::Verdict;
+
+std::vector<RobotIndex> Granting::queue() const {
+  std::vector<RobotIndex> queue;
+  for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
+    if (robots_[robot].request) queue.push_back(robot);
+  }
+  std::stable_sort(queue.begin(), queue.end(), [this](RobotIndex one, RobotIndex other) {
+    return robots_[one].request->since < robots_[other].request->since;
+  });
+  return queue;
+}
+
+std::optional<RobotIndex> Granting::next(Instant now) const {
+  for (const RobotIndex robot : queue()) {
+    if (!hindranceOf(robot, now)) return robot;
+  }
+  return std::nullopt;
+}
+
+std::optional<Hindrance> Granting::hindranceOf(RobotIndex robot, Instant now) const {
+  if (!conditions_.grants || !conditions_.is_able(robot)) return Hindrance{WaitReason::Holding, {}};
+  auto own = ownHindrance(robot);
+  if (own) return own;
+  const auto aged = agedBefore(robot, now);
+  if (aged) return Hindrance{WaitReason::Aged, {*aged}};
+  return std::nullopt;
+}
+
+std::optional<Hindrance> Granting::ownHindrance(RobotIndex robot) const {
+  const automata::EventIndex wanted = robots_[robot].request->event.event;
+  const CellEvent& event = rules_.model().events[wanted];
+  const bool sets_out = event.kind == CellEvent::Kind::Go &&
+                        record_.tuple()[robot] == rules_.initial()[robot] && conditions_.is_finishing;
+  if (sets_out) return Hindrance{WaitReason::Holding, {}};
+  if (auto hindrance = hindranceByZones(event)) return hindrance;
+  const automata::Decision decision = rules_.decide(record_.tuple(), wanted);
+  if (decision.verdict == Verdict::Granted) return std::nullopt;
+  if (decision.verdict == Verdict::WouldBlock)
+    return Hindrance{WaitReason::WouldBlock, rules_.stuckIn(decision.next)};
+  return Hindrance{WaitReason::Holding, {}};
+}
+
+std::optional<Hindrance> Granting::hindranceByZones(const CellEvent& event) const {
+  Hindrance held{WaitReason::ZoneHeld, {}};
+  Hindrance quarantined{WaitReason::Quarantined, {}};
+  if (event.kind != CellEvent::Kind::Book) return std::nullopt;
+  for (const ZoneIndex zone : event.zones) {
+    const auto intruder = conditions_.intruder(zone);
+    if (intruder && *intruder != event.robot) quarantined.robots.push_back(*intruder);
+    const auto holder = record_.holderOf(zone);
+    if (!holder || rules_.policy() == Policy::None) continue;
+    (conditions_.is_able(*holder) ? held : quarantined).robots.push_back(*holder);
+  }
+  if (!quarantined.robots.empty()) return quarantined;
+  if (!held.robots.empty()) return held;
+  return std::nullopt;
+}
+
+/// For the sake of one that nothing can be done for, nobody waits.
+bool Granting::canBeHelped(RobotIndex robot, const std::vector<RobotIndex>& ahead) const {
+  const auto own = ownHindrance(robot);
+  return own && (own->reason == WaitReason::ZoneHeld || own->reason == WaitReason::WouldBlock) &&
+         !ahead.empty() && std::all_of(ahead.begin(), ahead.end(), conditions_.is_able);
+}
+
+std::optional<RobotIndex> Granting::agedBefore(RobotIndex robot, Instant now) const {
+  for (const RobotIndex other : queue()) {
+    if (other == robot || now - robots_[other].request->since < conditions_.aging) break;
+    if (!rules_.haveToDoWithEachOther(robot, other) || !conditions_.is_able(other)) continue;
+    const auto ahead = rules_.aheadOf(record_.tuple(), other);
+    if (std::find(ahead.begin(), ahead.end(), robot) != ahead.end()) continue;
+    if (canBeHelped(other, ahead)) return other;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cobot_command::cell

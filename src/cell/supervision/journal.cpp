@@ -1,0 +1,103 @@
+#include "cobot_command/cell/supervision/journal.h"
+
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cobot_command/common/overloaded.h"
+#include "cobot_command/common/sha256.h"
+
+namespace cobot_command::cell::journal {
+namespace {
+
+using nlohmann::json;
+
+/// Hexadecimal digits of the hash that stand in front of a record: 64 bits.
+constexpr std::size_t kChecksumLength = 16;
+
+std::string checksumOf(std::string_view text) {
+  return sha256Hex(text).substr(0, kChecksumLength);
+}
+
+json toJson(const Record& record) {
+  return std::visit(
+      Overloaded{
+          [](const Started& one) -> json {
+            return {{"is", "started"}, {"instance", one.instance}, {"epoch", one.epoch}, {"hash", one.hash}};
+          },
+          [](const Joined& one) -> json {
+            return {{"is", "joined"},
+                    {"robot", one.robot},
+                    {"session", one.session},
+                    {"behind", one.acknowledged}};
+          },
+          [](const CarriedOut& one) -> json {
+            return {{"is", "event"},
+                    {"robot", one.robot},
+                    {"session", one.session},
+                    {"number", one.event.number},
+                    {"kind", static_cast<int>(one.event.kind)},
+                    {"event", one.event.event}};
+          },
+          [](const Recovered& one) -> json {
+            return {{"is", "recovered"}, {"robot", one.robot}, {"place", one.place}, {"by", one.person}};
+          },
+          [](const TakenOut& one) -> json {
+            return {{"is", "out"}, {"robot", one.robot}, {"by", one.person}};
+          }},
+      record);
+}
+
+Record fromJson(const json& line) {
+  const std::string is = line.at("is");
+  if (is == "started") return Started{line.at("instance"), line.at("epoch"), line.at("hash")};
+  if (is == "joined") return Joined{line.at("robot"), line.at("session"), line.at("behind")};
+  if (is == "recovered") return Recovered{line.at("robot"), line.at("place"), line.at("by")};
+  if (is == "out") return TakenOut{line.at("robot"), line.at("by")};
+  if (is != "event") throw json::other_error::create(501, "no record is \"" + is + "\"", &line);
+  const int kind = line.at("kind");
+  if (kind < 0 || kind > static_cast<int>(NumberedEvent::Kind::Withdrawn)) {
+    throw json::other_error::create(501, "no event is of kind " + std::to_string(kind), &line);
+  }
+  return CarriedOut{line.at("robot"),
+                    line.at("session"),
+                    {line.at("number"), static_cast<NumberedEvent::Kind>(kind), line.at("event")}};
+}
+
+Result<Record, std::string> fromLine(std::string_view line) {
+  const std::string_view text = line.substr(std::min(line.size(), kChecksumLength + 1));
+  if (line.size() <= kChecksumLength || line.substr(0, kChecksumLength) != checksumOf(text)) {
+    return refuse(std::string("its checksum is wrong"));
+  }
+  try {
+    return fromJson(json::parse(text));
+  } catch (const json::exception& wrong) {
+    return refuse(fmt::format("it is no record: {}", wrong.what()));
+  }
+}
+
+}  // namespace
+
+std::string toLine(const Record& record) {
+  const std::string text = toJson(record).dump(-1, ' ', true, json::error_handler_t::replace);
+  return fmt::format("{} {}\n", checksumOf(text), text);
+}
+
+Result<Contents, Damage> read(std::string_view bytes) {
+  Contents contents;
+  for (std::size_t at = 0, number = 1; at < bytes.size(); ++number) {
+    const auto end = bytes.find('\n', at);
+    if (end == std::string_view::npos) {
+      contents.torn = bytes.size() - at;
+      break;
+    }
+    const auto record = fromLine(bytes.substr(at, end - at));
+    if (!record) return refuse(Damage{number, record.error()});
+    contents.records.push_back(*record);
+    at = end + 1;
+  }
+  return contents;
+}
+
+}  // namespace cobot_command::cell::journal

@@ -1,0 +1,163 @@
+// What robots tell, taken one after the other.
+#include <algorithm>
+
+#include "supervision/parts.h"
+#include <fmt/format.h>
+
+#include "cobot_command/common/foreign_text.h"
+
+namespace cobot_command::cell {
+namespace {
+
+using Kind = NumberedEvent::Kind;
+
+/// What a robot's condition means for its program; nothing: it goes on, or will.
+const char* endedBy(RobotCondition condition) {
+  switch (condition) {
+    case RobotCondition::Stopped:
+      return "its program has been stopped";
+    case RobotCondition::Error:
+      return "it has an error";
+    case RobotCondition::OffPath:
+      return "it is not where its program leads";
+    case RobotCondition::Ok:
+    case RobotCondition::Paused:
+    case RobotCondition::Manual:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<RobotIndex> Supervision::Parts::robotNamed(const std::string& name) const {
+  for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
+    if (nameOf(robot) == name) return robot;
+  }
+  return std::nullopt;
+}
+
+void Supervision::Parts::fail(RobotIndex robot, const std::string& why) {
+  robots_[robot].request.reset();
+  if (robots_[robot].fault().empty()) robots_[robot].fail(why);
+}
+
+void Supervision::Parts::take(const RobotReport& report, Instant now) {
+  if (malformed(report)) {
+    ++counts_.malformed;
+    return;
+  }
+  const auto robot = robotNamed(report.robot);
+  if (!robot) {
+    ++counts_.unknown_robots;
+    return;
+  }
+  RobotWatch& watch = robots_[*robot];
+  if (watch.judge(report.session, record_.robot(*robot).session, now, settings_.lease) ==
+      RobotWatch::Session::Foreign) {
+    ++counts_.wrong_sessions;
+    return;
+  }
+  if (!watch.hear(report, now)) {
+    ++counts_.old_reports;
+    return;
+  }
+  if (report.hash != hash_) {
+    fail(*robot, fmt::format("its artifact is another one ({}, and this is {}): load the same on both",
+                             foreignText(report.hash.substr(0, 8)), hash_.substr(0, 8)));
+  } else if (report.instance != 0 && report.instance != record_.instance()) {
+    ++counts_.other_supervisors;
+    fail(*robot, "it keeps to another supervisor, or to one whose journal is gone");
+  } else if (mode() != SupervisorMode::Fault && !record_.robot(*robot).is_out) {
+    if (record_.robot(*robot).session == 0) join(*robot);
+    if (record_.robot(*robot).session == report.session) takeEvents(*robot, now);
+  }
+  settle(now);
+}
+
+/// For the first time: it has to stand where all begin.
+void Supervision::Parts::join(RobotIndex robot) {
+  RobotWatch& watch = robots_[robot];
+  const bool stands =
+      !watch.report().moving && ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
+  if (stands && watch.fault().empty()) (void)record_.join(robot, watch.session(), 0);
+}
+
+void Supervision::Parts::takeEvents(RobotIndex robot, Instant now) {
+  RobotWatch& watch = robots_[robot];
+  for (const NumberedEvent& event : watch.report().events) {
+    if (!watch.fault().empty() || !takeEvent(robot, event, now)) break;
+  }
+  if (!is_confirmed_[robot] && watch.fault().empty()) {
+    is_confirmed_[robot] = ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
+  }
+  const char* end = endedBy(watch.report().condition);
+  if (end != nullptr) fail(robot, end);
+}
+
+std::optional<std::string> Supervision::Parts::objectionTo(RobotIndex robot,
+                                                           const NumberedEvent& event) const {
+  const CellModel& model = rules_.model();
+  if (event.event >= model.events.size())
+    return fmt::format("it tells of event {}, which the cell does not have", event.event);
+  const std::string& name = model.problem.events[event.event].name;
+  if (model.events[event.event].robot != robot) {
+    return fmt::format("it tells of {}, which is an event of {}", name,
+                       nameOf(model.events[event.event].robot));
+  }
+  if ((event.kind == Kind::Happened) == model.problem.events[event.event].controllable) {
+    return fmt::format("it tells of {} as what it {}", name,
+                       event.kind == Kind::Happened ? "has done unasked" : "waits for");
+  }
+  return std::nullopt;
+}
+
+bool Supervision::Parts::takeEvent(RobotIndex robot, const NumberedEvent& event, Instant now) {
+  RobotWatch& watch = robots_[robot];
+  const auto& known = record_.robot(robot);
+  const auto failed = [&](const std::string& why) {
+    fail(robot, why);
+    return false;
+  };
+  if (event.number <= known.acknowledged) {
+    const bool is_other = std::any_of(
+        known.recent.begin(), known.recent.end(),
+        [&](const NumberedEvent& recent) { return recent.number == event.number && recent != event; });
+    return !is_other || failed(fmt::format("SEQUENCE: its event {} was another one before", event.number));
+  }
+  if (watch.request && watch.request->event == event) return true;
+  if (event.number == 0) return failed("SEQUENCE: events count from 1");
+  if (const auto objection = objectionTo(robot, event)) return failed(*objection);
+  if (event.kind == Kind::Withdrawn) return takeWithdrawal(robot, event);
+  if (watch.request || event.number != known.acknowledged + 1) {
+    return failed(
+        fmt::format("SEQUENCE: its event {} came, and {} is the next", event.number, known.acknowledged + 1));
+  }
+  if (event.kind == Kind::Wanted) {
+    watch.request = Request{event, now};
+    return true;
+  }
+  if (rules_.decide(record_.tuple(), event.event).verdict != automata::Decision::Verdict::Granted) {
+    return failed(fmt::format("it tells of {}, which cannot have happened where its program is",
+                              rules_.model().problem.events[event.event].name));
+  }
+  return record_.carryOut(robot, event);
+}
+
+bool Supervision::Parts::takeWithdrawal(RobotIndex robot, const NumberedEvent& event) {
+  RobotWatch& watch = robots_[robot];
+  const auto& known = record_.robot(robot);
+  const NumberedEvent wanted{event.number - 1, Kind::Wanted, event.event};
+  const bool was_waiting = watch.request && watch.request->event == wanted;
+  const bool was_granted = event.number == known.acknowledged + 1 && !known.recent.empty() &&
+                           known.recent.back() == wanted && rules_.undone(record_.tuple(), event.event);
+  if (!was_waiting && !was_granted) {
+    fail(robot, fmt::format("SEQUENCE: its event {} takes back what it has not asked for just before",
+                            event.number));
+    return false;
+  }
+  watch.request.reset();
+  return record_.carryOut(robot, event);
+}
+
+}  // namespace cobot_command::cell
