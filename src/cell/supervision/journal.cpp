@@ -67,7 +67,8 @@ Record fromJson(const json& line) {
 
 Result<Record, std::string> fromLine(std::string_view line) {
   const std::string_view text = line.substr(std::min(line.size(), kChecksumLength + 1));
-  if (line.size() <= kChecksumLength || line.substr(0, kChecksumLength) != checksumOf(text)) {
+  if (line.size() <= kChecksumLength || line[kChecksumLength] != ' ' ||
+      line.substr(0, kChecksumLength) != checksumOf(text)) {
     return refuse(std::string("its checksum is wrong"));
   }
   try {
