@@ -50,6 +50,7 @@ ALLOWED = {
 # The wings of a room, and what each may use of it besides itself, wings and headers; what stands in the room's own folder may use
 # them all; "*.h": each header of the room itself. Above is what a wing may use of other rooms, where it is less than what its room may.
 WINGS = {
+    "arm/urdf": {"arm_model.h", "collision_shapes.h", "urdf_prefix.h"},
     "blocks/jog": {"jog.h", "list", "shared"},
     "blocks/list": {"*.h", "shared", "waits", "ways_back"},
     "blocks/chain": {"list", "shared"},
