@@ -1,17 +1,20 @@
 #include "cobot_command/cell/sweep/displacement.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cobot_command::cell {
 namespace {
 
-double distanceToAxis(const Eigen::Vector3d& point, const arm::JointAxis& axis) {
-  return axis.direction.cross(point - axis.origin).norm();
+double squaredDistanceToAxis(const Eigen::Vector3d& point, const arm::JointAxis& axis) {
+  return axis.direction.cross(point - axis.origin).squaredNorm();
 }
 
 /// Of the farthest point. The distance from a line is convex, so of the core it is an end.
 double farthestFrom(const arm::JointAxis& axis, const Capsule& capsule) {
-  return std::max(distanceToAxis(capsule.from, axis), distanceToAxis(capsule.to, axis)) + capsule.radius;
+  const double from = squaredDistanceToAxis(capsule.from, axis);
+  const double to = squaredDistanceToAxis(capsule.to, axis);
+  return std::sqrt(std::max(from, to)) + capsule.radius;
 }
 
 }  // namespace
