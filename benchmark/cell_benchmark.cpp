@@ -12,6 +12,7 @@
 #include "cobot_command/cell/bodies/robot_bodies.h"
 #include "cobot_command/cell/sweep/capsule_claim.h"
 #include "cobot_command/cell/sweep/displacement.h"
+#include "cobot_command/cell/sweep/robot_claim.h"
 #include "cobot_command/cell/sweep/voxel_set.h"
 
 namespace {
@@ -65,12 +66,7 @@ struct Sweep {
       return;
     }
     cell::VoxelSet claim;
-    for (std::size_t i = 0; i < placed.capsules.size(); ++i) {
-      Capsule grown = placed.capsules[i];
-      grown.radius += cell::displacementBound(grown, robot.bodies()[i].link, placed.axes, widths + tracking);
-      grown.radius += 0.5 * kMargin + 1e-6;
-      cell::claimCapsule(claim, grown, edge);
-    }
+    cell::claimRobot(claim, robot, placed, widths + tracking, 0.5 * kMargin + 1e-6, edge);
     pieces.push_back(std::move(claim));
   }
 };
