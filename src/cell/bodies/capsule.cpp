@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cobot_command::cell {
 namespace {
@@ -97,6 +98,48 @@ Bends bendsOf(const Excesses& excesses) {
   return bends;
 }
 
+/// Around a whole capsule.
+struct Ball {
+  Vector3d centre;
+  double radius = 0;
+};
+std::vector<Ball> ballsAround(const Capsules& capsules) {
+  std::vector<Ball> balls;
+  balls.reserve(capsules.size());
+  for (const Capsule& capsule : capsules) {
+    const double half_length = 0.5 * (capsule.to - capsule.from).norm();
+    balls.push_back({0.5 * (capsule.from + capsule.to), half_length + capsule.radius});
+  }
+  return balls;
+}
+
+/// Two that are likely to be near each other: most other pairs of two robots are farther, by their balls
+/// alone.
+std::pair<std::size_t, std::size_t> closestCentres(const std::vector<Ball>& first,
+                                                   const std::vector<Ball>& second) {
+  std::pair<std::size_t, std::size_t> closest{0, 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t j = 0; j < second.size(); ++j) {
+      const double squared = (first[i].centre - second[j].centre).squaredNorm();
+      if (squared < least) {
+        least = squared;
+        closest = {i, j};
+      }
+    }
+  }
+  return closest;
+}
+
+/// So much is a pair looked at that may be farther than the nearest, for what rounding takes [m].
+constexpr double kRounding = 1e-9;
+
+/// Whether what is in the balls may be as near to each other as this, or deeper in each other.
+bool mayBeWithin(double distance, const Ball& a, const Ball& b) {
+  const double reach = a.radius + b.radius + distance;
+  return reach > 0 && (a.centre - b.centre).squaredNorm() <= reach * reach;
+}
+
 }  // namespace
 
 Capsule placed(const arm::Pose& frame, const Capsule& capsule) {
@@ -139,19 +182,18 @@ double coreDistance(const Capsule& capsule, const AlignedBox& box) {
 }
 
 Nearest nearestOf(const Capsules& first, const Capsules& second) {
+  const std::vector<Ball> first_balls = ballsAround(first);
+  const std::vector<Ball> second_balls = ballsAround(second);
   Nearest nearest{std::numeric_limits<double>::infinity(), 0, 0};
+  if (first.empty() || second.empty()) return nearest;
+  const auto [some, other] = closestCentres(first_balls, second_balls);
+  double limit = distanceBetween(first[some], second[other]) + kRounding;
   for (std::size_t i = 0; i < first.size(); ++i) {
-    const Capsule& a = first[i];
-    const Vector3d middle = 0.5 * (a.from + a.to);
-    const double reach = 0.5 * (a.to - a.from).norm() + a.radius;
     for (std::size_t j = 0; j < second.size(); ++j) {
-      const Capsule& b = second[j];
-      // Of the spheres around them: most pairs of two robots are farther than the nearest by far.
-      const double spheres =
-          (0.5 * (b.from + b.to) - middle).norm() - reach - 0.5 * (b.to - b.from).norm() - b.radius;
-      if (spheres >= nearest.distance) continue;
-      const double distance = distanceBetween(a, b);
+      if (!mayBeWithin(limit, first_balls[i], second_balls[j])) continue;
+      const double distance = distanceBetween(first[i], second[j]);
       if (distance < nearest.distance) nearest = {distance, i, j};
+      limit = std::min(limit, distance + kRounding);
     }
   }
   return nearest;

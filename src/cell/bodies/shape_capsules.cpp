@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 
 #include <fmt/format.h>
 
@@ -71,11 +72,13 @@ Result<Capsules, BodyRefusal> coverOf(const BoxShape& box, double body_cell) {
                                 mToMm(body_cell), kMostCapsulesOfBox)});
   }
   Capsules capsules;
-  for (double i = 0; i < cut.across; ++i) {
-    for (double j = 0; j < cut.up; ++j) {
+  const auto across = static_cast<std::size_t>(cut.across);
+  const auto up = static_cast<std::size_t>(cut.up);
+  for (std::size_t i = 0; i < across; ++i) {
+    for (std::size_t j = 0; j < up; ++j) {
       Vector3d middle = Vector3d::Zero();
-      middle[first] = size[first] * ((i + 0.5) / cut.across - 0.5);
-      middle[second] = size[second] * ((j + 0.5) / cut.up - 0.5);
+      middle[first] = size[first] * ((static_cast<double>(i) + 0.5) / cut.across - 0.5);
+      middle[second] = size[second] * ((static_cast<double>(j) + 0.5) / cut.up - 0.5);
       const Vector3d half = 0.5 * size[along] * Vector3d::Unit(along);
       capsules.push_back({middle - half, middle + half, cut.radius});
     }
@@ -117,7 +120,7 @@ Result<Capsules, BodyRefusal> capsulesOf(const std::vector<Shape>& shapes, doubl
   Capsules all;
   for (const Shape& shape : shapes) {
     const auto capsules = capsulesOf(shape, body_cell);
-    if (!capsules) return capsules;
+    if (!capsules) return refuse(capsules.error());
     all.insert(all.end(), capsules->begin(), capsules->end());
   }
   return all;

@@ -151,7 +151,8 @@ class Claim {
     along_ = static_cast<std::size_t>(along);
     if (from_[along] > to_[along]) from_.swap(to_);
     rows_ = voxelsWithin(from_[along], to_[along]);
-    column_.resize(static_cast<std::size_t>((rows_.upper >> 3) - (rows_.lower >> 3) + 1));
+    const std::int32_t blocks = (rows_.upper >> 3) - (rows_.lower >> 3) + 1;
+    column_.resize(static_cast<std::size_t>(blocks));
   }
 
   /// By columns of blocks along the rows, so that the set is asked for a block once.

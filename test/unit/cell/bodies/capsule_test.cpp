@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cell_test_support.h"
 #include <gtest/gtest.h>
@@ -100,6 +101,41 @@ TEST(CoreDistance, doesNotDependOnTheFrame) {
     ASSERT_NEAR(coreDistance(placed(frame, pair.a), placed(frame, pair.b)), coreDistance(pair.a, pair.b),
                 1e-9);
   }
+}
+
+TEST(NearestOf, areTheFirstOfAllPairsThatAreTheNearest) {
+  RandomNumbers random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const double size = i % 2 == 0 ? 3 : 0.3;
+    Capsules first;
+    Capsules second;
+    for (int k = 0; k < 6; ++k) {
+      first.push_back({random.point(size), random.point(size), random.within(0, 0.3)});
+      second.push_back({random.point(size), random.point(size), random.within(0, 0.3)});
+      if (i % 5 == 0) first.back().to = first.back().from;
+      if (i % 3 == 0) second.back().to = second.back().from;
+    }
+    second.push_back(second.front());
+    first.push_back(first[3]);
+    Nearest expected{std::numeric_limits<double>::infinity(), 0, 0};
+    for (std::size_t a = 0; a < first.size(); ++a) {
+      for (std::size_t b = 0; b < second.size(); ++b) {
+        const double distance = distanceBetween(first[a], second[b]);
+        if (distance < expected.distance) expected = {distance, a, b};
+      }
+    }
+    const Nearest found = nearestOf(first, second);
+    ASSERT_EQ(found.distance, expected.distance);
+    ASSERT_EQ(found.first, expected.first);
+    ASSERT_EQ(found.second, expected.second);
+  }
+}
+
+TEST(NearestOf, areFoundWhereAllIsAtOnePlace) {
+  const Capsules points(3, Capsule{{1, 2, 3}, {1, 2, 3}, 0.1});
+  EXPECT_DOUBLE_EQ(nearestOf(points, points).distance, -0.2);
+  const Capsules lines(3, Capsule{{1, 2, 3}, {1, 2, 3}, 0});
+  EXPECT_DOUBLE_EQ(nearestOf(lines, lines).distance, 0);
 }
 
 TEST(DistanceToSegment, isThatOfItsNearestPoint) {
