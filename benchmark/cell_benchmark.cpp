@@ -108,6 +108,27 @@ void claimOfACapsule(benchmark::State& state) {
   }
 }
 
+/// All that a program claims, as one component.
+cell::VoxelSet claimOf(double edge) {
+  const cell::RobotBodies one = robot();
+  Sweep sweep{one, edge, edge / 2, {}, {}};
+  for (std::size_t i = 1; i < places.size(); ++i) sweep.add(places[i - 1], places[i]);
+  cell::VoxelSet all;
+  for (const cell::VoxelSet& piece : sweep.pieces) all |= piece;
+  return all;
+}
+
+void componentsOfAClaim(benchmark::State& state) {
+  const cell::VoxelSet claim = claimOf(1e-3 * static_cast<double>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(claim.components());
+  state.counters["voxels"] = static_cast<double>(claim.count());
+}
+
+void intersectionOfClaims(benchmark::State& state) {
+  const cell::VoxelSet claim = claimOf(1e-3 * static_cast<double>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(claim & claim);
+}
+
 void placeOfARobot(benchmark::State& state) {
   const cell::RobotBodies one = robot();
   cell::PlacedRobot placed;
@@ -145,6 +166,8 @@ void distanceOfTwoCapsules(benchmark::State& state) {
 BENCHMARK(claimOfAProgramWithATool)->Arg(20)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(claimOfAProgramWithASheet)->Arg(20)->Unit(benchmark::kMillisecond);
 BENCHMARK(claimOfACapsule)->Arg(20)->Arg(10)->Unit(benchmark::kMicrosecond);
+BENCHMARK(componentsOfAClaim)->Arg(20)->Arg(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(intersectionOfClaims)->Arg(20)->Arg(10)->Unit(benchmark::kMicrosecond);
 BENCHMARK(placeOfARobot);
 BENCHMARK(displacementOfARobot);
 BENCHMARK(distanceOfTwoRobots);

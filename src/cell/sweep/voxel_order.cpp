@@ -1,6 +1,5 @@
-// What of a set of voxels depends on where they are to each other: their order, cuts, components.
+// What of a set of voxels depends on where they are: their order, their bounds and cuts, and their bytes.
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 #include "cobot_command/cell/sweep/voxel_set.h"
@@ -51,23 +50,6 @@ void forEachIn(std::uint64_t word, const Function& function) {
   }
 }
 
-/// What hangs together with `first`, moved out of `left` voxel by voxel.
-VoxelSet componentAround(const Voxel& first, const VoxelSet& all, VoxelSet& found) {
-  VoxelSet component;
-  std::vector<Voxel> open{first};
-  found.insert(first);
-  while (!open.empty()) {
-    const Voxel voxel = open.back();
-    open.pop_back();
-    component.insert(voxel);
-    for (std::int32_t i = 0; i < 27; ++i) {
-      const Voxel next{voxel[0] + i / 9 - 1, voxel[1] + i / 3 % 3 - 1, voxel[2] + i % 3 - 1};
-      if (all.contains(next) && found.insert(next)) open.push_back(next);
-    }
-  }
-  return component;
-}
-
 }  // namespace
 
 std::vector<const VoxelSet::Entry*> VoxelSet::sortedEntries() const {
@@ -94,6 +76,21 @@ std::optional<VoxelBounds> VoxelSet::bounds() const {
     }
   }
   return bounds;
+}
+
+std::optional<Voxel> VoxelSet::lowest() const {
+  std::optional<Voxel> lowest;
+  for (const Entry& entry : entries_) {
+    const auto& words = entry.voxels.words;
+    const auto word = std::find_if(words.begin(), words.end(), [](std::uint64_t bits) { return bits != 0; });
+    std::int32_t bit = 0;
+    while ((*word >> bit & 1) == 0) ++bit;
+    const auto x = static_cast<std::int32_t>(word - words.begin());
+    const Voxel voxel{8 * entry.block[0] + x, 8 * entry.block[1] + (bit >> 3),
+                      8 * entry.block[2] + (bit & 7)};
+    if (!lowest || voxel < *lowest) lowest = voxel;
+  }
+  return lowest;
 }
 
 std::vector<Voxel> VoxelSet::sorted() const {
@@ -125,15 +122,6 @@ std::pair<VoxelSet, VoxelSet> VoxelSet::cut(std::size_t axis, std::int32_t at) c
     }
   }
   return parts;
-}
-
-std::vector<VoxelSet> VoxelSet::components() const {
-  std::vector<VoxelSet> components;
-  VoxelSet found;
-  for (const Voxel& voxel : sorted()) {
-    if (!found.contains(voxel)) components.push_back(componentAround(voxel, *this, found));
-  }
-  return components;
 }
 
 std::string VoxelSet::bytes() const {

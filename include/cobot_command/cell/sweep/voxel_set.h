@@ -75,13 +75,16 @@ class VoxelSet {
   /// Nothing for an empty set.
   [[nodiscard]] std::optional<VoxelBounds> bounds() const;
 
+  /// The first by x, then y, then z. Nothing for an empty set.
+  [[nodiscard]] std::optional<Voxel> lowest() const;
+
   /// All voxels, by x, then y, then z.
   [[nodiscard]] std::vector<Voxel> sorted() const;
 
   /// Those whose coordinate along `axis` (0 to 2) is below `at`, and the others.
   [[nodiscard]] std::pair<VoxelSet, VoxelSet> cut(std::size_t axis, std::int32_t at) const;
 
-  /// The sets that hang together by faces, edges or corners, by their lowest voxel (x, y, z).
+  /// The sets that hang together by faces, edges or corners, by their lowest() voxels.
   [[nodiscard]] std::vector<VoxelSet> components() const;
 
   /// The same bytes for the same voxels, on any machine and however they were put in.
@@ -102,6 +105,7 @@ class VoxelSet {
   [[nodiscard]] const VoxelBlock* find(const Voxel& block) const;
   [[nodiscard]] VoxelBlock& at(const Voxel& block);
   [[nodiscard]] std::vector<const Entry*> sortedEntries() const;
+  [[nodiscard]] VoxelSet componentAround(std::size_t entry, std::vector<VoxelBlock>& left) const;
   void makeIndex(std::size_t slots);
   void dropEmptyBlocks();
 

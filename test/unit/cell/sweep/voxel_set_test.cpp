@@ -65,6 +65,8 @@ TEST(VoxelSet, holdsWhatWasPutIn) {
   for (const Voxel& voxel : plain) EXPECT_FALSE(set.insert(voxel));
   EXPECT_EQ(set.count(), plain.size());
   EXPECT_EQ(set.sorted(), listOf(plain));
+  EXPECT_EQ(set.lowest(), *plain.begin());
+  EXPECT_FALSE(VoxelSet().lowest());
   for (int i = 0; i < 3000; ++i) {
     const Voxel voxel = randomVoxel(random, 40);
     EXPECT_EQ(set.contains(voxel), plain.count(voxel) == 1);
@@ -176,6 +178,31 @@ TEST(VoxelSet, hangsTogetherByFacesEdgesAndCorners) {
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t k = 0; k < found.size(); ++k) ASSERT_EQ(found[k].sorted(), listOf(expected[k]));
   }
+}
+
+/// Lines that wind through many blocks, and each of the 26 ways from one voxel to the next alone.
+TEST(VoxelSet, hangsTogetherAcrossBlocksInAllDirections) {
+  for (std::int32_t i = 0; i < 27; ++i) {
+    const Voxel step{i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1};
+    Plain plain;
+    for (std::int32_t k = 0; k < 40; ++k) plain.insert({k * step[0] + 3, k * step[1] - 5, k * step[2] + 7});
+    EXPECT_EQ(setOf(plain).components().size(), 1u) << i;
+    Plain apart;
+    for (std::int32_t k = 0; k < 40; ++k) apart.insert({2 * k * step[0], 2 * k * step[1], 2 * k * step[2]});
+    EXPECT_EQ(setOf(apart).components().size(), apart.size()) << i;
+  }
+  RandomNumbers random(21);
+  Plain wound;
+  Voxel voxel{0, 0, 0};
+  for (int i = 0; i < 5000; ++i) {
+    for (std::int32_t& coordinate : voxel) {
+      coordinate += static_cast<std::int32_t>(std::floor(random.within(-1, 2)));
+}
+    wound.insert(voxel);
+  }
+  const auto components = setOf(wound).components();
+  ASSERT_EQ(components.size(), 1u);
+  EXPECT_EQ(components.front().sorted(), listOf(wound));
 }
 
 TEST(VoxelAt, isTheCubeInWhichThePointIs) {
