@@ -79,21 +79,5 @@ TEST(CapsuleClaim, addsToWhatIsThere) {
   EXPECT_EQ(both, apart);
 }
 
-/// The tube of oracle 21, without what the pieces add to it: 50 mm around an arc, and half of the margin.
-TEST(CapsuleClaim, ofASphereOnAnArcIsATube) {
-  constexpr double kEdge = 0.02;
-  constexpr double kArcRadius = 0.81604;
-  constexpr double kReach = 0.060;
-  VoxelSet set;
-  for (int i = 0; i <= 2000; ++i) {
-    const double angle = 0.5 * 3.14159265358979 * i / 2000;
-    const Vector3d centre(kArcRadius * std::cos(angle), kArcRadius * std::sin(angle), 0.2289);
-    claimCapsule(set, {centre, centre, kReach}, kEdge);
-  }
-  const double litres = 1e3 * static_cast<double>(set.count()) * std::pow(kEdge, 3);
-  EXPECT_GT(litres, 15.4);
-  EXPECT_LT(litres, 15.4 * std::pow((kReach + 1.2 * kEdge) / kReach, 2));
-}
-
 }  // namespace
 }  // namespace cobot_command::cell

@@ -10,6 +10,7 @@
 
 #include "cobot_command/cell/sweep/capsule_claim.h"
 #include "cobot_command/cell/sweep/displacement.h"
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::cell {
 namespace {
@@ -94,6 +95,75 @@ TEST(RobotClaim, hasNothingThatIsFartherThanItSays) {
       ASSERT_LE(distance, farthest + 1e-9);
     }
   }
+}
+
+/// The sphere at the flange of oracle 21, while joint 1 turns from 0 to 90 degrees.
+class Arc {
+ public:
+  static constexpr double kSphere = 0.050;
+  static constexpr double kStepBound = 0.010;
+  static constexpr double kHalfMargin = 0.010;
+  static constexpr double kVoxel = 0.020;
+
+  /// Bisected until the bound of the displacement is small enough.
+  void claim(double from, double to) {
+    arm::JointVector joints = start_;
+    joints[0] = 0.5 * (from + to);
+    const PlacedRobot placed = robot_.at(joints);
+    const arm::JointVector widths = 0.5 * (to - from) * arm::JointVector::Unit(0);
+    Capsule sphere = placed.capsules.back();
+    const double moved = displacementBound(sphere, arm::kJointCount, placed.axes, widths);
+    if (moved > kStepBound) {
+      claim(from, joints[0]);
+      claim(joints[0], to);
+      return;
+    }
+    sphere.radius += moved + kHalfMargin + 1e-6;
+    claimCapsule(claimed, sphere, kVoxel);
+    ++pieces;
+    farthest = std::max(farthest, 2 * moved + kHalfMargin + 1e-6 + std::sqrt(3) * kVoxel);
+  }
+
+  [[nodiscard]] Vector3d centreAt(double angle) const {
+    arm::JointVector joints = start_;
+    joints[0] = angle;
+    return robot_.at(joints).capsules.back().from;
+  }
+
+  VoxelSet claimed;
+  int pieces = 0;
+  double farthest = 0;  ///< the error bound
+
+ private:
+  const RobotBodies robot_ = robotAt({0, 0, 0, 0, 0, 0}, {{SphereShape{kSphere}, arm::Pose::Identity()}});
+  const arm::JointVector start_ = arm::toJointVector({0, 45, 60, -15, 90, 0});
+};
+
+TEST(RobotClaim, ofASphereOnAnArcIsATube) {
+  Arc arc;
+  const Vector3d start = arc.centreAt(0);
+  const double radius = start.head<2>().norm();
+  EXPECT_NEAR(radius, 0.81604, 1e-5);
+  EXPECT_NEAR(start.z(), 0.2289, 1e-5);
+  arc.claim(0, kPi / 2);
+  EXPECT_GE(arc.pieces, 69);
+  EXPECT_LE(arc.pieces, 128);
+
+  RandomNumbers random(22);
+  for (int i = 0; i < 20000; ++i) {
+    const double length = (Arc::kSphere + Arc::kHalfMargin) * std::cbrt(random.within(0, 1));
+    const Vector3d point = arc.centreAt(random.within(0, kPi / 2)) + length * random.point(1).normalized();
+    ASSERT_TRUE(arc.claimed.contains(voxelAt(point, Arc::kVoxel)));
+  }
+  const double begin = std::atan2(start.y(), start.x());
+  for (const Voxel& voxel : arc.claimed.sorted()) {
+    const AlignedBox cube = cubeOf(voxel, Arc::kVoxel);
+    for (const Vector3d& corner : {cube.lower, cube.upper}) {
+      const double angle = std::clamp(std::atan2(corner.y(), corner.x()) - begin, 0.0, kPi / 2);
+      ASSERT_LE((corner - arc.centreAt(angle)).norm() - Arc::kSphere, arc.farthest + 1e-9);
+    }
+  }
+  EXPECT_GT(8e-3 * static_cast<double>(arc.claimed.count()), 15.4);
 }
 
 TEST(RobotClaim, growsWithWhatTheRobotCarries) {

@@ -197,7 +197,7 @@ TEST(VoxelSet, hangsTogetherAcrossBlocksInAllDirections) {
   for (int i = 0; i < 5000; ++i) {
     for (std::int32_t& coordinate : voxel) {
       coordinate += static_cast<std::int32_t>(std::floor(random.within(-1, 2)));
-}
+    }
     wound.insert(voxel);
   }
   const auto components = setOf(wound).components();
