@@ -5,7 +5,7 @@
 
 #include "embedded_urdfs.h"
 #include "family_geometry.h"
-#include "urdf_chain.h"
+#include "urdf/urdf_chain.h"
 #include <fmt/format.h>
 
 namespace cobot_command::arm {

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Fails when a header of include/ is of no use to another room: it belongs into src/ then. Of use is what another room or
-a test other than the room's own unit tests includes, and what such a header includes in turn."""
+a test other than the room's own unit tests includes, and what such a header includes in turn. The sub-rooms of SPLIT are
+rooms of their own here."""
 import pathlib
 import re
 import sys
 
 OWN = re.compile(r'#\s*include\s*"cobot_command/([a-z_]+)/((?:[a-z_]+/)*[a-z_0-9]+\.h)"')
 PUBLIC = "include/cobot_command"
+# Rooms with a library for each folder, that use each other as rooms do.
+SPLIT = {"cell"}
 
 
 def includes_of(file):
@@ -17,8 +20,12 @@ def room_of(path):
     """Of a header or source, also of the room's own unit tests; None for other tests, examples and the like."""
     parts = path.parts
     if parts[0] in ("include", "src"):
-        return parts[2 if parts[0] == "include" else 1]
-    return parts[2] if parts[:2] == ("test", "unit") else None
+        return room_in(parts[2 if parts[0] == "include" else 1 :])
+    return room_in(parts[2:]) if parts[:2] == ("test", "unit") else None
+
+
+def room_in(parts):
+    return "/".join(parts[:2]) if parts[0] in SPLIT and len(parts) > 2 else parts[0]
 
 
 def useful(root, headers):
@@ -27,7 +34,7 @@ def useful(root, headers):
         for file in (root / folder).rglob("*"):
             if file.suffix in (".h", ".cpp"):
                 room = room_of(file.relative_to(root))
-                found |= {header for header in includes_of(file) if header.split("/")[0] != room}
+                found |= {header for header in includes_of(file) if room_in(header.split("/")) != room}
     grown = True
     while grown:
         more = set().union(*(includes_of(headers[header]) for header in found if header in headers)) - found

@@ -32,6 +32,12 @@ class CheckHeaders(unittest.TestCase):
         users = {"include/cobot_command/link/link.h": ["link/ledger.h"], "src/blocks/run.cpp": ["link/link.h"]}
         self.assertEqual(private_ones({HEADER: [], **users}), [])
 
+    def test_takes_the_sub_rooms_of_a_cell_for_rooms(self):
+        header = "include/cobot_command/cell/bodies/capsule.h"
+        own = {"src/cell/bodies/capsule.cpp": ["cell/bodies/capsule.h"], "test/unit/cell/bodies/capsule_test.cpp": ["cell/bodies/capsule.h"]}
+        self.assertEqual(private_ones({header: [], **own}), ["cell/bodies/capsule.h"])
+        self.assertEqual(private_ones({header: [], "src/cell/sweep/claim.cpp": ["cell/bodies/capsule.h"]}), [])
+
 
 if __name__ == "__main__":
     unittest.main()

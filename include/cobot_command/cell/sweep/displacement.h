@@ -1,0 +1,23 @@
+// How far the bodies of a robot can move while its joints stay in a box (cell.md, M8).
+#pragma once
+
+#include <cstddef>
+
+#include "cobot_command/arm/link_chain.h"
+#include "cobot_command/arm/types.h"
+#include "cobot_command/cell/bodies/capsule.h"
+#include "cobot_command/cell/bodies/robot_bodies.h"
+
+namespace cobot_command::cell {
+
+/// No point of this body is farther [m] than this from where it is at the centre of the box, at any joints in
+/// it. `capsule` and `axes` are at the centre, `link` is the one of the body, `half_widths` [rad, not
+/// negative] are those of the box.
+[[nodiscard]] double displacementBound(const Capsule& capsule, std::size_t link, const arm::JointAxes& axes,
+                                       const arm::JointVector& half_widths);
+
+/// The largest of them, of all bodies of a robot; `placed` is the robot at the centre of the box.
+[[nodiscard]] double largestDisplacement(const RobotBodies& robot, const PlacedRobot& placed,
+                                         const arm::JointVector& half_widths);
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,98 @@
+#include "urdf_chain.h"
+
+#include <cmath>
+#include <optional>
+
+#include "urdf_document.h"
+#include <fmt/format.h>
+
+namespace cobot_command::arm {
+namespace {
+
+/// What is wrong with the k-th moving joint of the path, if anything.
+std::optional<std::string> problemOf(const urdf::Joint& joint, const std::string& expected_name) {
+  if (joint.name != expected_name) {
+    return fmt::format(
+        "the joint \"{}\" stands where \"{}\" is needed. The six joints of the arm are, from "
+        "the base: {}",
+        joint.name, expected_name, fmt::join(kJointNames, ", "));
+  }
+  if (joint.type != urdf::Joint::REVOLUTE || !joint.limits) {
+    return fmt::format("the joint \"{}\" is not of type \"revolute\" with a <limit>. Make it so", joint.name);
+  }
+  const auto& limit = *joint.limits;
+  if (!(std::isfinite(limit.lower) && std::isfinite(limit.upper) && limit.lower < limit.upper)) {
+    return fmt::format(
+        "the limits of the joint \"{}\" are {} to {} rad, but the lower must be below the upper, "
+        "both finite. Correct its <limit>",
+        joint.name, limit.lower, limit.upper);
+  }
+  if (!(std::isfinite(limit.velocity) && limit.velocity > 0)) {
+    return fmt::format(
+        "the velocity limit of the joint \"{}\" is {} rad/s, but must be positive. Correct its "
+        "<limit>",
+        joint.name, limit.velocity);
+  }
+  return std::nullopt;
+}
+
+/// Of a link, in its own frame; none for a link without.
+KDL::RigidBodyInertia inertiaOf(const urdf::Link& link) {
+  if (!link.inertial) return KDL::RigidBodyInertia::Zero();
+  const urdf::Inertial& body = *link.inertial;
+  const urdf::Vector3& centre = body.origin.position;
+  const urdf::Rotation& turn = body.origin.rotation;
+  const KDL::RigidBodyInertia around_centre(
+      body.mass, KDL::Vector::Zero(),
+      KDL::RotationalInertia(body.ixx, body.iyy, body.izz, body.ixy, body.ixz, body.iyz));
+  return KDL::Frame(KDL::Rotation::Quaternion(turn.x, turn.y, turn.z, turn.w),
+                    KDL::Vector(centre.x, centre.y, centre.z)) *
+         around_centre;
+}
+
+KDL::Segment segmentOf(const urdf::Joint& joint, const urdf::Link& link) {
+  const urdf::Pose& origin = joint.parent_to_joint_origin_transform;
+  const KDL::Frame frame(
+      KDL::Rotation::Quaternion(origin.rotation.x, origin.rotation.y, origin.rotation.z, origin.rotation.w),
+      KDL::Vector(origin.position.x, origin.position.y, origin.position.z));
+  if (joint.type == urdf::Joint::FIXED) {
+    return KDL::Segment(joint.child_link_name, KDL::Joint(joint.name, KDL::Joint::None), frame,
+                        inertiaOf(link));
+  }
+  const KDL::Vector axis = frame.M * KDL::Vector(joint.axis.x, joint.axis.y, joint.axis.z);
+  return KDL::Segment(joint.child_link_name, KDL::Joint(joint.name, frame.p, axis, KDL::Joint::RotAxis),
+                      frame, inertiaOf(link));
+}
+
+}  // namespace
+
+Result<UrdfChain, ModelError> readUrdfChain(const std::string& urdf) {
+  const auto document = readUrdfDocument(urdf);
+  if (!document) return refuse(document.error());
+
+  UrdfChain result;
+  result.robot_name = document->model->getName();
+  std::size_t count = 0;
+  for (const auto& joint : document->path) {
+    if (joint->type != urdf::Joint::FIXED) {
+      const std::string expected =
+          count < kJointCount ? document->prefix + kJointNames[count] : "no further joint";
+      if (const auto problem = problemOf(*joint, expected)) {
+        return refuse(ModelError{fmt::format("In the URDF \"{}\" {}.", result.robot_name, *problem)});
+      }
+      result.joint_names[count] = joint->name;
+      result.limits[count] = {joint->limits->lower, joint->limits->upper, joint->limits->velocity};
+      ++count;
+    }
+    result.chain.addSegment(segmentOf(*joint, *document->model->getLink(joint->child_link_name)));
+  }
+  if (count != kJointCount) {
+    return refuse(ModelError{
+        fmt::format("The URDF \"{}\" has {} moving joints from the base to the flange, but the arm "
+                    "has six: {}. Add the missing ones.",
+                    result.robot_name, count, fmt::join(kJointNames, ", "))});
+  }
+  return result;
+}
+
+}  // namespace cobot_command::arm
