@@ -20,18 +20,19 @@ ALLOWED = {
     "link": {"common", "protocol", "arm"},
     "robot": {"common", "script", "protocol", "arm", "link"},
     "blocks": {"common", "tm_script", "script", "arm", "tables", "motion", "planning", "path", "robot"},
+    "files": {"common", "blocks"},
     "command": {"common", "capabilities", "tm_script", "script", "protocol", "arm", "tables", "motion", "planning", "path", "link", "robot", "blocks"},
     "simulator": {"common", "tm_script", "script", "protocol", "arm", "motion", "planning"},
     "runtime": {"common", "script", "protocol", "arm", "tables", "motion", "planning", "path", "transport", "link", "robot", "blocks", "command", "simulator"},
     "runtime/shared": {"common"},
     "runtime/command": {"common", "arm", "tables", "transport", "link", "blocks", "command"},
     "runtime/simulation": {"common", "arm", "transport", "simulator"},
-    "ros": {"common", "capabilities", "script", "arm", "tables", "kinematics", "path", "link", "robot", "blocks", "command", "simulator", "runtime"},
+    "ros": {"common", "capabilities", "script", "arm", "tables", "kinematics", "path", "link", "robot", "blocks", "files", "command", "simulator", "runtime"},
     "ros/shared": {"common", "arm", "link", "runtime/shared"},
     "ros/tables": {"common", "arm", "tables", "command"},
     "ros/kinematics": {"common", "capabilities", "arm", "tables", "kinematics"},
     "ros/robot_data": {"common", "capabilities", "arm", "link"},
-    "ros/files": {"common", "arm", "path", "blocks"},
+    "ros/files": {"common", "arm", "path", "blocks", "files"},
     "ros/interruption": {"common", "command"},
     "ros/dynamics": {"common", "capabilities", "arm", "blocks", "command"},
     "ros/exchange": {"common", "blocks", "command"},
@@ -121,7 +122,7 @@ WINGS = {
 OF_ROS = {"ros", "rviz"}
 # Folders of headers that the core may include. What is not here is refused: nobody can list all packages of ROS.
 LIBRARIES = {"Eigen", "arpa", "boost", "console_bridge", "fmt", "gmock", "gtest", "kdl", "netinet", "nlohmann", "openssl", "rapidcheck", "sys",
-             "tl", "urdf_model", "urdf_parser"}
+             "tl", "urdf_model", "urdf_parser", "yaml-cpp"}
 FOLDER = re.compile(r'\s*#\s*include\s*[<"](?!cobot_command/)([^/>"]+)/')
 MESSAGE = re.compile(r'\s*#\s*include\s*[<"]cobot_command/[A-Z]')
 OWN = re.compile(r'\s*#\s*include\s*[<"]cobot_command/(([a-z_]+)/(?:[a-z_]+(?=/))?)')
