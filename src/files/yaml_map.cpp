@@ -131,7 +131,10 @@ Given toGiven(const YAML::Node& node) {
   if (node.IsMap()) return {OtherKind{"a map"}};
   if (node.IsSequence()) {
     GivenList list;
-    for (const YAML::Node& entry : node) list.push_back(toGiven(entry));
+    // No deeper than any setting: an alias can stand for the very list that it stands in.
+    for (const YAML::Node& entry : node) {
+      list.push_back(entry.IsSequence() ? Given{OtherKind{"a list"}} : toGiven(entry));
+    }
     return {list};
   }
   bool flag = false;
