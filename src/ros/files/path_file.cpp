@@ -3,16 +3,20 @@
 #include <array>
 
 #include "files/named_file.h"
-#include "files/yaml_map.h"
 #include <fmt/format.h>
 
 #include "cobot_command/PathPoint.h"
+#include "cobot_command/files/yaml_map.h"
 #include "cobot_command/path/path_planner.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
 
 using Message = cobot_command::PathPoint;
+using files::toNamed;
+using files::toNumber;
+using files::YamlMap;
+using files::YamlNames;
 
 constexpr std::size_t kMaxFileSize = 4 << 20;  // four times a thousand points with all their fields
 
@@ -141,7 +145,7 @@ PathPoints toPoints(const YAML::Node& document) {
 }  // namespace
 
 Result<PathPoints, std::string> parsePath(const std::string& text, const std::string& name) {
-  return readYaml<PathPoints>(text, name, toPoints);
+  return files::readYaml<PathPoints>(text, name, toPoints);
 }
 
 Result<PathPoints, std::string> readPathFile(const std::string& location) {

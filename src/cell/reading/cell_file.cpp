@@ -1,0 +1,204 @@
+#include "cobot_command/cell/program/cell_file.h"
+
+#include <algorithm>
+#include <map>
+
+#include "checks/fault_list.h"
+#include "reading/names.h"
+#include "reading/program_reading.h"
+#include "reading/robot_reading.h"
+#include "reading/thing_reading.h"
+#include <fmt/format.h>
+
+#include "cobot_command/common/foreign_text.h"
+
+namespace cobot_command::cell {
+
+namespace {
+
+using files::YamlMap;
+
+constexpr std::size_t kMostBytes = 1 << 20;
+constexpr std::size_t kMostRobots = 64;
+
+/// What no text editor writes into a file, and what YAML would drop without a word.
+void checkText(const std::string& text, FaultList& faults) {
+  if (text.size() > kMostBytes) {
+    faults.add({faults.file(), 0, 0}, "",
+               {"", fmt::format("has {} bytes", text.size()), fmt::format("at most {}", kMostBytes), ""});
+    return;
+  }
+  int line = 1;
+  for (std::size_t begin = 0; begin <= text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view row = std::string_view(text).substr(begin, end - begin);
+    const auto strange =
+        std::find_if(row.begin(), row.end(), [](char c) { return isControl(c) && c != '\t' && c != '\r'; });
+    if (strange != row.end() || !isUtf8(row)) {
+      const int column = strange == row.end() ? 1 : static_cast<int>(strange - row.begin()) + 1;
+      faults.add({faults.file(), line, column}, "",
+                 {"", strange == row.end() ? "is not UTF-8 in this line" : "has a control character",
+                  "UTF-8 without control characters", "write the line again"});
+      return;
+    }
+    begin = end + 1;
+  }
+}
+
+YAML::Node documentIn(const std::string& text) {
+  const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+  if (documents.size() > 1) {
+    refuseAt(documents[1].Mark(), {"", "has a second document", "one document, without --- inside",
+                                   "take the line with --- or ... away"});
+  }
+  return documents.empty() ? YAML::Node() : documents.front();
+}
+
+void readParameters(const YAML::Node& node, Parameters& parameters, FaultList& faults) {
+  const SettingTable table = parameterTable(parameters);
+  std::vector<std::string> keys;
+  for (const Setting& row : table) keys.push_back(row.name);
+  const YamlMap map(node, "parameters", keys);
+  for (const Setting& row : table) {
+    if (!map.has(row.name.c_str())) continue;
+    const YAML::Node value = map.required(row.name.c_str());
+    if (const auto found = row.kind.take(files::toGiven(value))) {
+      faults.collect("parameters", [&] {
+        refuseAt(value.Mark(), {row.name, *found, allowedBy(row.kind), ""});
+      });
+    }
+  }
+  if (parameters.report_period * 2 > parameters.lease) {
+    refuseAt(map.mark(), {"report_period", "is more than half of lease", "two reports within a lease",
+                          "make report_period shorter, or lease longer"});
+  }
+  if (parameters.zone_size < parameters.voxel) {
+    refuseAt(map.mark(), {"zone_size", "is below voxel", "a zone of at least one voxel", "make it larger"});
+  }
+}
+
+/// What stands below "stations" or "programs" for each robot, and nothing for others.
+class ByRobot {
+ public:
+  ByRobot(const YAML::Node& map, const char* key, const std::vector<std::string>& robots, FaultList& faults)
+      : place_(map.Mark()), key_(key) {
+    forEachName(map, key, kMostRobots, faults, [&](const std::string& name, const YAML::Node& value) {
+      const bool known = std::find(robots.begin(), robots.end(), name) != robots.end();
+      if (!known) refuseUnknown(value.Mark(), "", name, "robot", robots);
+      values_.emplace(name, value);
+    });
+  }
+  [[nodiscard]] const YAML::Node* of(const std::string& robot, FaultList& faults) const {
+    const auto found = values_.find(robot);
+    if (found != values_.end()) return &found->second;
+    faults.add(placeOf(faults, place_), std::string(key_) + "." + robot, {"", "is missing", "", "add it"});
+    return nullptr;
+  }
+
+ private:
+  YAML::Mark place_;
+  const char* key_;
+  std::map<std::string, YAML::Node> values_;
+};
+
+class CellReading {
+ public:
+  CellReading(const YamlMap& file, FaultList& faults, const ReadFile& read_file)
+      : file_(file), faults_(faults), read_file_(read_file) {}
+
+  Cell read() {
+    faults_.collect("", [&] { cell_.name = nameIn(file_, "cell"); });
+    if (file_.has("parameters")) {
+      faults_.collect("parameters",
+                      [&] { readParameters(file_.required("parameters"), cell_.parameters, faults_); });
+    }
+    things();
+    faults_.collect("", [&] { robots(); });
+    namesOfUsers();
+    return std::move(cell_);
+  }
+
+ private:
+  void things() {
+    if (file_.has("parts")) cell_.parts = readParts(file_.required("parts"), faults_);
+    if (file_.has("obstacles")) cell_.obstacles = readObstacles(file_.required("obstacles"), faults_);
+    if (file_.has("mechanisms")) cell_.mechanisms = readMechanisms(file_.required("mechanisms"), faults_);
+  }
+
+  void robots() {
+    const YAML::Node robots = file_.required("robots");
+    if (robots.IsMap() && robots.size() == 0) {
+      refuseAt(robots.Mark(), {"robots", "are none", "at least one robot", "add one"});
+    }
+    std::vector<std::string> names;
+    std::map<std::string, YAML::Node> nodes;
+    forEachName(robots, "robots", kMostRobots, faults_,
+                [&](const std::string& name, const YAML::Node& value) {
+                  names.push_back(name);
+                  Robot robot = toRobot(name, value, faults_);
+                  if (nodes.emplace(name, value).second) cell_.robots.push_back(std::move(robot));
+                });
+    sortByName(cell_.robots);
+    const ByRobot stations(file_.required("stations"), "stations", names, faults_);
+    const ByRobot programs(file_.required("programs"), "programs", names, faults_);
+    ProgramReading reading{faults_, cell_.parts, read_file_};
+    for (Robot& robot : cell_.robots) {
+      const std::size_t before = faults_.count();
+      if (const YAML::Node* node = stations.of(robot.name, faults_)) {
+        readStations(*node, "stations." + robot.name, robot, faults_);
+      }
+      const YAML::Node* program = programs.of(robot.name, faults_);
+      // What is wrong with a station would be told again by each path to it.
+      if (faults_.count() > before) continue;
+      if (!faults_.collect("robots." + robot.name, [&] { checkHome(nodes.at(robot.name), robot); })) continue;
+      readProgram(*program, "programs." + robot.name, robot, reading);
+    }
+  }
+
+  /// Zones are held by names, and reports come from name spaces.
+  void namesOfUsers() {
+    std::map<std::string, const Robot*> spaces;
+    for (const Robot& robot : cell_.robots) {
+      const auto [first, is_new] = spaces.emplace(robot.name_space, &robot);
+      if (is_new) continue;
+      faults_.add(robot.place, "robots." + robot.name,
+                  {"namespace",
+                   fmt::format("is {}, as that of {} in line {}", robot.name_space, first->second->name,
+                               first->second->place.line),
+                   "a namespace of its own for each robot", "change one of them"});
+    }
+    for (const Mechanism& mechanism : cell_.mechanisms) {
+      const Robot* robot = find(cell_.robots, mechanism.name);
+      if (robot == nullptr) continue;
+      faults_.add(mechanism.place, "mechanisms." + mechanism.name,
+                  {"", fmt::format("has the name of the robot of line {}", robot->place.line),
+                   "names of their own for robots and mechanisms", "rename one of them"});
+    }
+  }
+
+  const YamlMap& file_;
+  FaultList& faults_;
+  const ReadFile& read_file_;
+  Cell cell_;
+};
+
+}  // namespace
+
+Result<Cell, std::vector<Fault>> parseCell(const std::string& text, const std::string& name,
+                                           const ReadFile& read_file) {
+  FaultList faults(foreignText(name));
+  Cell cell;
+  checkText(text, faults);
+  if (faults.isEmpty()) {
+    faults.collect("", [&] {
+      const YamlMap file(
+          documentIn(text), "the file",
+          {"cell", "parameters", "robots", "stations", "programs", "parts", "obstacles", "mechanisms"});
+      cell = CellReading(file, faults, read_file).read();
+    });
+  }
+  if (!faults.isEmpty()) return refuse(std::move(faults).all());
+  return cell;
+}
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,150 @@
+#include "reading/program_reading.h"
+
+#include <utility>
+
+#include "checks/program_checks.h"
+#include "checks/step_checks.h"
+#include "reading/names.h"
+#include "reading/step_goals.h"
+#include <fmt/format.h>
+
+#include "cobot_command/blocks/check_sequence.h"
+#include "cobot_command/common/given.h"
+#include "cobot_command/files/steps_file.h"
+
+namespace cobot_command::cell {
+
+namespace {
+
+using files::YamlMap;
+
+constexpr std::size_t kMostPaths = 256;
+constexpr std::size_t kMostSteps = blocks::CheckSequenceGoal::kMostSteps;
+
+std::string partIn(const YamlMap& map, const char* key, const std::vector<Part>& parts) {
+  if (!map.has(key)) return "";
+  std::string name = nameIn(map, key);
+  if (find(parts, name) == nullptr) {
+    refuseUnknown(map.required(key).Mark(), key, name, "part", namesOf(parts));
+  }
+  return name;
+}
+
+Step toStep(const YAML::Node& node, double usual_dwell, const Robot& robot, const ProgramReading& reading) {
+  Step step;
+  step.place = placeOf(reading.faults, node.Mark());
+  step.goal = toGoal(node, robot);
+  const YamlMap map = mapOf(node);
+  if (map.has("name")) step.name = map.text("name");
+  step.attach = partIn(map, "attach", reading.parts);
+  step.output = files::toOutput(map);
+  step.input = files::toInput(map);
+  step.dwell = files::toDwell(map, usual_dwell);
+  step.detach = partIn(map, "detach", reading.parts);
+  return step;
+}
+
+void count(std::size_t steps, const YAML::Mark& mark, ProgramReading& reading) {
+  reading.steps += steps;
+  if (reading.steps > kMostStepsOfCell) {
+    refuseAt(mark, {"steps", fmt::format("are {} with those in front of them", reading.steps),
+                    fmt::format("at most {} in a cell", kMostStepsOfCell), "make two cells of it"});
+  }
+}
+
+void readSteps(const YamlMap& map, const std::string& field, const Robot& robot, Path& path,
+               ProgramReading& reading) {
+  const YAML::Node list = map.listOf("steps", kMostSteps, "steps");
+  count(list.size(), list.Mark(), reading);
+  const double usual_dwell = map.has("dwell") ? map.number("dwell") : files::kUsualDwell;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string place = fmt::format("{}.steps[{}]", field, i);
+    reading.faults.collect(place, [&] {
+      path.steps.push_back(toStep(list[i], usual_dwell, robot, reading));
+      checkStep(path.steps.back(), place, reading.faults);
+    });
+  }
+}
+
+void readStepsFile(const YamlMap& map, const std::string& field, Path& path, ProgramReading& reading) {
+  const YAML::Node node = map.required("steps_file");
+  const std::string name = map.text("steps_file");
+  if (map.has("dwell")) {
+    refuseAt(map.required("dwell").Mark(),
+             {"dwell", "stands beside a steps_file", "that of the file", "write it into the file"});
+  }
+  const auto text = reading.read_file(name);
+  if (!text) {
+    refuseAt(node.Mark(),
+             {"steps_file", fmt::format("{}, which cannot be read: {}", files::isShown(node), text.error()),
+              "a pick-and-place file, see config/pick_and_place.yaml", "check the path of the file"});
+  }
+  const auto steps = files::readSteps(*text, name);
+  if (!steps) {
+    reading.faults.add(joined(field, "steps_file"), steps.error());
+    return;
+  }
+  count(steps->size(), node.Mark(), reading);
+  for (std::size_t i = 0; i < steps->size(); ++i) {
+    const files::FileStep& read = (*steps)[i];
+    path.steps.push_back({read.name,
+                          read.step.move,
+                          "",
+                          read.step.output,
+                          read.step.input,
+                          read.step.dwell,
+                          "",
+                          {name, read.line, read.column}});
+    checkStep(path.steps.back(), fmt::format("{}.steps_file.steps[{}]", field, i), reading.faults);
+  }
+}
+
+std::string stationIn(const YamlMap& map, const char* key, const Robot& robot) {
+  std::string name = nameIn(map, key);
+  if (find(robot.stations, name) == nullptr) {
+    refuseUnknown(map.required(key).Mark(), key, name, "station of the robot", namesOf(robot.stations));
+  }
+  return name;
+}
+
+void readPath(const YAML::Node& node, const std::string& field, Robot& robot, ProgramReading& reading) {
+  const YamlMap map(node, "a path", {"path", "from", "to", "dwell", "steps", "steps_file"});
+  Path path;
+  path.place = placeOf(reading.faults, node.Mark());
+  path.name = nameIn(map, "path");
+  path.from = stationIn(map, "from", robot);
+  path.to = stationIn(map, "to", robot);
+  if (map.has("steps") == map.has("steps_file")) {
+    refuseAt(map.mark(),
+             {map.has("steps") ? "steps_file" : "steps",
+              map.has("steps") ? "stands beside steps" : "is missing", "one of: steps, steps_file", ""});
+  }
+  const std::size_t before = reading.faults.count();
+  if (map.has("steps")) {
+    readSteps(map, field, robot, path, reading);
+  } else {
+    readStepsFile(map, field, path, reading);
+  }
+  if (reading.faults.count() == before) checkPath(path, robot, field, reading.faults);
+  robot.program.push_back(std::move(path));
+}
+
+}  // namespace
+
+void readProgram(const YAML::Node& node, const std::string& field, Robot& robot, ProgramReading& reading) {
+  const std::size_t before = reading.faults.count();
+  reading.faults.collect(field, [&] {
+    if (!node.IsSequence() || node.size() > kMostPaths) {
+      refuseAt(node.Mark(), {"", files::isShown(node), fmt::format("a list of 1..{} paths", kMostPaths), ""});
+    }
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      const std::string place = fmt::format("{}[{}]", field, i);
+      reading.faults.collect(place, [&] { readPath(node[i], place, robot, reading); });
+    }
+  });
+  if (reading.faults.count() == before) {
+    checkProgram(robot, reading.parts, placeOf(reading.faults, node.Mark()), field, reading.faults);
+  }
+}
+
+}  // namespace cobot_command::cell
