@@ -36,8 +36,9 @@ Decision Supervisor::decide(const Tuple& state, EventIndex event) const {
       break;
   }
   decision.verdict = Verdict::Granted;
-  if (frontier_.find(decision.next.data()))
+  if (frontier_.find(decision.next.data())) {
     decision.verdict = is_controllable ? Verdict::WouldBlock : Verdict::BreaksSpec;
+  }
   return decision;
 }
 

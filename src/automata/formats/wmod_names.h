@@ -12,14 +12,16 @@ inline constexpr const char* kMeaning = "name: ";
 
 /// Two hyphens would end a comment.
 inline std::string toComment(std::string text) {
-  for (auto at = text.find("--"); at != std::string::npos; at = text.find("--"))
+  for (auto at = text.find("--"); at != std::string::npos; at = text.find("--")) {
     text.replace(at + 1, 1, "&#45;");
+  }
   return text;
 }
 
 inline std::string fromComment(std::string text) {
-  for (auto at = text.find("&#45;"); at != std::string::npos; at = text.find("&#45;"))
+  for (auto at = text.find("&#45;"); at != std::string::npos; at = text.find("&#45;")) {
     text.replace(at, 5, "-");
+  }
   return text;
 }
 

@@ -22,8 +22,9 @@ PartProblem::PartProblem(const CellModel& model, const automata::PartOfProblem& 
     std::vector<automata::StateIndex>& same = state_of_.emplace_back(automaton.states.size());
     std::iota(same.begin(), same.end(), automata::StateIndex{0});
   }
-  for (automata::EventIndex event = 0; event < part.events.size(); ++event)
+  for (automata::EventIndex event = 0; event < part.events.size(); ++event) {
     events_[part.events[event]] = event;
+  }
 }
 
 automata::Tuple PartProblem::tupleOf(const automata::Tuple& of_cell) const {

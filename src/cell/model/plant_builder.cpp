@@ -44,9 +44,10 @@ bool PlantBuilder::areIndicesInRange() {
       fits = fits && !step.zones.empty() && std::all_of(step.zones.begin(), step.zones.end(), isZone);
     }
   }
-  if (!fits)
+  if (!fits) {
     faults_.push_back(
         fmt::format("{}: its program names a station or zone that is not there", program_.name));
+  }
   return fits;
 }
 

@@ -92,8 +92,7 @@ Decision Rules::decide(const automata::Tuple& state, automata::EventIndex event)
   return decision;
 }
 
-std::optional<automata::Tuple> Rules::undone(const automata::Tuple& state,
-                                             automata::EventIndex event) const {
+std::optional<automata::Tuple> Rules::undone(const automata::Tuple& state, automata::EventIndex event) const {
   if (event >= model_.events.size() || !composition_.isControllable(event)) return std::nullopt;
   return undo_.before(state, event);
 }
@@ -105,8 +104,9 @@ std::vector<RobotIndex> Rules::stuckIn(const automata::Tuple& state) const {
     std::vector<bool> comes_home(part->automata.size(), false);
     for (const std::size_t automaton : home) comes_home[automaton] = true;
     for (std::size_t automaton = 0; automaton < part->automata.size(); ++automaton) {
-      if (!comes_home[automaton] && part->automata[automaton] < model_.robots())
+      if (!comes_home[automaton] && part->automata[automaton] < model_.robots()) {
         stuck.push_back(part->automata[automaton]);
+      }
     }
   }
   return stuck;

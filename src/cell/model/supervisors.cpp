@@ -20,8 +20,9 @@ constexpr std::array<std::pair<Policy, const char*>, 4> kPolicyNames = {{{Policy
 
 std::string conflictWords(const automata::StateSpace& space, const automata::Problem& problem) {
   std::vector<std::string> names;
-  for (const auto event : automata::shortestWayIntoConflict(space))
+  for (const auto event : automata::shortestWayIntoConflict(space)) {
     names.push_back(problem.events[event].name);
+  }
   return fmt::format(
       "no supervisor can keep the robots out of a conflict that cannot be refused; the shortest way into "
       "one: "

@@ -42,8 +42,9 @@ std::optional<Hindrance> Granting::ownHindrance(RobotIndex robot) const {
   if (auto hindrance = hindranceByZones(event)) return hindrance;
   const automata::Decision decision = rules_.decide(record_.tuple(), wanted);
   if (decision.verdict == Verdict::Granted) return std::nullopt;
-  if (decision.verdict == Verdict::WouldBlock)
+  if (decision.verdict == Verdict::WouldBlock) {
     return Hindrance{WaitReason::WouldBlock, rules_.stuckIn(decision.next)};
+  }
   return Hindrance{WaitReason::Holding, {}};
 }
 

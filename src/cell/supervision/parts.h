@@ -47,8 +47,6 @@ class Supervision::Parts {
   /// False: nothing behind it is looked at any more.
   bool takeEvent(RobotIndex robot, const NumberedEvent& event, Instant now);
   bool takeWithdrawal(RobotIndex robot, const NumberedEvent& event);
-  /// Why it is no event of that robot; nothing: it is.
-  [[nodiscard]] std::optional<std::string> objectionTo(RobotIndex robot, const NumberedEvent& event) const;
   void fail(RobotIndex robot, const std::string& why);
   void findIntruders();
 

@@ -62,8 +62,9 @@ PersonsAnswer Supervision::Parts::recover(const std::string& name, const std::st
   if (const auto objection = objectionToRecovery(*robot, state, now)) return refused(*objection);
   const std::uint64_t session = robots_[*robot].session();
   const std::uint64_t number = robots_[*robot].highestNumber();
-  if (!record_.recover(*robot, state, person) || !record_.join(*robot, session, number))
+  if (!record_.recover(*robot, state, person) || !record_.join(*robot, session, number)) {
     return refused(kNotWritten);
+  }
   robots_[*robot].joined();
   is_confirmed_[*robot] = true;
   settle(now);
@@ -76,8 +77,9 @@ std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex ro
   const RobotWatch& watch = robots_[robot];
   const CellPlace& where = rules_.model().places[robot][place];
   if (!start_fault_.empty()) return start_fault_;
-  if (!watch.wasHeard() || watch.isSilent(now, settings_.lease))
+  if (!watch.wasHeard() || watch.isSilent(now, settings_.lease)) {
     return nameOf(robot) + " does not report: start its node";
+  }
   if (watch.report().hash != hash_) return nameOf(robot) + " has another artifact: load the same on both";
   if (watch.report().moving) return nameOf(robot) + " moves: wait until it stands";
   if (watch.report().condition == RobotCondition::Manual ||
@@ -111,8 +113,9 @@ PersonsAnswer Supervision::Parts::confirmClear(const std::string& name, const st
   const auto robot = robotNamed(name);
   if (!robot) return noSuchRobot(name, rules_.model().program.robots);
   const RobotWatch& watch = robots_[*robot];
-  if (isAble(*robot, now))
+  if (isAble(*robot, now)) {
     return refused(fmt::format("{} is not lost: stop it first, or take it out at home", name));
+  }
   if (person.empty()) return refused("it has to be said who confirms");
   if (!was_moved && watch.wasHeard() && !watch.report().touched_zones.empty()) {
     return refused(
@@ -130,9 +133,10 @@ PersonsAnswer Supervision::Parts::takeOut(const std::string& name, const std::st
   if (!robot) return noSuchRobot(name, rules_.model().program.robots);
   if (person.empty()) return refused("it has to be said who takes it out");
   const bool is_home = record_.tuple()[*robot] == rules_.initial()[*robot] && !robots_[*robot].request;
-  if (!is_home)
+  if (!is_home) {
     return refused(
         fmt::format("{} is not at home: let it finish, or confirm that its zones are clear", name));
+  }
   if (!record_.takeOut(*robot, person)) return refused(kNotWritten);
   settle(now);
   return {true, fmt::format("{} is out of the cell until it is recovered", name)};

@@ -42,15 +42,17 @@ std::optional<std::string> malformed(const RobotReport& report) {
   if (!are_texts || report.robot.empty()) return "a text is too long, or not UTF-8";
   if (report.events.size() > kMaxEvents) return "there are too many events";
   if (report.touched_zones.size() > kMaxZones) return "there are too many zones";
-  if (!std::is_sorted(report.touched_zones.begin(), report.touched_zones.end()))
+  if (!std::is_sorted(report.touched_zones.begin(), report.touched_zones.end())) {
     return "its zones are not in their order";
+  }
   if (report.session == 0 || report.number == 0) return "it has no session or no number";
   if (report.condition > RobotCondition::OffPath) return "its condition is none that there is";
   const bool are_joints = std::all_of(report.joints.begin(), report.joints.end(),
                                       [](double joint) { return std::abs(joint) <= kMaxJoint; });
   if (!are_joints) return "its joints are no angles";
-  if (!(report.status_age >= 0.0 && report.status_age <= kMaxStatusAge))
+  if (!(report.status_age >= 0.0 && report.status_age <= kMaxStatusAge)) {
     return "the age of its status is none";
+  }
   const bool are_kinds =
       std::all_of(report.events.begin(), report.events.end(),
                   [](const NumberedEvent& event) { return event.kind <= NumberedEvent::Kind::Withdrawn; });

@@ -28,6 +28,23 @@ const char* endedBy(RobotCondition condition) {
   return nullptr;
 }
 
+/// Why it is no event of that robot; nothing: it is.
+std::optional<std::string> objectionTo(const CellModel& model, RobotIndex robot, const NumberedEvent& event) {
+  if (event.event >= model.events.size()) {
+    return fmt::format("it tells of event {}, which the cell does not have", event.event);
+  }
+  const std::string& name = model.problem.events[event.event].name;
+  if (model.events[event.event].robot != robot) {
+    return fmt::format("it tells of {}, which is an event of {}", name,
+                       model.program.robots[model.events[event.event].robot].name);
+  }
+  if ((event.kind == Kind::Happened) == model.problem.events[event.event].controllable) {
+    return fmt::format("it tells of {} as what it {}", name,
+                       event.kind == Kind::Happened ? "has done unasked" : "waits for");
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<RobotIndex> Supervision::Parts::robotNamed(const std::string& name) const {
@@ -95,23 +112,6 @@ void Supervision::Parts::takeEvents(RobotIndex robot, Instant now) {
   if (end != nullptr) fail(robot, end);
 }
 
-std::optional<std::string> Supervision::Parts::objectionTo(RobotIndex robot,
-                                                           const NumberedEvent& event) const {
-  const CellModel& model = rules_.model();
-  if (event.event >= model.events.size())
-    return fmt::format("it tells of event {}, which the cell does not have", event.event);
-  const std::string& name = model.problem.events[event.event].name;
-  if (model.events[event.event].robot != robot) {
-    return fmt::format("it tells of {}, which is an event of {}", name,
-                       nameOf(model.events[event.event].robot));
-  }
-  if ((event.kind == Kind::Happened) == model.problem.events[event.event].controllable) {
-    return fmt::format("it tells of {} as what it {}", name,
-                       event.kind == Kind::Happened ? "has done unasked" : "waits for");
-  }
-  return std::nullopt;
-}
-
 bool Supervision::Parts::takeEvent(RobotIndex robot, const NumberedEvent& event, Instant now) {
   RobotWatch& watch = robots_[robot];
   const auto& known = record_.robot(robot);
@@ -127,7 +127,7 @@ bool Supervision::Parts::takeEvent(RobotIndex robot, const NumberedEvent& event,
   }
   if (watch.request && watch.request->event == event) return true;
   if (event.number == 0) return failed("SEQUENCE: events count from 1");
-  if (const auto objection = objectionTo(robot, event)) return failed(*objection);
+  if (const auto objection = objectionTo(rules_.model(), robot, event)) return failed(*objection);
   if (event.kind == Kind::Withdrawn) return takeWithdrawal(robot, event);
   if (watch.request || event.number != known.acknowledged + 1) {
     return failed(

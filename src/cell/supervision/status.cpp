@@ -56,8 +56,9 @@ std::string Supervision::Parts::textOf(RobotIndex robot, Instant now) const {
   if (isStrange(robot)) return "its node was started anew: recover it";
   if (!watch.fault().empty()) return watch.fault() + ": recover it";
   if (watch.isSilent(now, settings_.lease)) return "it is silent";
-  if (!is_confirmed_[robot])
+  if (!is_confirmed_[robot]) {
     return fmt::format("it does not stand at {}: bring it there, or recover it", place.name);
+  }
   return watch.report().text;
 }
 
@@ -103,16 +104,18 @@ ZoneStatus Supervision::Parts::statusOfZone(ZoneIndex zone, Instant now) const {
   for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
     if (!robots_[robot].request) continue;
     const auto& wanted = model.events[robots_[robot].request->event.event].zones;
-    if (std::find(wanted.begin(), wanted.end(), zone) != wanted.end())
+    if (std::find(wanted.begin(), wanted.end(), zone) != wanted.end()) {
       status.waiting.push_back(nameOf(robot));
+    }
   }
   return status;
 }
 
 std::string Supervision::Parts::diagnosis() const {
   if (!start_fault_.empty()) return start_fault_;
-  if (record_.isBroken())
+  if (record_.isBroken()) {
     return "the journal cannot be written: nothing is granted until the supervisor is started anew";
+  }
   const auto waits_for = unconfirmed();
   if (!waits_for.empty()) {
     return fmt::format("{} {}",
@@ -133,8 +136,9 @@ CellStatus Supervision::Parts::status(Instant now) const {
   status.mode = mode();
   status.policy = toString(rules_.policy());
   for (RobotIndex robot = 0; robot < robots_.size(); ++robot) status.robots.push_back(statusOf(robot, now));
-  for (ZoneIndex zone = 0; zone < zone_holders_.size(); ++zone)
+  for (ZoneIndex zone = 0; zone < zone_holders_.size(); ++zone) {
     status.zones.push_back(statusOfZone(zone, now));
+  }
   status.diagnosis = diagnosis();
   return status;
 }

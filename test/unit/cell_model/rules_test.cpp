@@ -145,8 +145,9 @@ std::size_t undoesOf(const Rules& rules) {
     open.pop_back();
     for (EventIndex event = 0; event < rules.model().events.size(); ++event) {
       Decision decision = rules.decide(all.back(), event);
-      if (decision.verdict == Verdict::Granted && reached.insert(decision.next).second)
+      if (decision.verdict == Verdict::Granted && reached.insert(decision.next).second) {
         open.push_back(decision.next);
+      }
     }
   }
   std::size_t cases = 0;

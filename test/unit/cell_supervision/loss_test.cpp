@@ -68,6 +68,7 @@ TEST(ACellOnABadNetwork, neverHasTwoHoldersAndEndsAllCycles) {
     ASSERT_FALSE(cell.hasTwoHolders());
   }
   EXPECT_TRUE(isDone()) << ticks << " ticks";
+  cell.exchange();
   for (RobotIndex robot = 0; robot < 3; ++robot) EXPECT_EQ(cell.robot(robot).state, RobotState::Ready);
 }
 

@@ -120,8 +120,9 @@ class SupervisedCell {
                           SupervisionSettings settings = {})
       : program_(program), policy_(policy), settings_(settings), model_(*modelOf(program)) {
     start();
-    for (RobotIndex robot = 0; robot < model_.robots(); ++robot)
+    for (RobotIndex robot = 0; robot < model_.robots(); ++robot) {
       robots.emplace_back(model_, robot, 100 + robot);
+    }
   }
 
   /// The supervisor anew, with the journal as it is.
