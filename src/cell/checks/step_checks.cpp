@@ -16,8 +16,6 @@ namespace {
 using blocks::RunScriptGoal;
 using script::ScriptCommand;
 
-constexpr double kLongestDwell = 3600;  // as of pick_and_place [s]
-
 /// The rules of a block, with the words of its catalogue.
 template <class Goal>
 void checkGoal(const Goal& goal, const Step& step, const std::string& field, FaultList& faults) {
@@ -103,9 +101,8 @@ void checkStand(const Step& step, const std::string& field, FaultList& faults) {
                {key, "stands at a step that blends into the next motion",
                 "at a step whose target the robot stands at", "take blending away from the step"});
   }
-  if (!(step.dwell >= 0 && step.dwell <= kLongestDwell)) {
-    faults.add(step.place, field,
-               {"dwell", fmt::format("is {} s", step.dwell), fmt::format("0 to {} s", kLongestDwell), ""});
+  if (!isDwell(step.dwell)) {
+    faults.add(step.place, field, {"dwell", fmt::format("is {} s", step.dwell), kDwellRange, ""});
   }
   if (!step.attach.empty() && step.attach == step.detach) {
     faults.add(step.place, field, {"detach", "is the part that the step attaches", "another one", ""});

@@ -5,6 +5,12 @@
 
 namespace cobot_command::cell {
 
+/// How long a robot may dwell, as in pick_and_place.
+[[nodiscard]] inline bool isDwell(double seconds) {
+  return seconds >= 0 && seconds <= 3600;  // false for NaN, too
+}
+inline constexpr const char* kDwellRange = "0 to 3600 s";
+
 /// `field`: of the step.
 void checkStep(const Step& step, const std::string& field, FaultList& faults);
 

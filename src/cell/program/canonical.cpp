@@ -38,13 +38,14 @@ class Lines {
   Lines& add(bool truth) { return add(truth ? 1 : 0); }
   Lines& add(const Eigen::Vector3d& point) { return add(point.x()).add(point.y()).add(point.z()); }
   Lines& add(const arm::Pose& pose) {
-    constexpr double kDigits = 1e12;
     add(Eigen::Vector3d(pose.translation()));
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) {
-        add(std::round(pose.linear()(row, column) * kDigits) / kDigits);
-      }
-    }
+    for (int row = 0; row < 3; ++row) addRounded(pose.linear().row(row));
+    return *this;
+  }
+  /// Of what was calculated: sines and roots differ in their last digits.
+  Lines& addRounded(const Eigen::Vector3d& direction) {
+    constexpr double kDigits = 1e12;
+    for (const double number : direction) add(std::round(number * kDigits) / kDigits);
     return *this;
   }
   template <class Numbers>
@@ -142,7 +143,7 @@ void write(Lines& lines, const Robot& robot) {
 
 void write(Lines& lines, const Mechanism& mechanism) {
   lines.begin("mechanism").add(mechanism.name).add(static_cast<int>(mechanism.axis)).add(mechanism.at);
-  lines.add(mechanism.direction).add(mechanism.home).add(mechanism.holds);
+  lines.addRounded(mechanism.direction).add(mechanism.home).add(mechanism.holds);
   write(lines, mechanism.shapes);
   for (const MechanismPosition& position : mechanism.positions) {
     lines.begin("position").add(position.name).add(position.value);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/check_sequence.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/given.h"
 #include "cobot_command/files/steps_file.h"
 
@@ -19,6 +20,7 @@ namespace {
 using files::YamlMap;
 
 constexpr std::size_t kMostPaths = 256;
+constexpr std::size_t kMostBytes = 1 << 20;  // of a file of steps, as for goals
 constexpr std::size_t kMostSteps = blocks::CheckSequenceGoal::kMostSteps;
 
 std::string partIn(const YamlMap& map, const char* key, const std::vector<Part>& parts) {
@@ -30,12 +32,34 @@ std::string partIn(const YamlMap& map, const char* key, const std::vector<Part>&
   return name;
 }
 
+/// It stands in reports, in lines of logs and in artifacts.
+std::string nameForPeople(const YamlMap& map) {
+  std::string name = map.text("name");
+  if (name.size() > kForeignTextLimit || escaped(name) != name) {
+    refuseAt(map.required("name").Mark(),
+             {"name", "is " + quoted(name),
+              fmt::format("at most {} bytes without control characters", kForeignTextLimit), ""});
+  }
+  return name;
+}
+
+/// That of steps whose dwell is true [s].
+double usualDwell(const YamlMap& path) {
+  if (!path.has("dwell")) return files::kUsualDwell;
+  const double dwell = path.number("dwell");
+  if (!isDwell(dwell)) {
+    const YAML::Node node = path.required("dwell");
+    refuseAt(node.Mark(), {"dwell", files::isShown(node), kDwellRange, ""});
+  }
+  return dwell;
+}
+
 Step toStep(const YAML::Node& node, double usual_dwell, const Robot& robot, const ProgramReading& reading) {
   Step step;
   step.place = placeOf(reading.faults, node.Mark());
   step.goal = toGoal(node, robot);
   const YamlMap map = mapOf(node);
-  if (map.has("name")) step.name = map.text("name");
+  if (map.has("name")) step.name = nameForPeople(map);
   step.attach = partIn(map, "attach", reading.parts);
   step.output = files::toOutput(map);
   step.input = files::toInput(map);
@@ -56,7 +80,7 @@ void readSteps(const YamlMap& map, const std::string& field, const Robot& robot,
                ProgramReading& reading) {
   const YAML::Node list = map.listOf("steps", kMostSteps, "steps");
   count(list.size(), list.Mark(), reading);
-  const double usual_dwell = map.has("dwell") ? map.number("dwell") : files::kUsualDwell;
+  const double usual_dwell = usualDwell(map);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = fmt::format("{}.steps[{}]", field, i);
     reading.faults.collect(place, [&] {
@@ -66,36 +90,43 @@ void readSteps(const YamlMap& map, const std::string& field, const Robot& robot,
   }
 }
 
-void readStepsFile(const YamlMap& map, const std::string& field, Path& path, ProgramReading& reading) {
-  const YAML::Node node = map.required("steps_file");
+/// The steps of the file that is named; nothing where it is refused as a whole.
+std::vector<files::FileStep> stepsOfFile(const YamlMap& map, const std::string& field,
+                                         ProgramReading& reading) {
+  const YAML::Mark mark = map.required("steps_file").Mark();
   const std::string name = map.text("steps_file");
+  const auto refuseFile = [&](const std::string& why) {
+    refuseAt(mark, {"steps_file", fmt::format("is {}, which cannot be read: {}", quoted(name), why),
+                    "a pick-and-place file, see config/pick_and_place.yaml", "check the path of the file"});
+  };
   if (map.has("dwell")) {
     refuseAt(map.required("dwell").Mark(),
              {"dwell", "stands beside a steps_file", "that of the file", "write it into the file"});
   }
   const auto text = reading.read_file(name);
-  if (!text) {
-    refuseAt(node.Mark(),
-             {"steps_file", fmt::format("{}, which cannot be read: {}", files::isShown(node), text.error()),
-              "a pick-and-place file, see config/pick_and_place.yaml", "check the path of the file"});
-  }
-  const auto steps = files::readSteps(*text, name);
+  if (!text) refuseFile(foreignText(text.error()));
+  if (text->size() > kMostBytes) refuseFile(fmt::format("it is larger than {} bytes", kMostBytes));
+  auto steps = files::readSteps(*text, foreignText(name));
   if (!steps) {
     reading.faults.add(joined(field, "steps_file"), steps.error());
-    return;
+    return {};
   }
-  count(steps->size(), node.Mark(), reading);
-  for (std::size_t i = 0; i < steps->size(); ++i) {
-    const files::FileStep& read = (*steps)[i];
-    path.steps.push_back({read.name,
-                          read.step.move,
-                          "",
-                          read.step.output,
-                          read.step.input,
-                          read.step.dwell,
-                          "",
-                          {name, read.line, read.column}});
-    checkStep(path.steps.back(), fmt::format("{}.steps_file.steps[{}]", field, i), reading.faults);
+  count(steps->size(), mark, reading);
+  return *std::move(steps);
+}
+
+void readStepsFile(const YamlMap& map, const std::string& field, Path& path, ProgramReading& reading) {
+  const std::vector<files::FileStep> steps = stepsOfFile(map, field, reading);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Step step;
+    step.name = foreignText(steps[i].name);
+    step.goal = steps[i].step.move;
+    step.output = steps[i].step.output;
+    step.input = steps[i].step.input;
+    step.dwell = steps[i].step.dwell;
+    step.place = {foreignText(map.text("steps_file")), steps[i].line, steps[i].column};
+    checkStep(step, fmt::format("{}.steps_file.steps[{}]", field, i), reading.faults);
+    path.steps.push_back(std::move(step));
   }
 }
 

@@ -28,6 +28,7 @@ TEST(CellHash, doesNotDependOnHowTheFileIsWritten) {
       {"target_position: T1", "target_position: [0, 45, 60, -15, 90, 0]"},
       {"speed: 30", "block: move_absolute, speed: 30, blending_enable: false, exit_node: false"},
       {"HOME: [0, -30", "HOME: [0.0, -30"},
+      {"speed: 30", "dwell: false, speed: 30"},
       {"cell: handover", "\"cell\": 'handover'"},
       {"stations:\n", "stations:\n\n\n"}};
   for (const auto& [from, to] : kSame) EXPECT_EQ(hashOfText(with(kExample, from, to)), hash) << to;
@@ -89,8 +90,9 @@ TEST(CellHash, ofAFileThatIsNamedIsOfWhatStandsInIt) {
 }
 
 TEST(CellHash, takesNoTextForMoreThanIt) {
-  EXPECT_THAT(canonicalText(cellOf(with(kFull, "name: world", "name: \"1:a\\nstep 0:\""))),
-              ::testing::HasSubstr("step 11:1:a\nstep 0:\n"));
+  EXPECT_THAT(canonicalText(cellOf(with(kFull, "name: world", "name: world 4:then"))),
+              ::testing::HasSubstr("step 12:world 4:then\n"));
+  EXPECT_THAT(canonicalText(cellOf(kFull)), ::testing::HasSubstr("script 42:PTP("));
 }
 
 /// What can be told of two cells without the canonical text.

@@ -217,6 +217,19 @@ TEST(CellFaults, tellOfScriptsThatCannotBePlanned) {
   EXPECT_THAT(fullWith("ChangeBase(0,0,0,0,0,0)", "QueueTag(1)"), HasSubstr("is refused by run_script"));
 }
 
+TEST(CellFaults, tellOfNamesForPeopleThatNobodyCanRead) {
+  EXPECT_THAT(fullWith("name: world", "name: \"a\\nb\""),
+              HasSubstr("steps[0].name is \"a\\nb\"; allowed: at most 256 bytes"));
+  EXPECT_THAT(fullWith("name: world", "name: " + std::string(257, 'a')), HasSubstr("steps[0].name is "));
+}
+
+TEST(CellFaults, tellOfDwellsThatNobodyNeedsToo) {
+  EXPECT_THAT(fullWith("dwell: 1.5", "dwell: -1"),
+              HasSubstr("programs.RA[0].dwell is \"-1\"; allowed: 0 to 3600 s"));
+  EXPECT_THAT(fullWith("dwell: true", "dwell: maybe"),
+              HasSubstr("steps[4].dwell is \"maybe\"; allowed: true, false, or"));
+}
+
 TEST(CellFaults, tellOfStationsAsTargetsThatAreNoJoints) {
   EXPECT_THAT(faultsWith("data_format: JPP", "data_format: CPP"),
               HasSubstr("target_position is a station, which is joints; allowed: with data_format JPP"));

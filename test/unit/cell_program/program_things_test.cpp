@@ -104,6 +104,11 @@ TEST(CellMechanisms, haveOneAxisWithPositions) {
   EXPECT_NEAR(find(table.mechanisms.at(0).positions, "IN")->value, degToRad(900), 1e-12) << "[rad]";
 }
 
+TEST(CellMechanisms, haveTheSameAxisHoweverLongItIsWritten) {
+  const std::string hash = hashOf(cellOf(with(kFull, "along: [0, 2, 0]", "along: [1, 2, 0.7]")));
+  EXPECT_EQ(hashOf(cellOf(with(kFull, "along: [0, 2, 0]", "along: [3, 6, 2.1]"))), hash);
+}
+
 TEST(CellMechanisms, areRefusedWithTheirField) {
   const std::string field = "mechanisms.PALLET";
   EXPECT_THAT(faultsWith("kind: prismatic", "kind: linear"),

@@ -11,8 +11,8 @@ namespace cobot_command::cell {
 /// of how its file is written: comments, order of keys, notation of numbers and poses, aliases, lines. The
 /// same on every locale. Names for people are in it, as artifacts and reports show them.
 ///
-/// Numbers are exact, but those of rotations, which are rounded to 1e-12: sines differ in their last digits
-/// from machine to machine.
+/// Numbers are exact, but those of rotations and directions, which are rounded to 1e-12: sines differ in
+/// their last digits from machine to machine.
 [[nodiscard]] std::string canonicalText(const Cell& cell);
 
 /// SHA-256 of the canonical text, 64 hexadecimal digits.

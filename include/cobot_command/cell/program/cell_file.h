@@ -29,7 +29,7 @@ struct Fault {
 [[nodiscard]] std::string describe(const Fault& fault);
 
 /// The text of a file that a cell file names (`steps_file`), with the name as it stands there; or why it
-/// cannot be read.
+/// cannot be read. Never empty: who reads no files refuses them all.
 using ReadFile = std::function<Result<std::string, std::string>(const std::string& name)>;
 
 /// `name`: of the file, for faults. The faults: at least one, at most a hundred, in the order of their lines.
