@@ -12,6 +12,8 @@ ALLOWED = {
     "protocol": {"common"},
     "automata": {"common"},
     "arm": {"common"},
+    "cell": {"common", "automata", "arm"},
+    "cell/schedule": {"common", "automata"},
     "tables": {"common", "arm"},
     "kinematics": {"common", "arm", "tables"},
     "motion": {"common", "arm"},

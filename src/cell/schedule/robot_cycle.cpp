@@ -1,0 +1,182 @@
+#include "cobot_command/cell/schedule/robot_cycle.h"
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace cobot_command::cell {
+namespace {
+
+using automata::Automaton;
+using automata::EventIndex;
+using automata::Problem;
+using automata::StateIndex;
+using automata::Transition;
+using Faults = std::vector<std::string>;
+
+/// Far beyond any cell, and far from where sums of them would no longer be whole nanoseconds.
+constexpr double kLongest = 1e6;
+constexpr std::size_t kMostEvents = 1000;
+
+/// By event: how many plants have it.
+std::vector<std::size_t> ownersOf(const Problem& problem) {
+  std::vector<std::size_t> owners(problem.events.size(), 0);
+  for (const Automaton& automaton : problem.automata) {
+    if (automaton.kind != Automaton::Kind::Plant) continue;
+    for (const EventIndex event : automaton.alphabet) ++owners[event];
+  }
+  return owners;
+}
+
+std::optional<StateIndex> stepOf(const Automaton& plant, StateIndex from, EventIndex event) {
+  for (const Transition& transition : plant.transitions) {
+    if (transition.from == from && transition.event == event) return transition.to;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> faultOfTime(Duration after) {
+  if (after < Duration{}) return fmt::format("{} s: no time is less than none", toSeconds(after));
+  if (toSeconds(after) > kLongest) {
+    return fmt::format("{} s: at most {} s can be scheduled", toSeconds(after), kLongest);
+  }
+  return std::nullopt;
+}
+
+void addFaultsOfWay(const Problem& problem, const RobotCycle& cycle, Faults& faults) {
+  const Automaton& plant = problem.automata[cycle.robot];
+  const auto owners = ownersOf(problem);
+  StateIndex place = plant.initial;
+  for (std::size_t index = 0; index < cycle.events.size(); ++index) {
+    const TimedEvent& timed = cycle.events[index];
+    const std::string where = fmt::format("event {} of the cycle of {}", index + 1, plant.name);
+    if (timed.event >= problem.events.size()) {
+      return faults.push_back(fmt::format("{} does not exist: there are {} events, the first of them is 0",
+                                          where, problem.events.size()));
+    }
+    const std::string& name = problem.events[timed.event].name;
+    if (owners[timed.event] > 1) {
+      return faults.push_back(
+          fmt::format("{}: \"{}\" is of several plants: each robot has its own events", where, name));
+    }
+    if (const auto fault = faultOfTime(timed.after)) {
+      faults.push_back(fmt::format("{}, \"{}\", comes after {}", where, name, *fault));
+    }
+    const auto next = stepOf(plant, place, timed.event);
+    if (!next) {
+      return faults.push_back(
+          fmt::format("{}: {} cannot make \"{}\" at {}", where, plant.name, name, plant.states[place]));
+    }
+    place = *next;
+  }
+  if (place != plant.initial) {
+    faults.push_back(fmt::format("the cycle of {} ends at {}, and not at its home {}", plant.name,
+                                 plant.states[place], plant.states[plant.initial]));
+  }
+}
+
+void addFaultsOfCycle(const Problem& problem, const RobotCycle& cycle, Faults& faults) {
+  if (cycle.robot >= problem.automata.size()) {
+    return faults.push_back(fmt::format("there is no robot {}: there are {} automata, the first of them is 0",
+                                        cycle.robot, problem.automata.size()));
+  }
+  const std::string& name = problem.automata[cycle.robot].name;
+  if (problem.automata[cycle.robot].kind != Automaton::Kind::Plant) {
+    return faults.push_back(fmt::format("{} is a spec, and no robot", name));
+  }
+  if (cycle.events.empty()) {
+    return faults.push_back(fmt::format("the cycle of {} has no events: a robot that rests has none", name));
+  }
+  if (cycle.events.size() > kMostEvents) {
+    return faults.push_back(fmt::format("the cycle of {} has {} events: at most {} can be scheduled", name,
+                                        cycle.events.size(), kMostEvents));
+  }
+  addFaultsOfWay(problem, cycle, faults);
+}
+
+/// The search lets no report come later than it is due. So nobody may lose by an earlier report what would be
+/// granted without it: in each spec, what can happen before a report can happen behind it, to the same end.
+void addFaultsOfReports(const Problem& problem, const Automaton& spec, Faults& faults) {
+  std::map<std::pair<StateIndex, EventIndex>, StateIndex> next;
+  std::vector<std::size_t> plant_of(problem.events.size(), 0);
+  for (const Transition& step : spec.transitions) next[{step.from, step.event}] = step.to;
+  for (std::size_t plant = 0; plant < problem.automata.size(); ++plant) {
+    if (problem.automata[plant].kind != Automaton::Kind::Plant) continue;
+    for (const EventIndex event : problem.automata[plant].alphabet) plant_of[event] = plant;
+  }
+  std::set<std::pair<EventIndex, EventIndex>> told;
+  for (const Transition& report : spec.transitions) {
+    if (problem.events[report.event].controllable) continue;
+    for (const Transition& other : spec.transitions) {
+      if (other.from != report.from || plant_of[other.event] == plant_of[report.event]) continue;
+      const auto before = next.find({other.to, report.event});
+      if (before == next.end()) continue;
+      const auto behind = next.find({report.to, other.event});
+      if (behind != next.end() && behind->second == before->second) continue;
+      if (!told.insert({report.event, other.event}).second) continue;
+      faults.push_back(fmt::format(
+          "in {}, the report \"{}\" is not the same before and behind \"{}\": such cannot be scheduled",
+          spec.name, problem.events[report.event].name, problem.events[other.event].name));
+    }
+  }
+}
+
+}  // namespace
+
+Faults faultsOfCycles(const Problem& problem, const std::vector<RobotCycle>& cycles) {
+  Faults faults;
+  if (cycles.empty()) return {"no robot has a cycle: there is nothing to schedule"};
+  std::set<std::size_t> robots;
+  for (const RobotCycle& cycle : cycles) {
+    addFaultsOfCycle(problem, cycle, faults);
+    if (robots.insert(cycle.robot).second || cycle.robot >= problem.automata.size()) continue;
+    faults.push_back(fmt::format("{} has two cycles", problem.automata[cycle.robot].name));
+  }
+  for (const Automaton& automaton : problem.automata) {
+    if (automaton.kind == Automaton::Kind::Spec) addFaultsOfReports(problem, automaton, faults);
+  }
+  return faults;
+}
+
+Result<RobotCycle, std::string> cycleWithGaps(const Problem& problem, std::size_t robot,
+                                              const std::vector<double>& gaps) {
+  if (robot >= problem.automata.size() || problem.automata[robot].kind != Automaton::Kind::Plant) {
+    return refuse(fmt::format("automaton {} is no robot", robot));
+  }
+  const Automaton& plant = problem.automata[robot];
+  std::map<StateIndex, Transition> ways;
+  for (const Transition& way : plant.transitions) {
+    if (!ways.emplace(way.from, way).second) {
+      return refuse(fmt::format("{} has several ways at {}: gaps alone do not say which one it takes",
+                                plant.name, plant.states[way.from]));
+    }
+  }
+  RobotCycle cycle{robot, {}};
+  StateIndex place = plant.initial;
+  do {
+    const auto way = ways.find(place);
+    if (way == ways.end() || cycle.events.size() > ways.size()) {
+      return refuse(fmt::format("{} has no way home from {}", plant.name, plant.states[place]));
+    }
+    cycle.events.push_back({way->second.event, Duration{}});
+    place = way->second.to;
+  } while (place != plant.initial);
+  if (gaps.size() + 1 != cycle.events.size()) {
+    return refuse(fmt::format("{} has {} events, and so {} gaps between them; there are {}", plant.name,
+                              cycle.events.size(), cycle.events.size() - 1, gaps.size()));
+  }
+  for (std::size_t index = 0; index < gaps.size(); ++index) {
+    if (!(gaps[index] >= 0.0 && gaps[index] <= kLongest)) {
+      return refuse(fmt::format("gap {} of {} is {} s: it has to be a time from 0 to {} s", index + 1,
+                                plant.name, gaps[index], kLongest));
+    }
+    cycle.events[index + 1].after = fromSeconds(gaps[index]);
+  }
+  return cycle;
+}
+
+}  // namespace cobot_command::cell
