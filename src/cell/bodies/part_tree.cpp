@@ -1,20 +1,17 @@
 #include "cobot_command/cell/bodies/part_tree.h"
 
-#include <algorithm>
-#include <iterator>
 #include <map>
-#include <optional>
 
 #include <fmt/format.h>
 
 namespace cobot_command::cell {
 namespace {
 
-using PartsByName = std::map<std::string, const Part*>;
+using PartsByName = std::map<std::string, const CarriedPart*>;
 
-Result<PartsByName, BodyRefusal> byName(const std::vector<Part>& parts) {
+Result<PartsByName, BodyRefusal> byName(const std::vector<CarriedPart>& parts) {
   PartsByName named;
-  for (const Part& part : parts) {
+  for (const CarriedPart& part : parts) {
     if (part.name == kOnFlange) {
       return refuse(BodyRefusal{fmt::format(
           "A part is named \"{}\", but that is the flange itself. Give it another name.", part.name)});
@@ -28,8 +25,9 @@ Result<PartsByName, BodyRefusal> byName(const std::vector<Part>& parts) {
 }
 
 /// The part, what it is on, and so on down to the flange.
-Result<std::vector<const Part*>, BodyRefusal> waysToFlange(const PartsByName& parts, const Part& part) {
-  std::vector<const Part*> way{&part};
+Result<std::vector<const CarriedPart*>, BodyRefusal> waysToFlange(const PartsByName& parts,
+                                                                  const CarriedPart& part) {
+  std::vector<const CarriedPart*> way{&part};
   while (way.back()->on != kOnFlange) {
     const auto carrier = parts.find(way.back()->on);
     if (carrier == parts.end()) {
@@ -47,13 +45,9 @@ Result<std::vector<const Part*>, BodyRefusal> waysToFlange(const PartsByName& pa
   return way;
 }
 
-BodyRefusal noSuchPart(const std::string& part) {
-  return {fmt::format("There is no part \"{}\". Name a part of the cell.", part)};
-}
-
 }  // namespace
 
-Result<PartTree, BodyRefusal> PartTree::of(const std::vector<Part>& parts, double body_cell) {
+Result<PartTree, BodyRefusal> PartTree::of(const std::vector<CarriedPart>& parts, double body_cell) {
   const auto named = byName(parts);
   if (!named) return refuse(named.error());
   std::map<std::string, Branch> branches;
@@ -64,51 +58,16 @@ Result<PartTree, BodyRefusal> PartTree::of(const std::vector<Part>& parts, doubl
     if (!capsules) {
       return refuse(BodyRefusal{fmt::format("The part \"{}\": {}", name, capsules.error().message)});
     }
-    for (const Part* carrier : *way) {
+    for (const CarriedPart* carrier : *way) {
       for (Capsule& capsule : *capsules) capsule = placed(carrier->at, capsule);
-      branches[carrier->name].with_it.insert(name);
     }
     Branch& branch = branches[name];
     branch.name = name;
-    branch.on = part->on;
     branch.capsules = std::move(*capsules);
   }
   PartTree tree;
   for (auto& [name, branch] : branches) tree.branches_.push_back(std::move(branch));
   return tree;
-}
-
-const PartTree::Branch* PartTree::find(const std::string& part) const {
-  const auto found = std::find_if(branches_.begin(), branches_.end(),
-                                  [&](const Branch& branch) { return branch.name == part; });
-  return found == branches_.end() ? nullptr : &*found;
-}
-
-Result<Carried, BodyRefusal> PartTree::attached(const Carried& carried, const std::string& part) const {
-  const Branch* branch = find(part);
-  if (branch == nullptr) return refuse(noSuchPart(part));
-  if (branch->on != kOnFlange && carried.count(branch->on) == 0) {
-    return refuse(
-        BodyRefusal{fmt::format("The part \"{}\" is on the part \"{}\", which is not attached. Attach that "
-                                "one: what is on it comes with it.",
-                                part, branch->on)});
-  }
-  Carried result(carried);
-  result.insert(branch->with_it.begin(), branch->with_it.end());
-  return result;
-}
-
-Result<Carried, BodyRefusal> PartTree::detached(const Carried& carried, const std::string& part) const {
-  const Branch* branch = find(part);
-  if (branch == nullptr) return refuse(noSuchPart(part));
-  if (carried.count(part) == 0) {
-    return refuse(BodyRefusal{
-        fmt::format("The part \"{}\" is not attached, so it cannot be detached. Attach it before.", part)});
-  }
-  Carried result;
-  std::set_difference(carried.begin(), carried.end(), branch->with_it.begin(), branch->with_it.end(),
-                      std::inserter(result, result.end()));
-  return result;
 }
 
 std::vector<FlangeCapsules> PartTree::bodiesOf(const Carried& carried) const {

@@ -16,7 +16,7 @@ namespace cobot_command::cell {
 /// What a part is on when it is on no other part.
 inline constexpr const char* kOnFlange = "flange";
 
-struct Part {
+struct CarriedPart {
   std::string name;
   std::vector<Shape> shapes;             ///< in the frame of the part
   std::string on = kOnFlange;            ///< kOnFlange, or the name of a part
@@ -31,16 +31,8 @@ class PartTree {
  public:
   /// Refused when two parts have the same name, one is named as the flange, or is on what does not exist, or
   /// in the end on itself, and where a shape is none.
-  [[nodiscard]] static Result<PartTree, BodyRefusal> of(const std::vector<Part>& parts,
+  [[nodiscard]] static Result<PartTree, BodyRefusal> of(const std::vector<CarriedPart>& parts,
                                                         double body_cell = kUsualBodyCell);
-
-  /// What is carried when this part is taken as well: the part, and all that is on it, as it moves with it.
-  /// Refused when there is no such part, or it is on a part that is not carried.
-  [[nodiscard]] Result<Carried, BodyRefusal> attached(const Carried& carried, const std::string& part) const;
-
-  /// What is carried when this part is set down: no more the part, and all that is on it. Refused when there
-  /// is no such part, or it is not carried.
-  [[nodiscard]] Result<Carried, BodyRefusal> detached(const Carried& carried, const std::string& part) const;
 
   /// The bodies of what is carried, by the names of the parts. Names of no part are none.
   [[nodiscard]] std::vector<FlangeCapsules> bodiesOf(const Carried& carried) const;
@@ -48,12 +40,8 @@ class PartTree {
  private:
   struct Branch {
     std::string name;
-    std::string on;
-    Carried with_it;    ///< the part itself and all that is on it, to any depth
     Capsules capsules;  ///< in the flange [m]
   };
-
-  [[nodiscard]] const Branch* find(const std::string& part) const;
 
   std::vector<Branch> branches_;  ///< sorted by name
 };

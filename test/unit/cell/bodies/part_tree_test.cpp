@@ -11,11 +11,10 @@ namespace cobot_command::cell {
 namespace {
 
 using Eigen::Vector3d;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Part partOf(const std::string& name, const std::string& on, const Vector3d& at = Vector3d::Zero()) {
-  Part part;
+CarriedPart partOf(const std::string& name, const std::string& on, const Vector3d& at = Vector3d::Zero()) {
+  CarriedPart part;
   part.name = name;
   part.shapes = {{SphereShape{0.05}, arm::Pose::Identity()}};
   part.on = on;
@@ -23,20 +22,20 @@ Part partOf(const std::string& name, const std::string& on, const Vector3d& at =
   return part;
 }
 
-Part sheetOn(const std::string& carrier, const arm::ControllerPose& at) {
-  Part sheet = partOf("sheet", carrier);
+CarriedPart sheetOn(const std::string& carrier, const arm::ControllerPose& at) {
+  CarriedPart sheet = partOf("sheet", carrier);
   sheet.shapes = {{BoxShape{{0.400, 0.300, 0.005}}, arm::Pose::Identity()}};
   sheet.at = arm::toPose(at);
   return sheet;
 }
 
-PartTree treeOf(const std::vector<Part>& parts) {
+PartTree treeOf(const std::vector<CarriedPart>& parts) {
   auto tree = PartTree::of(parts);
   if (!tree) throw std::runtime_error(tree.error().message);
   return *tree;
 }
 
-std::string refusalOf(const std::vector<Part>& parts) {
+std::string refusalOf(const std::vector<CarriedPart>& parts) {
   const auto tree = PartTree::of(parts);
   return tree ? "" : tree.error().message;
 }
@@ -66,54 +65,28 @@ void expectCornersInside(const RobotBodies& robot, const arm::Pose& sheet) {
 TEST(PartTree, aSheetOnTheGripperMovesWithTheFlange) {
   const arm::ControllerPose at = {0, 0, 125, 0, 0, 30};
   const PartTree tree = treeOf({sheetOn(kOnFlange, at)});
-  const auto carried = tree.attached({}, "sheet");
-  ASSERT_TRUE(carried);
   const RobotBodies robot = robotAt({100, 200, 0, 0, 0, 45});
-  const RobotBodies loaded = robot.carrying(tree.bodiesOf(*carried));
+  const RobotBodies loaded = robot.carrying(tree.bodiesOf({"sheet"}));
   EXPECT_EQ(loaded.bodies().size(), robot.bodies().size() + 6);
   expectCornersInside(loaded, arm::toPose(at));
 }
 
 TEST(PartTree, aSheetOnAPartThatHangsOnTheGripperMovesWithItToo) {
-  Part frame = partOf("frame", kOnFlange);
+  CarriedPart frame = partOf("frame", kOnFlange);
   frame.at = arm::toPose({10, 20, 150, 20, -30, 40});
-  Part rail = partOf("rail", "frame");
+  CarriedPart rail = partOf("rail", "frame");
   rail.at = arm::toPose({0, 200, 0, 0, 90, 0});
   const arm::ControllerPose at = {0, 0, 125, 0, 45, 30};
   const PartTree tree = treeOf({sheetOn("rail", at), rail, frame});
-  const auto carried = tree.attached({}, "frame");
-  ASSERT_TRUE(carried);
-  EXPECT_THAT(*carried, ElementsAre("frame", "rail", "sheet"));
-  const RobotBodies loaded = robotAt({100, 200, 0, 0, 0, 45}).carrying(tree.bodiesOf(*carried));
+  const RobotBodies loaded = robotAt({100, 200, 0, 0, 0, 45}).carrying(tree.bodiesOf({"frame", "rail", "sheet"}));
   expectCornersInside(loaded, frame.at * rail.at * arm::toPose(at));
 }
 
-TEST(PartTree, whatIsSetDownTakesWithItWhatIsOnIt) {
-  const PartTree tree = treeOf(
-      {partOf("tray", kOnFlange), partOf("cup", "tray"), partOf("lid", "cup"), partOf("hook", kOnFlange)});
-  auto carried = tree.attached({}, "tray");
-  ASSERT_TRUE(carried);
-  carried = tree.attached(*carried, "hook");
-  ASSERT_TRUE(carried);
-  EXPECT_THAT(*carried, ElementsAre("cup", "hook", "lid", "tray"));
-  carried = tree.detached(*carried, "cup");
-  ASSERT_TRUE(carried);
-  EXPECT_THAT(*carried, ElementsAre("hook", "tray"));
-  EXPECT_EQ(tree.bodiesOf(*carried).size(), 2u);
-  EXPECT_FALSE(tree.detached(*carried, "lid"));
-  carried = tree.attached(*carried, "cup");
-  ASSERT_TRUE(carried);
-  EXPECT_THAT(*carried, ElementsAre("cup", "hook", "lid", "tray"));
-}
-
-TEST(PartTree, aPartIsNotTakenWhileWhatItIsOnIsNot) {
+TEST(PartTree, hasTheBodiesOfWhatIsCarriedOnly) {
   const PartTree tree = treeOf({partOf("tray", kOnFlange), partOf("cup", "tray")});
-  const auto carried = tree.attached({}, "cup");
-  ASSERT_FALSE(carried);
-  EXPECT_THAT(carried.error().message, HasSubstr("\"tray\", which is not attached"));
-  EXPECT_FALSE(tree.attached({}, "cop"));
-  EXPECT_FALSE(tree.detached({}, "cop"));
-  EXPECT_FALSE(tree.detached({}, "cup"));
+  EXPECT_EQ(tree.bodiesOf({"tray", "cup"}).size(), 2u);
+  EXPECT_EQ(tree.bodiesOf({"tray"}).size(), 1u);
+  EXPECT_TRUE(tree.bodiesOf({}).empty());
 }
 
 TEST(PartTree, isRefusedWhereItIsNoTree) {
@@ -122,7 +95,7 @@ TEST(PartTree, isRefusedWhereItIsNoTree) {
   EXPECT_THAT(refusalOf({partOf("a", "b"), partOf("b", "c"), partOf("c", "b")}), HasSubstr("on itself"));
   EXPECT_THAT(refusalOf({partOf("a", kOnFlange), partOf("a", kOnFlange)}), HasSubstr("Two parts"));
   EXPECT_THAT(refusalOf({partOf("flange", kOnFlange)}), HasSubstr("flange itself"));
-  Part wrong = partOf("a", kOnFlange);
+  CarriedPart wrong = partOf("a", kOnFlange);
   wrong.shapes.front().kind = SphereShape{-1};
   EXPECT_THAT(refusalOf({wrong}), HasSubstr("The part \"a\""));
 }

@@ -1,0 +1,71 @@
+// The programs of a cell with each motion planned, as it will be made: what zones and permits are made of.
+//
+// SI [m, rad].
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/cell/program/cell.h"
+#include "cobot_command/cell/program/cell_file.h"
+#include "cobot_command/common/result.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/motion/blend.h"
+#include "cobot_command/motion/trajectory.h"
+
+namespace cobot_command::cell {
+
+/// One motion of a frame.
+struct PlannedMotion {
+  motion::TrajectoryPtr trajectory;    ///< from rest to rest, at the highest project speed
+  std::optional<motion::Blend> blend;  ///< into the next motion of the path; nothing: it stops
+  arm::Pose tcp = arm::Pose::Identity();
+};
+
+/// One script frame: what is sent for a step.
+struct PlannedFrame {
+  std::size_t step = 0;            ///< of the path
+  std::vector<std::string> lines;  ///< without queue tag
+  std::vector<PlannedMotion> motions;
+  std::set<std::string> carried;  ///< while it moves
+  bool stands = true;             ///< the robot stands at its end; false: it blends into the next frame
+  double dwell = 0;               ///< at its end [s]
+  /// Since the path began, when nothing waits: when it starts to move, and when it stands or the next one
+  /// takes over.
+  Duration begin{};
+  Duration end{};
+};
+
+/// Where a program may rest, with what is there.
+struct PlannedStation {
+  std::string name;
+  arm::JointVector joints = arm::JointVector::Zero();
+  std::set<std::string> carried;
+};
+
+struct PlannedPath {
+  std::string name;
+  std::size_t from = 0;  ///< station
+  std::size_t to = 0;
+  std::vector<PlannedFrame> frames;
+  std::set<std::string> carried_at_end;
+  Duration duration{};  ///< when nothing waits
+};
+
+struct PlannedRobot {
+  std::string name;
+  arm::ArmModel arm;
+  std::size_t home = 0;
+  std::vector<PlannedStation> stations;  ///< in the order of the cell
+  std::vector<PlannedPath> paths;        ///< in the order of the cell
+};
+
+/// In the order of the cell's robots. Faults: a step that breaks the rules of its block, or cannot be
+/// planned; a motion of which nobody can say more; a path that does not end at the joints of its station
+/// (1e-6 rad).
+[[nodiscard]] Result<std::vector<PlannedRobot>, std::vector<Fault>> planCell(const Cell& cell);
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,65 @@
+#include "cobot_command/cell/claims/claims.h"
+
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <thread>
+
+#include "claims/bodies_of_robot.h"
+#include "claims/sweep.h"
+
+namespace cobot_command::cell {
+namespace {
+
+struct Claimed {
+  RobotClaim claim;
+  std::vector<Fault> faults;
+};
+
+Claimed claimRobotOf(const Cell& cell, const Robot& robot, const PlannedRobot& planned) {
+  auto bodies = BodiesOfRobot::of(cell, robot);
+  if (!bodies) {
+    return {{},
+            {{robot.place.file, robot.place.line, robot.place.column, "robots." + robot.name, bodies.error(),
+              "", ""}}};
+  }
+  Sweep sweep(cell, robot, planned, std::move(*bodies));
+  RobotClaim claim = sweep.claim();
+  return {std::move(claim), sweep.faults()};
+}
+
+}  // namespace
+
+Result<std::vector<RobotClaim>, std::vector<Fault>> claimCell(const Cell& cell,
+                                                              const std::vector<PlannedRobot>& robots,
+                                                              unsigned threads) {
+  std::vector<Claimed> claimed(robots.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t robot = next++; robot < robots.size(); robot = next++) {
+      claimed[robot] = claimRobotOf(cell, cell.robots[robot], robots[robot]);
+    }
+  };
+  std::vector<std::thread> others;
+  for (unsigned thread = 1; thread < threads; ++thread) others.emplace_back(work);
+  work();
+  for (std::thread& thread : others) thread.join();
+
+  std::vector<Fault> faults;
+  std::vector<RobotClaim> claims;
+  for (Claimed& one : claimed) {
+    faults.insert(faults.end(), one.faults.begin(), one.faults.end());
+    claims.push_back(std::move(one.claim));
+  }
+  if (!faults.empty()) return refuse(faults);
+  return claims;
+}
+
+double claimError(const Parameters& parameters) {
+  // R - r, with the displacement once more for a body that is elsewhere in its piece; what tracking adds is
+  // not counted, as a robot may be there.
+  return 2.0 * parameters.step_bound + parameters.body_tolerance + 0.5 * parameters.margin +
+         std::sqrt(3.0) * parameters.voxel;
+}
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,164 @@
+#include "claims/sweep.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cobot_command/cell/sweep/displacement.h"
+#include "cobot_command/cell/sweep/robot_claim.h"
+
+namespace cobot_command::cell {
+namespace {
+
+using motion::Interval;
+
+/// What rounding could do to a claim [m].
+constexpr double kRoundingRoom = 1e-6;
+/// Shorter, and nothing was proved: the motion is refused.
+constexpr Duration kShortest = std::chrono::microseconds(1);
+
+Interval firstHalf(const Interval& time) {
+  return {time.from, time.from + (time.to - time.from) / 2};
+}
+Interval secondHalf(const Interval& time) {
+  return {time.from + (time.to - time.from) / 2, time.to};
+}
+
+}  // namespace
+
+std::size_t RobotClaim::pieces() const {
+  std::size_t count = stations.size();
+  for (const PathClaim& path : paths) count += path.pieces.size();
+  return count;
+}
+
+RobotClaim Sweep::claim() {
+  RobotClaim claim;
+  claim.name = planned_.name;
+  for (const PlannedStation& station : planned_.stations) {
+    claim.stations.push_back(
+        rest(station.joints, {Piece::Kind::Rest, 0, 0, bodies_.carrying(station.carried)}));
+    claim.all |= claim.stations.back().claim;
+  }
+  for (std::size_t path = 0; path < planned_.paths.size(); ++path) {
+    path_ = &robot_.program[path];
+    claim.paths.push_back(claimPath(planned_.paths[path]));
+    for (const Piece& piece : claim.paths.back().pieces) claim.all |= piece.claim;
+  }
+  return claim;
+}
+
+PathClaim Sweep::claimPath(const PlannedPath& path) {
+  pieces_.clear();
+  for (std::size_t frame = 0; frame < path.frames.size() && faults_.empty(); ++frame) claimFrame(path, frame);
+  return {std::exchange(pieces_, {})};
+}
+
+void Sweep::claimFrame(const PlannedPath& path, std::size_t index) {
+  const PlannedFrame& frame = path.frames[index];
+  Made made{Piece::Kind::Motion, index, 0, bodies_.carrying(frame.carried)};
+  const PlannedMotion* before = nullptr;
+  if (index > 0 && !path.frames[index - 1].stands && !path.frames[index - 1].motions.empty()) {
+    before = &path.frames[index - 1].motions.back();
+  }
+  for (const PlannedMotion& motion : frame.motions) {
+    if (before != nullptr && before->blend) claimCorner(*before, motion, made);
+    claimMotion(*motion.trajectory, made, {Duration::zero(), motion.trajectory->duration()});
+    before = &motion;
+    ++made.motion;
+  }
+  // It stands there as long as the next frame is not sent, whatever comes then; with what it has taken, and
+  // with what it has not set down yet.
+  if (frame.motions.empty()) return;
+  made.kind = Piece::Kind::Rest;
+  made.motion = frame.motions.size() - 1;
+  const arm::JointVector end = frame.motions.back().trajectory->end().position;
+  pieces_.push_back(rest(end, made));
+  const auto& carried_next =
+      index + 1 < path.frames.size() ? path.frames[index + 1].carried : path.carried_at_end;
+  if (carried_next == frame.carried) return;
+  made.bodies = bodies_.carrying(carried_next);
+  pieces_.push_back(rest(end, made));
+}
+
+void Sweep::claimMotion(const motion::Trajectory& trajectory, const Made& made, Interval time) {
+  if (!faults_.empty()) return;
+  const auto range = trajectory.jointRange(time.from, time.to);
+  const bool is_shortest = time.to - time.from <= kShortest;
+  if (!range && is_shortest) return fault(made.frame, range.error());
+  if (range && add(*range, made, time, is_shortest)) return;
+  claimMotion(trajectory, made, firstHalf(time));
+  claimMotion(trajectory, made, secondHalf(time));
+}
+
+void Sweep::claimCorner(const PlannedMotion& before, const PlannedMotion& next, const Made& made) {
+  const motion::Corner corner{*before.trajectory, *next.trajectory, before.tcp};
+  const Duration overlap = motion::longestOverlap(planned_.arm, corner, *before.blend);
+  if (overlap <= Duration::zero()) return;
+  Made of_corner = made;
+  of_corner.kind = Piece::Kind::Corner;
+  const Duration end = before.trajectory->duration();
+  claimCornerPart(corner, of_corner, end - overlap, {end - overlap, end}, {Duration::zero(), overlap});
+}
+
+void Sweep::claimCornerPart(const motion::Corner& corner, const Made& made, Duration since,
+                            Interval of_before, Interval of_next) {
+  // The next motion begins with the overlap or later, so that it is never farther within its time than that
+  // before it.
+  if (!faults_.empty() || of_next.from > of_before.to - since) return;
+  const auto range = motion::cornerRange(corner.before, of_before, corner.next, of_next);
+  const bool is_shortest =
+      of_before.to - of_before.from <= kShortest && of_next.to - of_next.from <= kShortest;
+  if (!range && is_shortest) return fault(made.frame, range.error());
+  if (range && add(*range, made, of_next, is_shortest)) return;
+  for (const Interval& before : {firstHalf(of_before), secondHalf(of_before)}) {
+    for (const Interval& next : {firstHalf(of_next), secondHalf(of_next)}) {
+      claimCornerPart(corner, made, since, before, next);
+    }
+  }
+}
+
+Piece Sweep::rest(const arm::JointVector& joints, const Made& made) const {
+  Piece piece;
+  piece.kind = made.kind;
+  piece.frame = made.frame;
+  piece.motion = made.motion;
+  piece.range = motion::JointRange::of(joints);
+  piece.bodies = made.bodies;
+  finish(piece, made.bodies->at(joints));
+  return piece;
+}
+
+bool Sweep::add(const motion::JointRange& range, const Made& made, Interval time, bool at_any_rate) {
+  const PlacedRobot placed = made.bodies->at(range.centre());
+  const double displacement = largestDisplacement(*made.bodies, placed, 0.5 * range.widths());
+  if (displacement > parameters_.step_bound && !at_any_rate) return false;
+  Piece piece;
+  piece.kind = made.kind;
+  piece.frame = made.frame;
+  piece.motion = made.motion;
+  piece.from = time.from;
+  piece.to = time.to;
+  piece.range = range;
+  piece.displacement = displacement;
+  piece.bodies = made.bodies;
+  finish(piece, placed);
+  pieces_.push_back(std::move(piece));
+  return true;
+}
+
+void Sweep::finish(Piece& piece, const PlacedRobot& placed) const {
+  const arm::JointVector half_widths = (0.5 * piece.range.widths()).array() + parameters_.tracking;
+  const double clearance = parameters_.body_tolerance + 0.5 * parameters_.margin + kRoundingRoom;
+  claimRobot(piece.claim, *piece.bodies, placed, half_widths, clearance, parameters_.voxel);
+}
+
+void Sweep::fault(std::size_t frame, const motion::Unbounded& unbounded) {
+  const Step& step =
+      path_
+          ->steps[planned_.paths[static_cast<std::size_t>(path_ - robot_.program.data())].frames[frame].step];
+  faults_.push_back({step.place.file, step.place.line, step.place.column,
+                     "programs." + robot_.name + "." + path_->name + ".steps[" + std::to_string(frame) + "]",
+                     unbounded.message, "", ""});
+}
+
+}  // namespace cobot_command::cell

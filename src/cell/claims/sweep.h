@@ -1,0 +1,54 @@
+// The pieces of one robot's programs.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "claims/bodies_of_robot.h"
+
+#include "cobot_command/cell/claims/claims.h"
+#include "cobot_command/motion/blend.h"
+
+namespace cobot_command::cell {
+
+class Sweep {
+ public:
+  Sweep(const Cell& cell, const Robot& robot, const PlannedRobot& planned, BodiesOfRobot bodies)
+      : parameters_(cell.parameters), robot_(robot), planned_(planned), bodies_(std::move(bodies)) {}
+
+  [[nodiscard]] RobotClaim claim();
+  [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
+
+ private:
+  /// What all pieces of a motion have in common.
+  struct Made {
+    Piece::Kind kind = Piece::Kind::Motion;
+    std::size_t frame = 0;
+    std::size_t motion = 0;
+    std::shared_ptr<const RobotBodies> bodies;
+  };
+
+  [[nodiscard]] PathClaim claimPath(const PlannedPath& path);
+  void claimFrame(const PlannedPath& path, std::size_t frame);
+  void claimMotion(const motion::Trajectory& trajectory, const Made& made, motion::Interval time);
+  void claimCorner(const PlannedMotion& before, const PlannedMotion& next, const Made& made);
+  /// `since`: when the overlap begins at the earliest, since `before` began.
+  void claimCornerPart(const motion::Corner& corner, const Made& made, Duration since,
+                       motion::Interval of_before, motion::Interval of_next);
+  [[nodiscard]] Piece rest(const arm::JointVector& joints, const Made& made) const;
+  /// False: a body moves too far.
+  bool add(const motion::JointRange& range, const Made& made, motion::Interval time, bool at_any_rate);
+  void finish(Piece& piece, const PlacedRobot& placed) const;
+  void fault(std::size_t frame, const motion::Unbounded& unbounded);
+
+  const Parameters& parameters_;
+  const Robot& robot_;
+  const PlannedRobot& planned_;
+  BodiesOfRobot bodies_;
+  const Path* path_ = nullptr;
+  std::vector<Piece> pieces_;  ///< of the path that is being claimed
+  std::vector<Fault> faults_;
+};
+
+}  // namespace cobot_command::cell

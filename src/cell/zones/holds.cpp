@@ -1,0 +1,162 @@
+#include "cobot_command/cell/zones/holds.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "zones/path_holds.h"
+#include <fmt/format.h>
+
+namespace cobot_command::cell {
+namespace {
+
+struct PlacedStep {
+  ZoneStep step;
+  ZonePlace place;
+};
+
+/// Bookings of one frame are one step, all or nothing; what is released comes before what is booked at the
+/// same place.
+std::vector<PlacedStep> stepsOf(const std::vector<Hold>& holds, const PathClaim& claim) {
+  std::vector<PlacedStep> steps;
+  for (const Hold& hold : holds) {
+    if (hold.last_piece) {
+      steps.push_back(
+          {{false, {hold.zone}, false}, {claim.pieces[*hold.last_piece].frame, *hold.last_piece}});
+    }
+    if (!hold.first_frame) continue;
+    const auto same = std::find_if(steps.begin(), steps.end(), [&](const PlacedStep& other) {
+      return other.step.books && other.place.frame == *hold.first_frame;
+    });
+    if (same != steps.end()) {
+      same->step.zones.push_back(hold.zone);
+    } else {
+      steps.push_back({{true, {hold.zone}, false}, {*hold.first_frame, hold.first_piece}});
+    }
+  }
+  std::stable_sort(steps.begin(), steps.end(), [](const PlacedStep& one, const PlacedStep& other) {
+    const auto key = [](const PlacedStep& step) {
+      return std::make_tuple(step.place.frame, step.step.books ? 0 : 1, step.place.piece);
+    };
+    return key(one) < key(other);
+  });
+  return steps;
+}
+
+class Holder {
+ public:
+  Holder(const PlannedRobot& planned, const RobotClaim& claim, const std::vector<Zone>& zones,
+         const Robot& robot, double voxel, std::vector<std::string>& faults)
+      : planned_(planned), claim_(claim), zones_(zones), robot_(robot), voxel_(voxel), faults_(faults) {}
+
+  HeldRobot held;
+  RobotProgram program;
+
+  void find() {
+    program.name = planned_.name;
+    program.home = planned_.home;
+    for (std::size_t station = 0; station < planned_.stations.size(); ++station) {
+      program.stations.push_back(planned_.stations[station].name);
+      held.at_stations.push_back(touchedBy(claim_.stations[station]));
+    }
+    checkHome();
+    for (std::size_t path = 0; path < planned_.paths.size(); ++path) findOnPath(path);
+    checkLeaving();
+  }
+
+ private:
+  [[nodiscard]] std::vector<ZoneIndex> touchedBy(const Piece& piece) const {
+    std::vector<ZoneIndex> touched;
+    for (ZoneIndex zone = 0; zone < zones_.size(); ++zone) {
+      if (piece.claim.touches(zones_[zone].voxels)) touched.push_back(zone);
+    }
+    return touched;
+  }
+
+  void checkHome() {
+    const auto& at_home = held.at_stations[planned_.home];
+    if (robot_.holds) {
+      program.held_at_home = at_home;
+      return;
+    }
+    for (const ZoneIndex zone : at_home) {
+      faults_.push_back(fmt::format(
+          "{} is in {} at its home {}, which {} share ({}): choose another home, or let it hold the "
+          "zone from the start (holds: true)",
+          planned_.name, zones_[zone].name, robot_.home, usersOf(zone), boxOf(zones_[zone], voxel_)));
+    }
+  }
+
+  void findOnPath(std::size_t index) {
+    const PlannedPath& path = planned_.paths[index];
+    HeldPath on_path;
+    for (ZoneIndex zone = 0; zone < zones_.size(); ++zone) {
+      const auto has = [&](std::size_t station) {
+        const auto& touched = held.at_stations[station];
+        return std::binary_search(touched.begin(), touched.end(), zone);
+      };
+      for (Hold& hold :
+           holdsOnPath({path, claim_.paths[index], zones_[zone].voxels, has(path.from), has(path.to)})) {
+        hold.zone = zone;
+        on_path.holds.push_back(hold);
+      }
+    }
+    PathProgram of_path{path.name, path.from, path.to, {}};
+    for (PlacedStep& placed : stepsOf(on_path.holds, claim_.paths[index])) {
+      of_path.steps.push_back(std::move(placed.step));
+      on_path.places.push_back(placed.place);
+    }
+    held.paths.push_back(std::move(on_path));
+    program.paths.push_back(std::move(of_path));
+  }
+
+  /// One that is in it wherever it rests and moves can let nobody else in.
+  void checkLeaving() {
+    for (ZoneIndex zone = 0; zone < zones_.size(); ++zone) {
+      const auto isInside = [&](const Piece& piece) { return piece.claim.touches(zones_[zone].voxels); };
+      bool leaves = !std::all_of(claim_.stations.begin(), claim_.stations.end(), isInside);
+      for (const PathClaim& path : claim_.paths) {
+        leaves = leaves || !std::all_of(path.pieces.begin(), path.pieces.end(), isInside);
+      }
+      if (leaves) continue;
+      faults_.push_back(fmt::format(
+          "{} never leaves {}, which {} share ({}): with this margin, its base or its program keeps "
+          "it inside all the time",
+          planned_.name, zones_[zone].name, usersOf(zone), boxOf(zones_[zone], voxel_)));
+    }
+  }
+
+  [[nodiscard]] std::string usersOf(ZoneIndex zone) const {
+    std::vector<std::string> numbers;
+    for (const RobotIndex user : zones_[zone].users) numbers.push_back(fmt::format("robot {}", user + 1));
+    return fmt::format("{}", fmt::join(numbers, " and "));
+  }
+
+  const PlannedRobot& planned_;
+  const RobotClaim& claim_;
+  const std::vector<Zone>& zones_;
+  const Robot& robot_;
+  double voxel_;
+  std::vector<std::string>& faults_;
+};
+
+}  // namespace
+
+Result<HeldCell, std::vector<std::string>> holdZones(const Cell& cell,
+                                                     const std::vector<PlannedRobot>& planned,
+                                                     const std::vector<RobotClaim>& claims,
+                                                     const std::vector<Zone>& zones) {
+  std::vector<std::string> faults;
+  HeldCell held;
+  held.program.name = cell.name;
+  for (const Zone& zone : zones) held.program.zones.push_back(zone.name);
+  for (RobotIndex robot = 0; robot < planned.size(); ++robot) {
+    Holder holder(planned[robot], claims[robot], zones, cell.robots[robot], cell.parameters.voxel, faults);
+    holder.find();
+    held.robots.push_back(std::move(holder.held));
+    held.program.robots.push_back(std::move(holder.program));
+  }
+  if (!faults.empty()) return refuse(faults);
+  return held;
+}
+
+}  // namespace cobot_command::cell
