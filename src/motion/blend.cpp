@@ -20,6 +20,10 @@ constexpr double kCornerWay = 5e-3;
 /// A shorter overlap is not worth looking for.
 constexpr Duration kShortest = std::chrono::milliseconds(1);
 
+/// Of what is seen of an overlap, how wide a range of a part of it is at most; or kFine [rad].
+constexpr double kClose = 0.5;
+constexpr double kFine = 1e-6;
+
 class BlendedTrajectory final : public Trajectory {
  public:
   BlendedTrajectory(TrajectoryPtr before, TrajectoryPtr next, Duration overlap)
@@ -35,6 +39,34 @@ class BlendedTrajectory final : public Trajectory {
   }
 
  private:
+  /// The sum of both while they overlap, and `next` alone behind that.
+  [[nodiscard]] Result<JointRange, Unbounded> rangeWithin(Duration from, Duration to) const override {
+    if (from >= overlap_) return next_->jointRange(from, to);
+    const Duration last = std::min(to, overlap_);
+    JointRange seen = JointRange::of(at(from).position);
+    seen.include(at(from + (last - from) / 2).position);
+    seen.include(at(last).position);
+    auto range = sumWithin(from, last, std::max(kClose * seen.widths().maxCoeff(), kFine));
+    if (!range || to <= overlap_) return range;
+    return united(*range, next_->jointRange(overlap_, to));
+  }
+  /// Where the one undoes what the other does, the sum of their ranges is far wider than that of their sum.
+  /// In parts no wider than `widest` it is wider than that by one of them on either side.
+  [[nodiscard]] Result<JointRange, Unbounded> sumWithin(Duration from, Duration to, double widest) const {
+    const Duration begin = before_->duration() - overlap_;
+    auto range = cornerRange(*before_, {begin + from, begin + to}, *next_, {from, to});
+    const Duration middle = from + (to - from) / 2;
+    if (!range || middle == from || range->widths().maxCoeff() <= widest) return range;
+    const auto half = sumWithin(from, middle, widest);
+    return half ? united(*half, sumWithin(middle, to, widest)) : half;
+  }
+  [[nodiscard]] static Result<JointRange, Unbounded> united(JointRange range,
+                                                            const Result<JointRange, Unbounded>& other) {
+    if (!other) return other;
+    range.include(*other);
+    return range;
+  }
+
   TrajectoryPtr before_;
   TrajectoryPtr next_;
   Duration overlap_;
@@ -146,21 +178,35 @@ JointState stateIn(const Trajectory& before, const Trajectory& next, Duration ov
   return state;
 }
 
-Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend,
-                   const OverlapLimits& limits) {
+Result<JointRange, Unbounded> cornerRange(const Trajectory& before, const Interval& of_before,
+                                          const Trajectory& next, const Interval& of_next) {
+  auto range = before.jointRange(of_before.from, of_before.to);
+  if (!range) return range;
+  const auto of_other = next.jointRange(of_next.from, of_next.to);
+  if (!of_other) return of_other;
+  const arm::JointVector corner = before.end().position;
+  range->lower += of_other->lower - corner;
+  range->upper += of_other->upper - corner;
+  return range;
+}
+
+Duration longestOverlap(const arm::ArmModel& arm, const Corner& corner, const Blend& blend) {
   const Duration most = std::min({corner.before.timeDown(), corner.next.timeUp(),
                                   corner.before.duration() / 2, corner.next.duration() / 2});
-  const auto* radius = std::get_if<BlendRadius>(&blend);
+  if (const auto* share = std::get_if<BlendShare>(&blend)) return partOf(most, *share);
+  if (const auto* way = std::get_if<BlendWay>(&blend)) return longestWithin(corner, *way, most);
+  const double radius = std::get<BlendRadius>(blend).metres;
+  return radius > 0.0 ? CornerCheck(arm, corner, radius).longestWithinRadius(most) : Duration{};
+}
+
+Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend,
+                   const OverlapLimits& limits) {
   const CornerCheck check(arm, corner, radiusOf(blend));
-  const auto asked = [&] {
-    if (const auto* share = std::get_if<BlendShare>(&blend)) return partOf(most, *share);
-    if (const auto* way = std::get_if<BlendWay>(&blend)) return longestWithin(corner, *way, most);
-    return radius->metres > 0.0 ? check.longestWithinRadius(most) : Duration{};
-  };
   const auto on_grid = [&](Duration time) { return time - time % limits.step; };
   const Duration shortest = std::max(kShortest, limits.least);
 
-  Duration overlap = on_grid(std::max(std::min(asked(), limits.most), Duration::zero()));
+  const Duration asked = longestOverlap(arm, corner, blend);
+  Duration overlap = on_grid(std::max(std::min(asked, limits.most), Duration::zero()));
   if (overlap < limits.least) return Duration::zero();
   while (overlap > Duration::zero() && !check.canBeMade(overlap)) {
     overlap = overlap / 2 < shortest ? Duration::zero() : on_grid(overlap / 2);

@@ -99,7 +99,7 @@ WINGS = {
     "command/tables": {"actions.h", "table_write.h"},
     "motion/curves": {"command.h", "refusal.h"},
     "motion/kinds": {"blend.h", "command.h", "curves", "paths", "planner.h", "profiles", "pvt.h", "velocity.h"},
-    "motion/paths": {"command.h", "curves", "planner.h", "profiles", "refusal.h"},
+    "motion/paths": {"command.h", "curves", "joint_range.h", "planner.h", "profiles", "refusal.h"},
     "motion/profiles": {"command.h", "trajectory.h"},
     "path/points": {"motion_refusal.h", "path_plan.h", "path_point.h", "path_refusal.h", "path_scene.h"},
     "path/pvt": {"motion_refusal.h", "path_pieces.h", "path_plan.h", "path_refusal.h", "path_scene.h", "pvt_block.h"},

@@ -47,6 +47,25 @@ struct OverlapLimits {
   Duration least{};                 ///< a shorter one is a stop
 };
 
+/// From one moment of a motion to another, since that motion began.
+struct Interval {
+  Duration from{};
+  Duration to{};
+};
+
+/// The overlap that the blend asks for by itself. None is longer, whenever the next motion becomes known:
+/// what keeps overlapAt() from it makes it shorter.
+[[nodiscard]] Duration longestOverlap(const arm::ArmModel& arm, const Corner& corner, const Blend& blend);
+
+/// Contains the arm wherever the two add up while `before` is at any moment of `of_before` and `next` at any
+/// of `of_next`, whatever the overlap: the sum of the ranges of both, less the corner. With the last and the
+/// first longestOverlap() it is the whole corner however late the next motion comes, a stop included. Who
+/// wants it closer cuts both times into parts, and needs no pair in which `next` is farther within its time
+/// than `before` is: it never is. Precondition: `next` begins where `before` ends. Refused with a moment of
+/// the one that has no range.
+[[nodiscard]] Result<JointRange, Unbounded> cornerRange(const Trajectory& before, const Interval& of_before,
+                                                        const Trajectory& next, const Interval& of_next);
+
 /// How long before the end of the first motion the next one can start. Never longer than the ramps of both
 /// and than half of each, so that three in a row do not overlap; than the blend asks for; nor than `limits`
 /// allow. Shorter, down to zero, where a joint would otherwise leave its limits or be faster than rated, or

@@ -7,7 +7,9 @@
 #include <memory>
 
 #include "cobot_command/arm/types.h"
+#include "cobot_command/common/result.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/motion/joint_range.h"
 
 namespace cobot_command::motion {
 
@@ -41,6 +43,16 @@ class Trajectory {
   [[nodiscard]] virtual double tcpWay() const { return 0.0; }
 
   [[nodiscard]] JointState end() const { return at(duration()); }
+
+  /// Contains every joint at every moment between both times, not only at those that somebody asks for: a
+  /// proof, each kind of motion has its own (doc/motion.md). Times are clamped as those of at(), in either
+  /// order. Of one moment, and of an arm at rest, the posture; all with kRangeRoom. The shorter the time, the
+  /// closer it is to what the joints really do. Refused where nothing can be proved.
+  [[nodiscard]] Result<JointRange, Unbounded> jointRange(Duration from, Duration to) const;
+
+ private:
+  /// 0 <= from < to <= duration(). A kind that does not say how it moves between two moments is refused.
+  [[nodiscard]] virtual Result<JointRange, Unbounded> rangeWithin(Duration from, Duration to) const;
 };
 
 using TrajectoryPtr = std::shared_ptr<const Trajectory>;

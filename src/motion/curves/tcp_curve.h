@@ -12,6 +12,13 @@ namespace cobot_command::motion {
 /// the curve.
 using PathRate = Eigen::Matrix<double, 6, 1>;
 
+/// At most how much a PathRate changes for each unit of progress, as lengths of its two vectors [m, rad].
+/// Infinite where it jumps.
+struct RateChange {
+  double linear = 0.0;
+  double angular = 0.0;
+};
+
 /// From progress 0 to 1, in any one frame. Immutable.
 class TcpCurve {
  public:
@@ -23,6 +30,8 @@ class TcpCurve {
 
   [[nodiscard]] virtual arm::Pose at(double progress) const = 0;
   [[nodiscard]] virtual PathRate rateAt(double progress) const = 0;
+  /// Anywhere between two places, `from` < `to`. Where it is finite, rateAt() is the derivative of at().
+  [[nodiscard]] virtual RateChange rateChange(double from, double to) const = 0;
 };
 
 using TcpCurvePtr = std::shared_ptr<const TcpCurve>;

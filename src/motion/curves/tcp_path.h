@@ -1,6 +1,8 @@
 // Where the TCP goes, without time: a straight line or an arc, with a turn about one axis in step with it.
 #pragma once
 
+#include <cmath>
+
 #include "curves/tcp_curve.h"
 
 namespace cobot_command::motion {
@@ -22,6 +24,10 @@ class TcpPath final : public TcpCurve {
 
   [[nodiscard]] arm::Pose at(double progress) const override;
   [[nodiscard]] PathRate rateAt(double progress) const override;
+  /// The same everywhere: none on a line, that towards the centre on an arc. The turn is about one axis.
+  [[nodiscard]] RateChange rateChange(double /*from*/, double /*to*/) const override {
+    return {std::abs(arc_angle_) * (arc_angle_ == 0.0 ? 0.0 : length_), 0.0};
+  }
 
  private:
   TcpPath(const arm::Pose& from, const Eigen::Matrix3d& end_orientation);

@@ -1,6 +1,7 @@
 #include "curves/twist_path.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cobot_command::motion {
 
@@ -67,6 +68,27 @@ PathRate TwistPath::rateAt(double progress) const {
   const Eigen::Vector3d from_turn = turnedBy(0.5 * x * to_rate * piece.to.tail<3>()) * piece.from.tail<3>();
   rate.tail<3>() = (1.0 - to_rate) * from_turn + to_rate * piece.to.tail<3>();
   return duration() * rate;
+}
+
+// The linear rate goes evenly from `from` to `to`. With x of the duration d behind the begin of the piece,
+// the angular one is (1 - y) R f + y t, where y = x / d and R turns by y x / 2 t. So its derivative is (t - R
+// f) / d + y (1 - y) t x R f. R f is off f by at most y x / 2 |t x f|, and |t x R f| = |t x f|, as t is the
+// axis of R: together at most |t - f| / d + (1/2 + 1/4) |t x f|.
+RateChange TwistPath::rateChange(double from, double to) const {
+  RateChange most;
+  if (pieces_.empty()) return most;
+  const double end = parameter(to);
+  for (const Piece* piece = &pieceAt(parameter(from)); piece->begin <= end; ++piece) {
+    const PathRate gain = (piece->to - piece->from) / piece->duration;
+    const double sideways = piece->to.tail<3>().cross(piece->from.tail<3>()).norm();
+    most.linear = std::max(most.linear, gain.head<3>().norm());
+    most.angular = std::max(most.angular, gain.tail<3>().norm() + 0.75 * sideways);
+    if (piece == &pieces_.back()) break;
+    if ((piece + 1)->begin <= end && !piece->to.isApprox((piece + 1)->from)) {
+      most.linear = most.angular = std::numeric_limits<double>::infinity();
+    }
+  }
+  return {duration() * duration() * most.linear, duration() * duration() * most.angular};
 }
 
 double TwistPath::length() const {

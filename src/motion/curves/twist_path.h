@@ -34,6 +34,7 @@ class TwistPath final : public TcpCurve {
   [[nodiscard]] double turn() const override;
   [[nodiscard]] arm::Pose at(double progress) const override;
   [[nodiscard]] PathRate rateAt(double progress) const override;
+  [[nodiscard]] RateChange rateChange(double from, double to) const override;
 
  private:
   struct Piece {

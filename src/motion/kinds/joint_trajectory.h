@@ -17,6 +17,12 @@ class JointTrajectory final : public Profiled {
     const arm::JointVector way = target() - start();
     return {start() + profile().progress(time) * way, profile().rate(time) * way};
   }
+  /// The progress only grows, so each joint is between where it is at both ends.
+  [[nodiscard]] Result<JointRange, Unbounded> rangeWithin(Duration from, Duration to) const override {
+    JointRange range = JointRange::of(at(from).position);
+    range.include(at(to).position);
+    return range;
+  }
 };
 
 }  // namespace cobot_command::motion

@@ -48,6 +48,22 @@ class JointVelocityTrajectory final : public Trajectory {
   }
 
  private:
+  /// A joint turns round in the first ramp or nowhere: behind it, its speed only falls.
+  [[nodiscard]] Result<JointRange, Unbounded> rangeWithin(Duration from, Duration to) const override {
+    JointRange range = JointRange::of(at(from).position);
+    range.include(at(to).position);
+    for (Eigen::Index i = 0; i < velocity_.size(); ++i) {
+      const double begin = from_.velocity[i];
+      if (begin * velocity_[i] >= 0.0) continue;
+      const double turn = ramp_ * (begin / (begin - velocity_[i]));
+      if (turn <= toSeconds(from) || turn >= toSeconds(to)) continue;
+      const double there = from_.position[i] + 0.5 * turn * begin;
+      range.lower[i] = std::min(range.lower[i], there);
+      range.upper[i] = std::max(range.upper[i], there);
+    }
+    return range;
+  }
+
   JointState from_;
   arm::JointVector velocity_;
   double ramp_;

@@ -42,6 +42,10 @@ class PLineTrajectory final : public Trajectory {
   [[nodiscard]] const Chain& chain() const { return chain_; }
 
  private:
+  [[nodiscard]] Result<JointRange, Unbounded> rangeWithin(Duration from, Duration to) const override {
+    return made_->jointRange(from, to);
+  }
+
   TrajectoryPtr made_;
   Chain chain_;
 };

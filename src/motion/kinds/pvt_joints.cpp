@@ -25,6 +25,15 @@ struct Segment {
   Cubic<6> cubic;
 };
 
+/// Where the slope of a joint is none; NaN or infinite where there is no such time.
+std::array<double, 2> turningTimes(const Cubic<6>& cubic, Eigen::Index joint) {
+  const double a = 3.0 * cubic.cube(joint);
+  const double b = cubic.square(joint);  // a t^2 + 2 b t + c is the velocity
+  const double c = cubic.slope(joint);
+  const double q = -(b + std::copysign(std::sqrt(b * b - a * c), b));
+  return {q / a, c / q};
+}
+
 class PvtTrajectory final : public Trajectory {
  public:
   PvtTrajectory(std::vector<Segment> segments, const arm::JointVector& end)
@@ -46,6 +55,32 @@ class PvtTrajectory final : public Trajectory {
   }
 
  private:
+  /// In each segment both ends of what is asked for of it, and where a joint turns round between them.
+  [[nodiscard]] Result<JointRange, Unbounded> rangeWithin(Duration from, Duration to) const override {
+    JointRange range = JointRange::of(at(from).position);
+    range.include(at(to).position);
+    const double last = toSeconds(to);
+    const auto behind = std::upper_bound(segments_.begin() + 1, segments_.end(), toSeconds(from),
+                                         [](double at, const Segment& one) { return at < one.begin; });
+    for (auto segment = behind - 1; segment != segments_.end() && segment->begin <= last; ++segment) {
+      include(*segment, std::clamp(toSeconds(from) - segment->begin, 0.0, segment->duration),
+              std::min(last - segment->begin, segment->duration), range);
+    }
+    return range;
+  }
+  static void include(const Segment& segment, double from, double to, JointRange& range) {
+    range.include(segment.cubic.at(from));
+    range.include(segment.cubic.at(to));
+    for (Eigen::Index i = 0; i < range.lower.size(); ++i) {
+      for (const double time : turningTimes(segment.cubic, i)) {
+        if (!(time > from && time < to)) continue;  // NaN, too, is outside
+        const double there = segment.cubic.at(time)[i];
+        range.lower[i] = std::min(range.lower[i], there);
+        range.upper[i] = std::max(range.upper[i], there);
+      }
+    }
+  }
+
   std::vector<Segment> segments_;
   arm::JointVector end_;
   Duration duration_;
@@ -58,15 +93,12 @@ struct Extremes {
 };
 
 Extremes extremes(const Segment& segment, Eigen::Index joint) {
-  const double a = 3.0 * segment.cubic.cube(joint);
-  const double b = segment.cubic.square(joint);  // a t^2 + 2 b t + c is the velocity
-  const double c = segment.cubic.slope(joint);
   const auto within = [&](double time) {  // NaN, too, is outside
     return time > 0.0 && time < segment.duration ? time : segment.duration;
   };
-  const double root = std::sqrt(b * b - a * c);
-  const double q = -(b + std::copysign(root, b));
-  return {{within(q / a), within(c / q), segment.duration}, {within(-b / a), segment.duration}};
+  const auto [one, other] = turningTimes(segment.cubic, joint);
+  const double fastest = -segment.cubic.square(joint) / (3.0 * segment.cubic.cube(joint));
+  return {{within(one), within(other), segment.duration}, {within(fastest), segment.duration}};
 }
 
 /// Of one segment.

@@ -90,6 +90,24 @@ class PvtCurve final : public TcpCurve {
     rate.tail<3>() = angularRate(segment.cubic.at(time - segment.begin).tail<3>()) * rate.tail<3>();
     return duration_ * rate;
   }
+  /// The second derivative of a cubic is linear, so greatest at an end of what is asked for of a segment. The
+  /// angular velocity is A(v) v' of the rotation vector v, where A(v) is the mean of the turns R(s v), 0 <= s
+  /// <= 1. So |A| <= 1, and as R(s v) turns at most at s |v'|, A changes at most at |v'| / 2: together the
+  /// angular velocity changes at most at |v''| + |v'|^2 / 2.
+  [[nodiscard]] RateChange rateChange(double from, double to) const override {
+    RateChange most;
+    const double end = to * duration_;
+    for (const Segment* one = &segmentAt(from * duration_); one->begin <= end; ++one) {
+      const bool last = one == &segments_.back();
+      const double begin = std::max(0.0, from * duration_ - one->begin);
+      const double behind = std::max(begin, (last ? end : std::min(end, (one + 1)->begin)) - one->begin);
+      const RateChange here = changeWithin(one->cubic, begin, behind);
+      most.linear = std::max(most.linear, here.linear);
+      most.angular = std::max(most.angular, here.angular);
+      if (last) break;
+    }
+    return {duration_ * duration_ * most.linear, duration_ * duration_ * most.angular};
+  }
 
  private:
   struct Segment {
@@ -97,6 +115,14 @@ class PvtCurve final : public TcpCurve {
     Cubic<6> cubic;
     Eigen::Matrix3d orientation;  // at its begin
   };
+  [[nodiscard]] static RateChange changeWithin(const Cubic<6>& cubic, double begin, double end) {
+    const PathRate first = cubic.curvatureAt(begin);
+    const PathRate last = cubic.curvatureAt(end);
+    const double turn_change = std::max(first.tail<3>().norm(), last.tail<3>().norm());
+    const double middle_speed = cubic.slopeAt(0.5 * (begin + end)).tail<3>().norm();
+    const double speed = middle_speed + 0.5 * (end - begin) * turn_change;
+    return {std::max(first.head<3>().norm(), last.head<3>().norm()), turn_change + 0.5 * speed * speed};
+  }
   [[nodiscard]] const Segment& segmentAt(double time) const {
     const auto behind = std::upper_bound(segments_.begin() + 1, segments_.end(), time,
                                          [](double at, const Segment& one) { return at < one.begin; });

@@ -63,6 +63,18 @@ class WristPostures final : public PathPostures {
     velocity.head<3>() = of_place.leftCols<3>().partialPivLu().solve(rest);
     return velocity;
   }
+  /// The place, and each of J4..J6 by itself: both at one rate.
+  [[nodiscard]] PathEquation equationAt(double progress, const arm::JointVector& joints) const override {
+    const Eigen::Vector3d to_tool = placeAt(progress) - arm::forwardKinematics(arm_, joints).translation();
+    PathEquation equation{arm::jacobianAt(arm_, joints), {}, false};
+    for (Eigen::Index i = 0; i < joints.size(); ++i) {
+      equation.jacobian.col(i).head<3>() += equation.jacobian.col(i).tail<3>().cross(to_tool);
+    }
+    equation.jacobian.bottomRows<3>() << Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Identity();
+    equation.rate << way_, turn_;
+    return equation;
+  }
+  [[nodiscard]] RateChange rateChange(double /*from*/, double /*to*/) const override { return {}; }
   [[nodiscard]] arm::SingularityDistance singularityDistance(const arm::JointVector& joints) const override {
     const arm::WristSingularityDistance distance = inverse_.singularityDistance(joints);
     return {distance.shoulder, distance.elbow, std::numeric_limits<double>::infinity()};

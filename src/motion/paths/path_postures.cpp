@@ -48,6 +48,15 @@ arm::JointVector CurvePostures::velocityAt(double progress, double rate,
   return arm::jacobianAt(arm_, joints).partialPivLu().solve(twist);
 }
 
+PathEquation CurvePostures::equationAt(double progress, const arm::JointVector& joints) const {
+  const Eigen::Vector3d to_flange = curve_->at(progress).linear() * flange_in_tcp_.translation();
+  PathEquation equation{arm::jacobianAt(arm_, joints), curve_->rateAt(progress)};
+  for (Eigen::Index i = 0; i < joints.size(); ++i) {
+    equation.jacobian.col(i).head<3>() += to_flange.cross(equation.jacobian.col(i).tail<3>());
+  }
+  return equation;
+}
+
 std::string CurvePostures::kept() const {
   return fmt::format("the pose bits of the start ({})", arm::toString(bits_));
 }

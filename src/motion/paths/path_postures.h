@@ -14,6 +14,13 @@
 
 namespace cobot_command::motion {
 
+/// What the joints of a path do for each unit of its progress, at one posture: jacobian * joints' = rate.
+struct PathEquation {
+  arm::Jacobian jacobian;  ///< rows 0..2 those of the TCP in the robot base
+  PathRate rate;
+  bool turns = true;  ///< rows 3..5 are the joints' axes, so depend on the posture; else they are constant
+};
+
 /// Immutable.
 class PathPostures {
  public:
@@ -34,6 +41,9 @@ class PathPostures {
   /// [1/s]. Precondition: no singularity.
   [[nodiscard]] virtual arm::JointVector velocityAt(double progress, double rate,
                                                     const arm::JointVector& joints) const = 0;
+  /// What velocityAt() solves; and at most how much its rate changes between two places, `from` < `to`.
+  [[nodiscard]] virtual PathEquation equationAt(double progress, const arm::JointVector& joints) const = 0;
+  [[nodiscard]] virtual RateChange rateChange(double from, double to) const = 0;
   /// From what this path cannot pass.
   [[nodiscard]] virtual arm::SingularityDistance singularityDistance(
       const arm::JointVector& joints) const = 0;
@@ -57,6 +67,10 @@ class CurvePostures final : public PathPostures {
       double progress, const arm::JointVector& reference) const override;
   [[nodiscard]] arm::JointVector velocityAt(double progress, double rate,
                                             const arm::JointVector& joints) const override;
+  [[nodiscard]] PathEquation equationAt(double progress, const arm::JointVector& joints) const override;
+  [[nodiscard]] RateChange rateChange(double from, double to) const override {
+    return curve_->rateChange(from, to);
+  }
   [[nodiscard]] arm::SingularityDistance singularityDistance(const arm::JointVector& joints) const override {
     return arm::singularityDistance(arm_, joints);
   }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "paths/input_check.h"
 #include "paths/path_check.h"
 #include "paths/path_postures.h"
+#include "paths/path_range.h"
 #include "profiles/profiled.h"
 
 #include "cobot_command/arm/forward_kinematics.h"
@@ -15,6 +17,9 @@
 
 namespace cobot_command::motion {
 namespace {
+
+/// Of a shorter piece no range is looked for [s].
+constexpr double kShortestPiece = 1e-6;
 
 class PathTrajectory final : public Profiled {
  public:
@@ -35,6 +40,35 @@ class PathTrajectory final : public Profiled {
       return {near, arm::JointVector::Zero()};
     }
     return {*joints, postures_->velocityAt(progress, profile().rate(time), *joints)};
+  }
+
+  [[nodiscard]] Result<JointRange, Unbounded> rangeWithin(Duration from, Duration to) const override {
+    JointRange range = JointRange::of(at(from).position);
+    range.include(at(to).position);
+    const double end = profile().duration();
+    if (const auto stuck = includeAll(std::min(toSeconds(from), end), std::min(toSeconds(to), end), range)) {
+      return refuse(unbounded(fromSeconds(stuck->first), fromSeconds(stuck->second),
+                              "as the path is too close to a singularity: choose another path, or PTP"));
+    }
+    return range;
+  }
+
+  /// Both halves where the whole is too long [s]; where not even kShortestPiece is short enough, that one.
+  [[nodiscard]] std::optional<std::pair<double, double>> includeAll(double from, double to,
+                                                                    JointRange& range) const {
+    const double middle = 0.5 * (from + to);
+    const double progress = profile().progress(middle);
+    const PathPiece piece{progress, std::max(0.0, progress - profile().progress(from)),
+                          std::max(0.0, profile().progress(to) - progress)};
+    const auto joints = postures_->at(progress, nearestKept(middle));
+    const auto of_piece = joints ? rangeOnPiece(*postures_, piece, *joints) : std::nullopt;
+    if (of_piece) {
+      range.include(*of_piece);
+      return std::nullopt;
+    }
+    if (to - from < kShortestPiece) return std::pair(from, to);
+    const auto stuck = includeAll(from, middle, range);
+    return stuck ? stuck : includeAll(middle, to, range);
   }
 
   [[nodiscard]] const arm::JointVector& nearestKept(double time) const {

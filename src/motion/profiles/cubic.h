@@ -25,6 +25,7 @@ class Cubic {
   [[nodiscard]] Vector slopeAt(double time) const {
     return slope_ + time * (2.0 * square_ + 3.0 * time * cube_);
   }
+  [[nodiscard]] Vector curvatureAt(double time) const { return 2.0 * square_ + 6.0 * time * cube_; }
   /// Its coefficients of t, t^2, t^3 in one component.
   [[nodiscard]] double slope(Eigen::Index i) const { return slope_[i]; }
   [[nodiscard]] double square(Eigen::Index i) const { return square_[i]; }

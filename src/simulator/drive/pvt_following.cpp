@@ -35,6 +35,17 @@ class Straight final : public motion::Trajectory {
     arm::JointVector position;
   };
 
+  /// Straight from corner to corner.
+  [[nodiscard]] Result<motion::JointRange, motion::Unbounded> rangeWithin(Duration from,
+                                                                          Duration to) const override {
+    motion::JointRange range = motion::JointRange::of(at(from).position);
+    range.include(at(to).position);
+    auto corner = std::upper_bound(corners_.begin(), corners_.end(), from,
+                                   [](Duration at, const Corner& one) { return at < one.time; });
+    for (; corner != corners_.end() && corner->time < to; ++corner) range.include(corner->position);
+    return range;
+  }
+
   void add(Duration time) {
     if (time > corners_.back().time) corners_.push_back({time, path_->at(time).position});
   }
@@ -56,6 +67,11 @@ class Late final : public motion::Trajectory {
   }
 
  private:
+  [[nodiscard]] Result<motion::JointRange, motion::Unbounded> rangeWithin(Duration from,
+                                                                          Duration to) const override {
+    return path_->jointRange(from - lag_, to - lag_);
+  }
+
   motion::TrajectoryPtr path_;
   Duration lag_;
 };
