@@ -4,6 +4,7 @@
 #include <map>
 
 #include "checks/fault_list.h"
+#include "reading/document.h"
 #include "reading/names.h"
 #include "reading/program_reading.h"
 #include "reading/robot_reading.h"
@@ -18,41 +19,7 @@ namespace {
 
 using files::YamlMap;
 
-constexpr std::size_t kMostBytes = 1 << 20;
 constexpr std::size_t kMostRobots = 64;
-
-/// What no text editor writes into a file, and what YAML would drop without a word.
-void checkText(const std::string& text, FaultList& faults) {
-  if (text.size() > kMostBytes) {
-    faults.add({faults.file(), 0, 0}, "",
-               {"", fmt::format("has {} bytes", text.size()), fmt::format("at most {}", kMostBytes), ""});
-    return;
-  }
-  int line = 1;
-  for (std::size_t begin = 0; begin <= text.size(); ++line) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view row = std::string_view(text).substr(begin, end - begin);
-    const auto strange =
-        std::find_if(row.begin(), row.end(), [](char c) { return isControl(c) && c != '\t' && c != '\r'; });
-    if (strange != row.end() || !isUtf8(row)) {
-      const int column = strange == row.end() ? 1 : static_cast<int>(strange - row.begin()) + 1;
-      faults.add({faults.file(), line, column}, "",
-                 {"", strange == row.end() ? "is not UTF-8 in this line" : "has a control character",
-                  "UTF-8 without control characters", "write the line again"});
-      return;
-    }
-    begin = end + 1;
-  }
-}
-
-YAML::Node documentIn(const std::string& text) {
-  const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-  if (documents.size() > 1) {
-    refuseAt(documents[1].Mark(), {"", "has a second document", "one document, without --- inside",
-                                   "take the line with --- or ... away"});
-  }
-  return documents.empty() ? YAML::Node() : documents.front();
-}
 
 void readParameters(const YAML::Node& node, Parameters& parameters, FaultList& faults) {
   const SettingTable table = parameterTable(parameters);

@@ -262,6 +262,8 @@ TEST(CellFaults, tellOfTextsThatAreNoCells) {
   EXPECT_THAT(faultsOf("[]"), HasSubstr("the file is a list of 0"));
   EXPECT_THAT(faultsOf("cell: [1"), HasSubstr("no YAML"));
   EXPECT_THAT(faultsOf("cell: a\n---\ncell: b\n"), HasSubstr("the file has a second document"));
+  EXPECT_THAT(faultsOf(", a: b}\n"), HasSubstr("cell.yaml"))
+      << "which yaml-cpp reads as documents without an end";
   EXPECT_THAT(faultsOf("cell: a # \x04\n"), HasSubstr("cell.yaml:1:11: the file has a control character"));
   EXPECT_THAT(faultsOf("cell: a\n# \xff\n"), HasSubstr("cell.yaml:2:1: the file is not UTF-8"));
   EXPECT_THAT(faultsOf(std::string((1 << 20) + 1, '#')), HasSubstr("has 1048577 bytes"));

@@ -1,0 +1,17 @@
+// The text of a cell file, before anything is known of what stands in it.
+#pragma once
+
+#include <string>
+
+#include "checks/fault_list.h"
+
+namespace cobot_command::cell {
+
+/// Finds what no text editor writes into a file, and what YAML would drop without a word.
+void checkText(const std::string& text, FaultList& faults);
+
+/// The one document of the text; throws a YamlFault where there is another one. Not by YAML::LoadAll(), which
+/// never ends where a document begins with a comma.
+[[nodiscard]] YAML::Node documentIn(const std::string& text);
+
+}  // namespace cobot_command::cell
