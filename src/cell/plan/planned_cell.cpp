@@ -1,5 +1,6 @@
 #include "cobot_command/cell/plan/planned_cell.h"
 
+#include <algorithm>
 #include <deque>
 
 #include "plan/path_planning.h"
@@ -11,7 +12,16 @@ namespace {
 class RobotPlanner {
  public:
   RobotPlanner(const Cell& cell, const Robot& robot, std::vector<Fault>& faults)
-      : cell_(cell), robot_(robot), faults_(faults), standing_(robot.stations.size()) {}
+      : cell_(cell), robot_(robot), faults_(faults) {
+    for (const Station& station : robot.stations) {
+      const bool rests = station.name == robot.home ||
+                         std::any_of(robot.program.begin(), robot.program.end(), [&](const Path& path) {
+                           return path.from == station.name || path.to == station.name;
+                         });
+      if (rests) stations_.push_back(&station);
+    }
+    standing_.resize(stations_.size());
+  }
 
   PlannedRobot plan() {
     PlannedRobot planned{robot_.name, *arm::ArmModel::named(robot_.model), indexOf(robot_.home), {}, {}};
@@ -33,9 +43,9 @@ class RobotPlanner {
         }
       }
     }
-    for (std::size_t station = 0; station < robot_.stations.size(); ++station) {
+    for (std::size_t station = 0; station < stations_.size(); ++station) {
       planned.stations.push_back(
-          {robot_.stations[station].name, robot_.stations[station].joints,
+          {stations_[station]->name, stations_[station]->joints,
            standing_[station] ? standing_[station]->carried : std::set<std::string>()});
     }
     return planned;
@@ -46,7 +56,7 @@ class RobotPlanner {
     const Path& path = robot_.program[index];
     const std::string field = fmt::format("programs.{}[{}]", robot_.name, index);
     PathPlanning planning(
-        {arm, cell_.parameters.speed_override, robot_.stations[station].joints, *standing_[station]}, field);
+        {arm, cell_.parameters.speed_override, stations_[station]->joints, *standing_[station]}, field);
     PlannedPath planned = planning.plan(path, find(robot_.stations, path.to)->joints);
     planned.from = station;
     planned.to = indexOf(path.to);
@@ -55,13 +65,16 @@ class RobotPlanner {
     return planned;
   }
 
-  [[nodiscard]] std::size_t indexOf(const std::string& station) const {
-    return static_cast<std::size_t>(find(robot_.stations, station) - robot_.stations.data());
+  [[nodiscard]] std::size_t indexOf(const std::string& name) const {
+    const auto at =
+        std::find_if(stations_.begin(), stations_.end(), [&](const auto* one) { return one->name == name; });
+    return static_cast<std::size_t>(at - stations_.begin());
   }
 
   const Cell& cell_;
   const Robot& robot_;
   std::vector<Fault>& faults_;
+  std::vector<const Station*> stations_;           ///< where it rests; others only have a name
   std::vector<std::optional<Standing>> standing_;  ///< by station
   Standing end_;                                   ///< of the last path
 };

@@ -44,9 +44,21 @@ std::vector<PlacedStep> stepsOf(const std::vector<Hold>& holds, const PathClaim&
 
 class Holder {
  public:
-  Holder(const PlannedRobot& planned, const RobotClaim& claim, const std::vector<Zone>& zones,
-         const Robot& robot, double voxel, std::vector<std::string>& faults)
-      : planned_(planned), claim_(claim), zones_(zones), robot_(robot), voxel_(voxel), faults_(faults) {}
+  Holder(const Cell& cell, RobotIndex robot, const PlannedRobot& planned, const RobotClaim& claim,
+         const std::vector<Zone>& zones, std::vector<std::string>& faults)
+      : cell_(cell),
+        robot_(cell.robots[robot]),
+        planned_(planned),
+        claim_(claim),
+        zones_(zones),
+        faults_(faults) {
+    // A zone of others is nothing to it, wherever it may be: what keeps it apart from each of them is a zone
+    // of its own.
+    for (ZoneIndex zone = 0; zone < zones.size(); ++zone) {
+      if (std::binary_search(zones[zone].users.begin(), zones[zone].users.end(), robot))
+        used_.push_back(zone);
+    }
+  }
 
   HeldRobot held;
   RobotProgram program;
@@ -66,7 +78,7 @@ class Holder {
  private:
   [[nodiscard]] std::vector<ZoneIndex> touchedBy(const Piece& piece) const {
     std::vector<ZoneIndex> touched;
-    for (ZoneIndex zone = 0; zone < zones_.size(); ++zone) {
+    for (const ZoneIndex zone : used_) {
       if (piece.claim.touches(zones_[zone].voxels)) touched.push_back(zone);
     }
     return touched;
@@ -82,14 +94,15 @@ class Holder {
       faults_.push_back(fmt::format(
           "{} is in {} at its home {}, which {} share ({}): choose another home, or let it hold the "
           "zone from the start (holds: true)",
-          planned_.name, zones_[zone].name, robot_.home, usersOf(zone), boxOf(zones_[zone], voxel_)));
+          planned_.name, zones_[zone].name, robot_.home, usersOf(zone),
+          boxOf(zones_[zone], cell_.parameters.voxel)));
     }
   }
 
   void findOnPath(std::size_t index) {
     const PlannedPath& path = planned_.paths[index];
     HeldPath on_path;
-    for (ZoneIndex zone = 0; zone < zones_.size(); ++zone) {
+    for (const ZoneIndex zone : used_) {
       const auto has = [&](std::size_t station) {
         const auto& touched = held.at_stations[station];
         return std::binary_search(touched.begin(), touched.end(), zone);
@@ -111,7 +124,7 @@ class Holder {
 
   /// One that is in it wherever it rests and moves can let nobody else in.
   void checkLeaving() {
-    for (ZoneIndex zone = 0; zone < zones_.size(); ++zone) {
+    for (const ZoneIndex zone : used_) {
       const auto isInside = [&](const Piece& piece) { return piece.claim.touches(zones_[zone].voxels); };
       bool leaves = !std::all_of(claim_.stations.begin(), claim_.stations.end(), isInside);
       for (const PathClaim& path : claim_.paths) {
@@ -121,21 +134,22 @@ class Holder {
       faults_.push_back(fmt::format(
           "{} never leaves {}, which {} share ({}): with this margin, its base or its program keeps "
           "it inside all the time",
-          planned_.name, zones_[zone].name, usersOf(zone), boxOf(zones_[zone], voxel_)));
+          planned_.name, zones_[zone].name, usersOf(zone), boxOf(zones_[zone], cell_.parameters.voxel)));
     }
   }
 
   [[nodiscard]] std::string usersOf(ZoneIndex zone) const {
-    std::vector<std::string> numbers;
-    for (const RobotIndex user : zones_[zone].users) numbers.push_back(fmt::format("robot {}", user + 1));
-    return fmt::format("{}", fmt::join(numbers, " and "));
+    std::vector<std::string> names;
+    for (const RobotIndex user : zones_[zone].users) names.push_back(cell_.robots[user].name);
+    return fmt::format("{}", fmt::join(names, " and "));
   }
 
+  const Cell& cell_;
+  const Robot& robot_;
   const PlannedRobot& planned_;
   const RobotClaim& claim_;
   const std::vector<Zone>& zones_;
-  const Robot& robot_;
-  double voxel_;
+  std::vector<ZoneIndex> used_;  ///< zones that are its own, too
   std::vector<std::string>& faults_;
 };
 
@@ -150,7 +164,7 @@ Result<HeldCell, std::vector<std::string>> holdZones(const Cell& cell,
   held.program.name = cell.name;
   for (const Zone& zone : zones) held.program.zones.push_back(zone.name);
   for (RobotIndex robot = 0; robot < planned.size(); ++robot) {
-    Holder holder(planned[robot], claims[robot], zones, cell.robots[robot], cell.parameters.voxel, faults);
+    Holder holder(cell, robot, planned[robot], claims[robot], zones, faults);
     holder.find();
     held.robots.push_back(std::move(holder.held));
     held.program.robots.push_back(std::move(holder.program));

@@ -59,7 +59,7 @@ struct PlannedRobot {
   std::string name;
   arm::ArmModel arm;
   std::size_t home = 0;
-  std::vector<PlannedStation> stations;  ///< in the order of the cell
+  std::vector<PlannedStation> stations;  ///< that a path leads from or to, in the order of the cell
   std::vector<PlannedPath> paths;        ///< in the order of the cell
 };
 
