@@ -20,9 +20,10 @@ namespace cobot_command::cell {
 
 /// One motion of a frame.
 struct PlannedMotion {
-  motion::TrajectoryPtr trajectory;    ///< from rest to rest, at the highest project speed
-  std::optional<motion::Blend> blend;  ///< into the next motion of the path; nothing: it stops
-  arm::Pose tcp = arm::Pose::Identity();
+  motion::TrajectoryPtr trajectory;        ///< from rest to rest, at the highest project speed
+  std::optional<motion::Blend> blend;      ///< into the next motion of the path; nothing: it stops
+  arm::Pose base = arm::Pose::Identity();  ///< in the robot base
+  arm::Pose tcp = arm::Pose::Identity();   ///< in the flange
 };
 
 /// One script frame: what is sent for a step.

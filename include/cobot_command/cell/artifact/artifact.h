@@ -1,0 +1,84 @@
+// What is made of a cell file, proved, and run: zones, programs, supervisors, and what each robot has to know
+// of its own frames.
+//
+// It is bound to the file by its hash; nothing runs on one that does not fit (cell.md, M5). SI [m, rad, s].
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cobot_command/arm/types.h"
+#include "cobot_command/cell/claims/claims.h"
+#include "cobot_command/cell/model/cell_program.h"
+#include "cobot_command/cell/model/supervisors.h"
+#include "cobot_command/cell/zones/holds.h"
+#include "cobot_command/cell/zones/zones.h"
+#include "cobot_command/common/result.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::cell {
+
+/// A piece as a robot's side needs it: where its joints are, and which zones it touches.
+struct ArtifactPiece {
+  Piece::Kind kind = Piece::Kind::Motion;
+  std::size_t frame = 0;
+  std::size_t motion = 0;
+  Duration from{};
+  Duration to{};
+  motion::JointRange range;
+  std::vector<ZoneIndex> zones;  ///< ascending
+};
+
+struct ArtifactFrame {
+  std::size_t step = 0;
+  std::vector<std::string> lines;  ///< exactly what may be sent, without queue tag
+  /// Where its first motion starts, and the frames in which it was planned; nothing, where it does not move.
+  std::optional<arm::JointVector> start;
+  arm::Pose base = arm::Pose::Identity();
+  arm::Pose tcp = arm::Pose::Identity();
+  bool stands = true;
+  double dwell = 0.0;
+  Duration begin{};  ///< since the path began, when nothing waits
+  Duration end{};
+};
+
+struct ArtifactPath {
+  std::vector<ArtifactFrame> frames;
+  std::vector<ArtifactPiece> pieces;
+  std::vector<Hold> holds;
+  std::vector<ZonePlace> places;  ///< by step of the path's program
+  Duration duration{};
+};
+
+struct ArtifactStation {
+  arm::JointVector joints = arm::JointVector::Zero();
+  std::vector<ZoneIndex> zones;
+};
+
+struct ArtifactRobot {
+  std::string model;
+  std::string name_space;
+  std::vector<ArtifactStation> stations;  ///< as in the program
+  std::vector<ArtifactPath> paths;
+};
+
+struct Artifact {
+  std::string hash;  ///< of the canonical cell
+  Parameters parameters;
+  CellProgram program;
+  std::vector<Zone> zones;
+  std::vector<ArtifactRobot> robots;
+  Policy policy = Policy::Supervisor;
+  std::vector<PartSupervisor> supervisors;
+  double least_distance = 0.0;  ///< of the soundness check [m]
+};
+
+/// The same bytes for the same artifact, on any locale. The last line is a checksum of all before it.
+[[nodiscard]] std::string toBytes(const Artifact& artifact);
+
+/// A fault is a sentence: it is damaged, or of another version.
+[[nodiscard]] Result<Artifact, std::string> fromBytes(std::string_view bytes);
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,72 @@
+// From a cell file to a verified artifact, stage by stage.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cobot_command/cell/artifact/artifact.h"
+#include "cobot_command/cell/model/cell_model.h"
+#include "cobot_command/cell/program/cell.h"
+#include "cobot_command/cell/zones/soundness.h"
+#include "cobot_command/common/result.h"
+
+namespace cobot_command::cell {
+
+enum class BuildStage {
+  Plan,        ///< every step
+  Sweep,       ///< claims
+  Zones,       ///< and holds
+  Soundness,   ///< whether zones are enough
+  Instrument,  ///< events and automata
+  Synthesize,
+  Verify  ///< of what is read back from the bytes
+};
+inline constexpr BuildStage kBuildStages[] = {
+    BuildStage::Plan,       BuildStage::Sweep,      BuildStage::Zones, BuildStage::Soundness,
+    BuildStage::Instrument, BuildStage::Synthesize, BuildStage::Verify};
+[[nodiscard]] const char* toString(BuildStage stage);
+
+class CellBuild {
+ public:
+  /// Policy::Supervisor, or SafeOrder on request.
+  CellBuild(Cell cell, Policy policy, unsigned threads);
+
+  /// Does the next stage; the faults, each a sentence, end the build. Precondition: the stage before it had
+  /// none.
+  [[nodiscard]] std::vector<std::string> run(BuildStage stage);
+  /// What a stage found, a line each. Precondition: it was done.
+  [[nodiscard]] std::vector<std::string> report(BuildStage stage) const;
+
+  [[nodiscard]] const Cell& cell() const { return cell_; }
+  [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
+  [[nodiscard]] const CellModel& model() const { return model_; }
+  /// Precondition: all stages up to Synthesize were done.
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  [[nodiscard]] std::vector<std::string> plan();
+  [[nodiscard]] std::vector<std::string> sweep();
+  [[nodiscard]] std::vector<std::string> findZonesAndHolds();
+  [[nodiscard]] std::vector<std::string> synthesize();
+  [[nodiscard]] std::vector<std::string> verify();
+  [[nodiscard]] Artifact artifact() const;
+  [[nodiscard]] ArtifactPath pathOf(RobotIndex robot, std::size_t index) const;
+  [[nodiscard]] std::vector<std::string> reportZones() const;
+  [[nodiscard]] std::vector<std::string> reportSupervisors() const;
+
+  Cell cell_;
+  Policy policy_;
+  unsigned threads_;
+  std::vector<PlannedRobot> planned_;
+  std::vector<RobotClaim> claims_;
+  std::vector<Zone> zones_;
+  HeldCell held_;
+  Soundness soundness_;
+  CellModel model_;
+  std::vector<PartSupervisor> supervisors_;
+  std::string bytes_;
+  std::vector<automata::Verification> verified_;
+};
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,153 @@
+#include "cobot_command/cell/artifact/artifact.h"
+
+#include "artifact/artifact_json.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cobot_command/common/sha256.h"
+
+namespace cobot_command::cell {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kFormat = "cobot-cell-artifact";
+constexpr int kVersion = 1;
+
+/// Calls for each parameter that is a number of its own, by its name.
+template <class ParametersOrConst, class Visitor>
+void forEachNumber(ParametersOrConst& parameters, const Visitor& visit) {
+  visit("voxel", parameters.voxel);
+  visit("step_bound", parameters.step_bound);
+  visit("margin", parameters.margin);
+  visit("tracking", parameters.tracking);
+  visit("body_tolerance", parameters.body_tolerance);
+  visit("body_cell", parameters.body_cell);
+  visit("speed_override", parameters.speed_override);
+  visit("zone_size", parameters.zone_size);
+  visit("zone_overlap", parameters.zone_overlap);
+  visit("max_zones", parameters.max_zones);
+  visit("max_states", parameters.max_states);
+}
+template <class ParametersOrConst, class Visitor>
+void forEachDuration(ParametersOrConst& parameters, const Visitor& visit) {
+  visit("lease", parameters.lease);
+  visit("report_period", parameters.report_period);
+  visit("lookahead", parameters.lookahead);
+  visit("wait_timeout", parameters.wait_timeout);
+  visit("aging", parameters.aging);
+}
+
+json written(const Parameters& parameters) {
+  json result = {{"split", parameters.split == Split::Auto}};
+  forEachNumber(parameters, [&](const char* name, const auto& value) { result[name] = value; });
+  forEachDuration(parameters, [&](const char* name, const Duration& value) { result[name] = value.count(); });
+  return result;
+}
+
+Parameters parametersFrom(const json& source) {
+  Parameters parameters;
+  parameters.split = source.at("split").get<bool>() ? Split::Auto : Split::Never;
+  forEachNumber(parameters, [&](const char* name, auto& value) { source.at(name).get_to(value); });
+  forEachDuration(parameters, [&](const char* name, Duration& value) {
+    value = Duration(source.at(name).get<Duration::rep>());
+  });
+  return parameters;
+}
+
+template <class Values>
+json listOf(const Values& values) {
+  json list = json::array();
+  for (const auto& value : values) list.push_back(toJson(value));
+  return list;
+}
+
+/// Indices that lead nowhere would be followed by who uses it.
+void checkIndices(const Artifact& artifact) {
+  const std::size_t zones = artifact.zones.size();
+  if (artifact.program.zones.size() != zones || artifact.program.robots.size() != artifact.robots.size()) {
+    wrongInArtifact("zones or robots are not those of the program");
+  }
+  const auto requireZones = [zones](const std::vector<ZoneIndex>& list) {
+    for (const ZoneIndex zone : list) {
+      if (zone >= zones) wrongInArtifact("a zone is named that is not there");
+    }
+  };
+  for (RobotIndex robot = 0; robot < artifact.robots.size(); ++robot) {
+    const RobotProgram& program = artifact.program.robots[robot];
+    const ArtifactRobot& of_robot = artifact.robots[robot];
+    if (of_robot.paths.size() != program.paths.size() ||
+        of_robot.stations.size() != program.stations.size()) {
+      wrongInArtifact("paths or stations are not those of the program");
+    }
+    for (const ArtifactStation& station : of_robot.stations) requireZones(station.zones);
+    for (std::size_t path = 0; path < of_robot.paths.size(); ++path) {
+      const ArtifactPath& of_path = of_robot.paths[path];
+      if (of_path.places.size() != program.paths[path].steps.size())
+        wrongInArtifact("a zone step has no place");
+      for (const ZonePlace& place : of_path.places) {
+        if (place.frame >= of_path.frames.size() || place.piece >= of_path.pieces.size()) {
+          wrongInArtifact("a zone step is at no frame or piece");
+        }
+      }
+      for (const ArtifactPiece& piece : of_path.pieces) {
+        if (piece.frame >= of_path.frames.size()) wrongInArtifact("a piece is of no frame");
+        requireZones(piece.zones);
+      }
+    }
+  }
+}
+
+Artifact artifactFrom(const json& source) {
+  if (source.at("format") != kFormat) wrongInArtifact("it is no artifact of a cell");
+  if (source.at("version") != kVersion) {
+    wrongInArtifact(fmt::format("it is of version {}, and this program reads version {}: build it anew",
+                                source.at("version").dump(), kVersion));
+  }
+  Artifact artifact;
+  source.at("hash").get_to(artifact.hash);
+  artifact.parameters = parametersFrom(source.at("parameters"));
+  artifact.program = programFrom(source.at("program"));
+  for (const auto& zone : source.at("zones")) artifact.zones.push_back(zoneFrom(zone));
+  for (const auto& robot : source.at("robots")) artifact.robots.push_back(robotFrom(robot));
+  const auto policy = policyNamed(source.at("policy").get<std::string>());
+  if (!policy) wrongInArtifact("it has no policy");
+  artifact.policy = *policy;
+  for (const auto& supervisor : source.at("supervisors"))
+    artifact.supervisors.push_back(supervisorFrom(supervisor));
+  source.at("least_distance").get_to(artifact.least_distance);
+  checkIndices(artifact);
+  return artifact;
+}
+
+}  // namespace
+
+std::string toBytes(const Artifact& artifact) {
+  const json file = {{"format", kFormat},
+                     {"version", kVersion},
+                     {"hash", artifact.hash},
+                     {"parameters", written(artifact.parameters)},
+                     {"program", toJson(artifact.program)},
+                     {"zones", listOf(artifact.zones)},
+                     {"robots", listOf(artifact.robots)},
+                     {"policy", toString(artifact.policy)},
+                     {"supervisors", listOf(artifact.supervisors)},
+                     {"least_distance", artifact.least_distance}};
+  const std::string text = file.dump() + "\n";
+  return text + sha256Hex(text) + "\n";
+}
+
+Result<Artifact, std::string> fromBytes(std::string_view bytes) {
+  const auto end = bytes.find('\n');
+  const bool has_checksum =
+      end != std::string_view::npos && bytes.substr(end + 1) == sha256Hex(bytes.substr(0, end + 1)) + "\n";
+  if (!has_checksum)
+    return refuse(std::string("the artifact is damaged: its checksum is wrong. Build it anew"));
+  try {
+    return artifactFrom(json::parse(bytes.substr(0, end)));
+  } catch (const json::exception& wrong) {
+    return refuse(fmt::format("the artifact cannot be read: {}", wrong.what()));
+  }
+}
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,109 @@
+// What the stages of a build found, for people.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cobot_command/cell/artifact/cell_build.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::cell {
+
+std::vector<std::string> CellBuild::report(BuildStage stage) const {
+  std::vector<std::string> lines;
+  switch (stage) {
+    case BuildStage::Plan:
+      for (const PlannedRobot& robot : planned_) {
+        std::size_t frames = 0;
+        Duration all{};
+        for (const PlannedPath& path : robot.paths) {
+          frames += path.frames.size();
+          all += path.duration;
+        }
+        lines.push_back(fmt::format("{}: {} paths, {} frames, {:.1f} s in all", robot.name,
+                                    robot.paths.size(), frames, toSeconds(all)));
+      }
+      break;
+    case BuildStage::Sweep:
+      for (const RobotClaim& claim : claims_) {
+        const double edge = 1000.0 * cell_.parameters.voxel / 100.0;  // [dm], so that its cube is in litres
+        lines.push_back(fmt::format("{}: {} pieces, {} voxels, {:.1f} l", claim.name, claim.pieces(),
+                                    claim.all.count(),
+                                    edge * edge * edge * static_cast<double>(claim.all.count())));
+      }
+      lines.push_back(
+          fmt::format("a claimed point is at most {:.1f} mm from a body that is there at some moment",
+                      mToMm(claimError(cell_.parameters))));
+      break;
+    case BuildStage::Zones:
+      return reportZones();
+    case BuildStage::Soundness:
+      lines.push_back(fmt::format(
+          "{} pairs of pieces that no zone keeps apart; least distance {:.1f} mm, margin {:.1f} mm",
+          soundness_.pairs, mToMm(soundness_.least), mToMm(cell_.parameters.margin)));
+      if (!soundness_.worst.empty()) lines.push_back("the worst: " + soundness_.worst);
+      break;
+    case BuildStage::Instrument:
+      lines.push_back(
+          fmt::format("{} events, {} automata", model_.events.size(), model_.problem.automata.size()));
+      break;
+    case BuildStage::Synthesize:
+      return reportSupervisors();
+    case BuildStage::Verify:
+      for (const auto& part : verified_) {
+        lines.push_back(fmt::format(
+            "{} states of plants and specs, {} dead, {} blocking; {} reached, {} refused by zones and "
+            "{} beyond: as synthesized",
+            part.counts.plant_and_spec, part.counts.dead, part.counts.blocking, part.counts.states,
+            part.counts.refused_by_spec, part.counts.refused_beyond_spec));
+      }
+      break;
+  }
+  return lines;
+}
+
+std::vector<std::string> CellBuild::reportZones() const {
+  std::vector<std::string> lines;
+  for (const Zone& zone : zones_) {
+    std::vector<std::string> users;
+    for (const RobotIndex user : zone.users) users.push_back(cell_.robots[user].name);
+    lines.push_back(fmt::format("{} of {}: {} voxels, {}", zone.name, fmt::join(users, " and "),
+                                zone.voxels.count(), boxOf(zone, cell_.parameters.voxel)));
+  }
+  for (const RobotProgram& robot : held_.program.robots) {
+    for (const PathProgram& path : robot.paths) {
+      std::string line = fmt::format("{} {}:", robot.name, path.name);
+      for (const ZoneStep& step : path.steps) {
+        line += step.books ? " book" : " release";
+        for (const ZoneIndex zone : step.zones) line += " " + held_.program.zones[zone];
+        line += ",";
+      }
+      if (line.back() == ',') line.pop_back();
+      lines.push_back(path.steps.empty() ? line + " no zone" : line);
+    }
+  }
+  if (zones_.empty()) lines.emplace_back("no zones: the robots never come near each other");
+  return lines;
+}
+
+std::vector<std::string> CellBuild::reportSupervisors() const {
+  std::vector<std::string> lines;
+  for (const PartSupervisor& part : supervisors_) {
+    std::vector<std::string> robots;
+    for (const std::size_t automaton : part.automata) {
+      if (automaton < model_.robots()) robots.push_back(model_.program.robots[automaton].name);
+    }
+    if (part.policy != Policy::Supervisor) {
+      lines.push_back(fmt::format("{}: {}", fmt::join(robots, ", "), toString(part.policy)));
+      continue;
+    }
+    lines.push_back(
+        fmt::format("{}: {} states, {} transitions{}; keeps out of {} states; refuses {} by zones, {} beyond",
+                    fmt::join(robots, ", "), part.counts.states, part.counts.transitions,
+                    part.is_compressed ? " (compressed)" : "", part.counts.frontier,
+                    part.counts.refused_by_spec, part.counts.refused_beyond_spec));
+  }
+  lines.push_back(fmt::format("{} bytes", bytes_.size()));
+  return lines;
+}
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,160 @@
+#include "cobot_command/cell/artifact/cell_build.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/cell/program/canonical.h"
+#include "cobot_command/common/units.h"
+
+namespace cobot_command::cell {
+namespace {
+
+using Faults = std::vector<std::string>;
+
+Faults described(const std::vector<Fault>& faults) {
+  Faults texts;
+  for (const Fault& fault : faults) texts.push_back(describe(fault));
+  return texts;
+}
+
+}  // namespace
+
+const char* toString(BuildStage stage) {
+  constexpr const char* kNames[] = {"plan",       "sweep",      "zones", "soundness",
+                                    "instrument", "synthesize", "verify"};
+  return kNames[static_cast<std::size_t>(stage)];
+}
+
+CellBuild::CellBuild(Cell cell, Policy policy, unsigned threads)
+    : cell_(std::move(cell)), policy_(policy), threads_(threads) {}
+
+Faults CellBuild::run(BuildStage stage) {
+  switch (stage) {
+    case BuildStage::Plan:
+      return plan();
+    case BuildStage::Sweep:
+      return sweep();
+    case BuildStage::Zones:
+      return findZonesAndHolds();
+    case BuildStage::Soundness:
+      soundness_ = checkSoundness(cell_, claims_, held_);
+      return soundness_.faults;
+    case BuildStage::Instrument: {
+      auto model = modelOf(held_.program);
+      if (!model) return model.error();
+      model_ = std::move(*model);
+      return {};
+    }
+    case BuildStage::Synthesize:
+      return synthesize();
+    case BuildStage::Verify:
+      return verify();
+  }
+  return {};
+}
+
+Faults CellBuild::plan() {
+  auto planned = planCell(cell_);
+  if (!planned) return described(planned.error());
+  planned_ = std::move(*planned);
+  return {};
+}
+
+Faults CellBuild::sweep() {
+  auto claims = claimCell(cell_, planned_, threads_);
+  if (!claims) return described(claims.error());
+  claims_ = std::move(*claims);
+  return {};
+}
+
+Faults CellBuild::findZonesAndHolds() {
+  auto zones = findZones(claims_, cell_.parameters);
+  if (!zones) return {zones.error()};
+  zones_ = std::move(*zones);
+  auto held = holdZones(cell_, planned_, claims_, zones_);
+  if (!held) return held.error();
+  held_ = std::move(*held);
+  return {};
+}
+
+Faults CellBuild::synthesize() {
+  auto supervisors = synthesizeParts(model_, policy_, static_cast<std::size_t>(cell_.parameters.max_states));
+  if (!supervisors) return {supervisors.error()};
+  supervisors_ = std::move(*supervisors);
+  bytes_ = toBytes(artifact());
+  return {};
+}
+
+/// Of the bytes, as who runs them would read them: whatever was lost on the way is found here.
+Faults CellBuild::verify() {
+  const auto again = fromBytes(bytes_);
+  if (!again) return {again.error()};
+  const auto model = modelOf(again->program);
+  if (!model) return model.error();
+  verified_ = verifyParts(*model, again->supervisors, static_cast<std::size_t>(cell_.parameters.max_states));
+  Faults faults;
+  for (const auto& part : verified_) faults.insert(faults.end(), part.faults.begin(), part.faults.end());
+  if (toBytes(*again) != bytes_)
+    faults.emplace_back("the artifact is not the same when it is read and written");
+  return faults;
+}
+
+Artifact CellBuild::artifact() const {
+  Artifact artifact;
+  artifact.hash = hashOf(cell_);
+  artifact.parameters = cell_.parameters;
+  artifact.program = held_.program;
+  artifact.zones = zones_;
+  artifact.policy = policy_;
+  artifact.supervisors = supervisors_;
+  artifact.least_distance = soundness_.least;
+  for (RobotIndex robot = 0; robot < planned_.size(); ++robot) {
+    ArtifactRobot& of_robot = artifact.robots.emplace_back();
+    of_robot.model = cell_.robots[robot].model;
+    of_robot.name_space = cell_.robots[robot].name_space;
+    for (std::size_t station = 0; station < planned_[robot].stations.size(); ++station) {
+      of_robot.stations.push_back(
+          {planned_[robot].stations[station].joints, held_.robots[robot].at_stations[station]});
+    }
+    for (std::size_t path = 0; path < planned_[robot].paths.size(); ++path) {
+      of_robot.paths.push_back(pathOf(robot, path));
+    }
+  }
+  return artifact;
+}
+
+ArtifactPath CellBuild::pathOf(RobotIndex robot, std::size_t index) const {
+  const PlannedPath& planned = planned_[robot].paths[index];
+  ArtifactPath path;
+  path.holds = held_.robots[robot].paths[index].holds;
+  path.places = held_.robots[robot].paths[index].places;
+  path.duration = planned.duration;
+  for (const PlannedFrame& frame : planned.frames) {
+    ArtifactFrame& of_path = path.frames.emplace_back();
+    of_path.step = frame.step;
+    of_path.lines = frame.lines;
+    of_path.stands = frame.stands;
+    of_path.dwell = frame.dwell;
+    of_path.begin = frame.begin;
+    of_path.end = frame.end;
+    if (frame.motions.empty()) continue;
+    of_path.start = frame.motions.front().trajectory->at(Duration::zero()).position;
+    of_path.base = frame.motions.front().base;
+    of_path.tcp = frame.motions.front().tcp;
+  }
+  for (const Piece& piece : claims_[robot].paths[index].pieces) {
+    std::vector<ZoneIndex> touched;
+    for (ZoneIndex zone = 0; zone < zones_.size(); ++zone) {
+      const auto& users = zones_[zone].users;
+      const bool is_user = std::find(users.begin(), users.end(), robot) != users.end();
+      if (is_user && piece.claim.touches(zones_[zone].voxels)) touched.push_back(zone);
+    }
+    path.pieces.push_back(
+        {piece.kind, piece.frame, piece.motion, piece.from, piece.to, piece.range, std::move(touched)});
+  }
+  return path;
+}
+
+}  // namespace cobot_command::cell
