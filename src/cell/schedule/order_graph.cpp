@@ -64,23 +64,28 @@ bool OrderGraph::isCircular() const {
   return done < nodes_;
 }
 
-/// The longest ways to all events, each cycle back worth a period: they are bounded when no way in a circle
-/// is longer than its periods.
+/// The longest ways to all events, each cycle back worth a period. One that is longer than all edges together
+/// has gone in a circle that is longer than its periods.
 bool OrderGraph::holdsPeriod(Duration period) const {
+  const auto lengthOf = [&](const Edge& edge) { return edge.least - period * edge.cycles; };
+  Duration all{};
+  for (const Edge& edge : edges_) all += std::max(lengthOf(edge), Duration{});
+  for (const Edge& edge : reports_) all += std::max(lengthOf(edge), Duration{});
   std::vector<Duration> earliest(nodes_, Duration{});
+  bool has_changed = true;
   const auto push = [&](const Edge& edge) {
-    const Duration at = earliest[edge.from] + edge.least - period * edge.cycles;
-    if (at <= earliest[edge.to]) return false;
+    const Duration at = earliest[edge.from] + lengthOf(edge);
+    if (at <= earliest[edge.to]) return true;
     earliest[edge.to] = at;
-    return true;
+    has_changed = true;
+    return at <= all;
   };
-  for (std::size_t round = 0; round <= nodes_; ++round) {
-    bool has_changed = false;
-    for (const Edge& edge : edges_) has_changed = push(edge) || has_changed;
-    for (const Edge& edge : reports_) has_changed = push(edge) || has_changed;
-    if (!has_changed) return true;
+  while (has_changed) {
+    has_changed = false;
+    if (!std::all_of(edges_.begin(), edges_.end(), push)) return false;
+    if (!std::all_of(reports_.begin(), reports_.end(), push)) return false;
   }
-  return false;
+  return true;
 }
 
 namespace {
