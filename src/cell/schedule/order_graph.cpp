@@ -31,7 +31,10 @@ void OrderGraph::addOrder(const std::vector<const Hold*>& order) {
     const Hold& hold = *order[index];
     const Hold& next = *order[is_last ? 0 : index + 1];
     if (!hold.release || !next.booking) continue;
-    edges_.push_back({nodeOf(hold, *hold.release), nodeOf(next, *next.booking), Duration{}, is_last ? 1 : 0});
+    // While another robot holds a zone, a supervisor grants nothing that leads to a booking of it by itself.
+    const bool is_same = next.robot == hold.robot;
+    const std::size_t behind = is_same ? *next.booking : next.decision.value_or(*next.booking);
+    edges_.push_back({nodeOf(hold, *hold.release), nodeOf(next, behind), Duration{}, is_last ? 1 : 0});
   }
 }
 
@@ -64,8 +67,8 @@ bool OrderGraph::isCircular() const {
   return done < nodes_;
 }
 
-/// The longest ways to all events, each cycle back worth a period. One that is longer than all edges together
-/// has gone in a circle that is longer than its periods.
+/// The longest ways to all events, each cycle back worth a period. One with more edges than there are events,
+/// or longer than all edges together, has gone in a circle that is longer than its periods.
 bool OrderGraph::holdsPeriod(Duration period) const {
   const auto lengthOf = [&](const Edge& edge) { return edge.least - period * edge.cycles; };
   Duration all{};
@@ -80,7 +83,8 @@ bool OrderGraph::holdsPeriod(Duration period) const {
     has_changed = true;
     return at <= all;
   };
-  while (has_changed) {
+  for (std::size_t round = 0; has_changed; ++round) {
+    if (round > nodes_) return false;
     has_changed = false;
     if (!std::all_of(edges_.begin(), edges_.end(), push)) return false;
     if (!std::all_of(reports_.begin(), reports_.end(), push)) return false;

@@ -21,6 +21,7 @@ void addHold(ZoneOrder& order, const Workload& work, const Hold& hold,
     scheduled.booking = robot.events[*hold.booking];
     scheduled.from = times[hold.robot][*hold.booking];
   }
+  if (hold.decision) scheduled.decision = robot.events[*hold.decision];
   scheduled.until = times[hold.robot][hold.release.value_or(robot.size() - 1)];
   order.holds.push_back(scheduled);
 }
