@@ -62,7 +62,9 @@ class ZoneSpec {
       if (next == next_.end()) continue;
       const bool was_free = std::exchange(state, next->second) == free_;
       if (was_free) {
-        open = Hold{robot, index, decision, std::nullopt};
+        const bool is_decided_before = !holds.empty() && holds.back().robot == robot && decision &&
+                                       holds.back().booking && *decision <= *holds.back().booking;
+        open = Hold{robot, index, is_decided_before ? std::nullopt : decision, std::nullopt};
       } else if (state == free_) {
         open->release = index;
         holds.push_back(*std::exchange(open, std::nullopt));

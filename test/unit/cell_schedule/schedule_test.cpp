@@ -144,6 +144,15 @@ TEST(Schedule, endsWithTheBestFoundWhenItsTimeIsOver) {
   EXPECT_LE(schedule.expanded, 64U);
 }
 
+TEST(Schedule, letsRobotsWaitBeforeTheZoneAndNotAtHome) {
+  const auto problem = ring(5);
+  const FoundSchedule schedule = found(problem, cyclesWithGaps(problem, kGapsOfA2a));
+  for (const ScheduledEvent& event : schedule.best->events) {
+    const std::string& name = problem.events[event.event].name;
+    EXPECT_TRUE(event.waited == 0s || name.find("_b_") != std::string::npos) << name;
+  }
+}
+
 TEST(Schedule, isTheSameEachTime) {
   const auto problem = ring(4);
   const auto cycles = cyclesWithGaps(problem, kGapsOfA2a);

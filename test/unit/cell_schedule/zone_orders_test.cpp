@@ -122,8 +122,9 @@ TEST(ScheduleOrder, isKeptForManyCyclesAndNeverEndsDead) {
     const auto schedule = findSchedule(*supervisor, cell.cycles);
     ASSERT_TRUE(schedule) << schedule.error();
     EndlessRun run(*supervisor, cell.cycles, ScheduleOrder(schedule->best->zones), chance());
-    for (int event = 0; event < 2000; ++event)
+    for (int event = 0; event < 2000; ++event) {
       ASSERT_TRUE(run.step()) << "dead behind " << event << " events";
+}
     expectToRepeat(*schedule->best, run.happened());
   }
 }
