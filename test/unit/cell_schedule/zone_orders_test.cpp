@@ -124,7 +124,7 @@ TEST(ScheduleOrder, isKeptForManyCyclesAndNeverEndsDead) {
     EndlessRun run(*supervisor, cell.cycles, ScheduleOrder(schedule->best->zones), chance());
     for (int event = 0; event < 2000; ++event) {
       ASSERT_TRUE(run.step()) << "dead behind " << event << " events";
-}
+    }
     expectToRepeat(*schedule->best, run.happened());
   }
 }
