@@ -31,7 +31,10 @@ void OrderGraph::addOrder(const std::vector<const Hold*>& order) {
     const Hold& hold = *order[index];
     const Hold& next = *order[is_last ? 0 : index + 1];
     if (!hold.release || !next.booking) continue;
-    edges_.push_back({nodeOf(hold, *hold.release), nodeOf(next, *next.booking), Duration{}, is_last ? 1 : 0});
+    // While another robot holds a zone, a supervisor grants nothing that leads to a booking of it by itself.
+    const bool is_same = next.robot == hold.robot;
+    const std::size_t behind = is_same ? *next.booking : next.decision.value_or(*next.booking);
+    edges_.push_back({nodeOf(hold, *hold.release), nodeOf(next, behind), Duration{}, is_last ? 1 : 0});
   }
 }
 
@@ -64,23 +67,29 @@ bool OrderGraph::isCircular() const {
   return done < nodes_;
 }
 
-/// The longest ways to all events, each cycle back worth a period: they are bounded when no way in a circle
-/// is longer than its periods.
+/// The longest ways to all events, each cycle back worth a period. One with more edges than there are events,
+/// or longer than all edges together, has gone in a circle that is longer than its periods.
 bool OrderGraph::holdsPeriod(Duration period) const {
+  const auto lengthOf = [&](const Edge& edge) { return edge.least - period * edge.cycles; };
+  Duration all{};
+  for (const Edge& edge : edges_) all += std::max(lengthOf(edge), Duration{});
+  for (const Edge& edge : reports_) all += std::max(lengthOf(edge), Duration{});
   std::vector<Duration> earliest(nodes_, Duration{});
+  bool has_changed = true;
   const auto push = [&](const Edge& edge) {
-    const Duration at = earliest[edge.from] + edge.least - period * edge.cycles;
-    if (at <= earliest[edge.to]) return false;
+    const Duration at = earliest[edge.from] + lengthOf(edge);
+    if (at <= earliest[edge.to]) return true;
     earliest[edge.to] = at;
-    return true;
+    has_changed = true;
+    return at <= all;
   };
-  for (std::size_t round = 0; round <= nodes_; ++round) {
-    bool has_changed = false;
-    for (const Edge& edge : edges_) has_changed = push(edge) || has_changed;
-    for (const Edge& edge : reports_) has_changed = push(edge) || has_changed;
-    if (!has_changed) return true;
+  for (std::size_t round = 0; has_changed; ++round) {
+    if (round > nodes_) return false;
+    has_changed = false;
+    if (!std::all_of(edges_.begin(), edges_.end(), push)) return false;
+    if (!std::all_of(reports_.begin(), reports_.end(), push)) return false;
   }
-  return false;
+  return true;
 }
 
 namespace {

@@ -1,6 +1,6 @@
 #include "cobot_command/cell/schedule/robot_cycle.h"
 
-#include <cmath>
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,9 +18,10 @@ using automata::StateIndex;
 using automata::Transition;
 using Faults = std::vector<std::string>;
 
-/// Far beyond any cell, and far from where sums of them would no longer be whole nanoseconds.
+/// Of all cycles together: far beyond any cell, and far from where sums of times and periods of so many
+/// events would no longer fit. [s]
 constexpr double kLongest = 1e6;
-constexpr std::size_t kMostEvents = 1000;
+constexpr std::size_t kMostEvents = 4000;
 
 /// By event: how many plants have it.
 std::vector<std::size_t> ownersOf(const Problem& problem) {
@@ -35,14 +36,6 @@ std::vector<std::size_t> ownersOf(const Problem& problem) {
 std::optional<StateIndex> stepOf(const Automaton& plant, StateIndex from, EventIndex event) {
   for (const Transition& transition : plant.transitions) {
     if (transition.from == from && transition.event == event) return transition.to;
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> faultOfTime(Duration after) {
-  if (after < Duration{}) return fmt::format("{} s: no time is less than none", toSeconds(after));
-  if (toSeconds(after) > kLongest) {
-    return fmt::format("{} s: at most {} s can be scheduled", toSeconds(after), kLongest);
   }
   return std::nullopt;
 }
@@ -63,8 +56,13 @@ void addFaultsOfWay(const Problem& problem, const RobotCycle& cycle, Faults& fau
       return faults.push_back(
           fmt::format("{}: \"{}\" is of several plants: each robot has its own events", where, name));
     }
-    if (const auto fault = faultOfTime(timed.after)) {
-      faults.push_back(fmt::format("{}, \"{}\", comes after {}", where, name, *fault));
+    if (std::find(plant.alphabet.begin(), plant.alphabet.end(), timed.event) == plant.alphabet.end()) {
+      return faults.push_back(fmt::format("{}: \"{}\" is no event of {}", where, name, plant.name));
+    }
+    if (timed.after < Duration{}) {
+      faults.push_back(
+          fmt::format("{}, \"{}\", comes {} s after the one before it: that cannot be less than 0", where,
+                      name, toSeconds(timed.after)));
     }
     const auto next = stepOf(plant, place, timed.event);
     if (!next) {
@@ -91,11 +89,23 @@ void addFaultsOfCycle(const Problem& problem, const RobotCycle& cycle, Faults& f
   if (cycle.events.empty()) {
     return faults.push_back(fmt::format("the cycle of {} has no events: a robot that rests has none", name));
   }
-  if (cycle.events.size() > kMostEvents) {
-    return faults.push_back(fmt::format("the cycle of {} has {} events: at most {} can be scheduled", name,
-                                        cycle.events.size(), kMostEvents));
-  }
   addFaultsOfWay(problem, cycle, faults);
+}
+
+void addFaultsOfSize(const std::vector<RobotCycle>& cycles, Faults& faults) {
+  std::size_t events = 0;
+  double seconds = 0.0;
+  for (const RobotCycle& cycle : cycles) {
+    events += cycle.events.size();
+    for (const TimedEvent& event : cycle.events) seconds += toSeconds(event.after);
+  }
+  if (events > kMostEvents) {
+    faults.push_back(fmt::format("{} events: at most {} can be scheduled", events, kMostEvents));
+  }
+  if (seconds > kLongest) {
+    faults.push_back(
+        fmt::format("all cycles together take {} s: at most {} s can be scheduled", seconds, kLongest));
+  }
 }
 
 /// The search lets no report come later than it is due. So nobody may lose by an earlier report what would be
@@ -136,6 +146,7 @@ Faults faultsOfCycles(const Problem& problem, const std::vector<RobotCycle>& cyc
     if (robots.insert(cycle.robot).second || cycle.robot >= problem.automata.size()) continue;
     faults.push_back(fmt::format("{} has two cycles", problem.automata[cycle.robot].name));
   }
+  addFaultsOfSize(cycles, faults);
   for (const Automaton& automaton : problem.automata) {
     if (automaton.kind == Automaton::Kind::Spec) addFaultsOfReports(problem, automaton, faults);
   }

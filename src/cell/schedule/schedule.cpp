@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compaction.h"
 #include "search.h"
 #include "workload.h"
 #include <fmt/format.h>
@@ -21,28 +22,19 @@ void addHold(ZoneOrder& order, const Workload& work, const Hold& hold,
     scheduled.booking = robot.events[*hold.booking];
     scheduled.from = times[hold.robot][*hold.booking];
   }
+  if (hold.decision) scheduled.decision = robot.events[*hold.decision];
   scheduled.until = times[hold.robot][hold.release.value_or(robot.size() - 1)];
   order.holds.push_back(scheduled);
 }
 
-/// By zone: its holds in the order in which they happen. Those of no length are told apart by the order of
-/// the events, as their times are the same.
 std::vector<ZoneOrder> ordersOf(const Workload& work, const std::vector<Move>& moves) {
   std::vector<std::vector<Duration>> times(work.robots.size());
-  std::vector<std::vector<std::size_t>> ranks(work.robots.size());
-  for (std::size_t index = 0; index < moves.size(); ++index) {
-    times[moves[index].robot].push_back(moves[index].at);
-    ranks[moves[index].robot].push_back(index + 1);
-  }
+  for (const Move& move : moves) times[move.robot].push_back(move.at);
+  const auto holds = holdsInOrder(work, moves);
   std::vector<ZoneOrder> orders;
-  for (const Workload::Zone& zone : work.zones) {
-    std::vector<Hold> holds = zone.holds;
-    const auto rankOf = [&](const Hold& hold) { return hold.booking ? ranks[hold.robot][*hold.booking] : 0; };
-    std::sort(holds.begin(), holds.end(),
-              [&](const Hold& one, const Hold& other) { return rankOf(one) < rankOf(other); });
-    ZoneOrder order{zone.automaton, {}};
-    for (const Hold& hold : holds) addHold(order, work, hold, times);
-    orders.push_back(std::move(order));
+  for (std::size_t zone = 0; zone < holds.size(); ++zone) {
+    orders.push_back({work.zones[zone].automaton, {}});
+    for (const Hold& hold : holds[zone]) addHold(orders.back(), work, hold, times);
   }
   return orders;
 }
@@ -63,19 +55,20 @@ Schedule scheduleOf(const Workload& work, const std::vector<Move>& moves) {
   return schedule;
 }
 
-Result<FoundSchedule, std::string> find(const Problem& problem, Rule rule, const automata::Tuple& initial,
-                                        const std::vector<RobotCycle>& cycles, const ScheduleLimits& limits) {
+Result<FoundSchedule, std::string> find(const Problem& problem, const Rule& rule,
+                                        const automata::Tuple& initial, const std::vector<RobotCycle>& cycles,
+                                        const ScheduleLimits& limits) {
   const auto faults = faultsOfCycles(problem, cycles);
   if (!faults.empty()) return refuse(fmt::format("{}", fmt::join(faults, "\n")));
   const Workload work = workloadOf(problem, cycles);
-  Search search(work, std::move(rule), initial);
+  Search search(work, rule, initial);
   search.run(limits);
   FoundSchedule found;
   found.bound = search.bound();
   found.expanded = search.expanded();
   for (const auto& robot : work.robots) found.one_after_the_other += robot.length();
   if (search.hasFound()) {
-    found.best = scheduleOf(work, search.moves());
+    found.best = scheduleOf(work, compacted(work, search.moves(), rule, initial));
   } else if (search.isExhausted()) {
     return refuse(std::string(
         "there is no schedule: whatever is granted, these cycles do not all come to their end at home"));

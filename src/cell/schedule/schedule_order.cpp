@@ -8,7 +8,7 @@ ScheduleOrder::ScheduleOrder(const std::vector<ZoneOrder>& zones) {
   for (const ZoneOrder& order : zones) {
     Zone zone;
     for (const ScheduledHold& hold : order.holds) {
-      if (hold.booking) zone.turns.push_back({hold.robot, *hold.booking});
+      if (hold.decision) zone.turns.push_back({hold.robot, *hold.decision});
     }
     if (!zone.turns.empty()) zones_.push_back(std::move(zone));
   }

@@ -15,6 +15,9 @@ namespace cobot_command::cell {
 struct Hold {
   std::size_t robot = 0;               ///< into Workload::robots
   std::optional<std::size_t> booking;  ///< none: from the start
+  /// The last one up to the booking that can be kept waiting; none: all are reports, or it has
+  /// decided on the hold before as well.
+  std::optional<std::size_t> decision;
   std::optional<std::size_t> release;  ///< none: to the end
 };
 

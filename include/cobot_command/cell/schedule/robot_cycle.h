@@ -29,7 +29,8 @@ struct RobotCycle {
 /// range, a cycle that does not end at home, a report that takes from others what they may. None: can be
 /// scheduled.
 ///
-/// What plants do that is in no cycle is taken not to happen.
+/// What plants do that is in no cycle is taken not to happen. Precondition: automata::faultsOf(problem) is
+/// empty.
 [[nodiscard]] std::vector<std::string> faultsOfCycles(const automata::Problem& problem,
                                                       const std::vector<RobotCycle>& cycles);
 

@@ -25,6 +25,9 @@ struct ScheduledEvent {
 struct ScheduledHold {
   std::size_t robot = 0;
   std::optional<automata::EventIndex> booking;  ///< none: it is held from the start
+  /// The last event up to the booking that can be refused: itself, or one that it follows by itself. None:
+  /// nothing can be, or that was for the robot's hold before this one.
+  std::optional<automata::EventIndex> decision;
   Duration from{};
   Duration until{};
 };

@@ -16,7 +16,8 @@ namespace cobot_command::cell {
 
 class ScheduleOrder {
  public:
-  /// On each zone the bookings of the schedule, again and again, from the first one on.
+  /// On each zone the bookings of the schedule, again and again, from the first one on. A booking that cannot
+  /// be refused has its turn when the event is granted that it follows.
   explicit ScheduleOrder(const std::vector<ZoneOrder>& zones);
 
   /// It is its turn on each zone that it books. True for what books nothing.
