@@ -90,6 +90,7 @@ void checkIndices(const Artifact& artifact) {
           wrongInArtifact("a zone step is at no frame or piece");
         }
       }
+      for (const Hold& hold : of_path.holds) requireZones({hold.zone});
       for (const ArtifactPiece& piece : of_path.pieces) {
         if (piece.frame >= of_path.frames.size()) wrongInArtifact("a piece is of no frame");
         requireZones(piece.zones);

@@ -18,7 +18,7 @@ Duration Bound::ofZone(const Workload::Zone& zone, const std::uint32_t* counts, 
   Duration wanted = Duration::max();
   Duration held{};
   Duration way_home = Duration::max();
-  for (const Hold& hold : zone.holds) {
+  for (const CycleHold& hold : zone.holds) {
     const Workload::Robot& robot = work_.robots[hold.robot];
     const std::size_t count = counts[hold.robot];
     const std::size_t last = robot.size() - 1;

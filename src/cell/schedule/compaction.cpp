@@ -19,8 +19,8 @@ std::vector<std::vector<std::vector<Place>>> releasesBefore(const Workload& work
   for (const Workload::Robot& robot : work.robots) before.emplace_back(robot.size());
   for (const auto& holds : holdsInOrder(work, moves)) {
     for (std::size_t index = 1; index < holds.size(); ++index) {
-      const Hold& hold = holds[index];
-      const Hold& previous = holds[index - 1];
+      const CycleHold& hold = holds[index];
+      const CycleHold& previous = holds[index - 1];
       if (!hold.decision || !previous.release || hold.robot == previous.robot) continue;
       before[hold.robot][*hold.decision].push_back({previous.robot, *previous.release});
     }
@@ -41,15 +41,17 @@ bool isGranted(const Workload& work, const std::vector<Move>& moves, const Rule&
 
 }  // namespace
 
-std::vector<std::vector<Hold>> holdsInOrder(const Workload& work, const std::vector<Move>& moves) {
+std::vector<std::vector<CycleHold>> holdsInOrder(const Workload& work, const std::vector<Move>& moves) {
   std::vector<std::vector<std::size_t>> ranks(work.robots.size());
   for (std::size_t index = 0; index < moves.size(); ++index) ranks[moves[index].robot].push_back(index + 1);
-  const auto rankOf = [&](const Hold& hold) { return hold.booking ? ranks[hold.robot][*hold.booking] : 0; };
-  std::vector<std::vector<Hold>> orders;
+  const auto rankOf = [&](const CycleHold& hold) {
+    return hold.booking ? ranks[hold.robot][*hold.booking] : 0;
+  };
+  std::vector<std::vector<CycleHold>> orders;
   for (const Workload::Zone& zone : work.zones) {
     orders.push_back(zone.holds);
     std::sort(orders.back().begin(), orders.back().end(),
-              [&](const Hold& one, const Hold& other) { return rankOf(one) < rankOf(other); });
+              [&](const CycleHold& one, const CycleHold& other) { return rankOf(one) < rankOf(other); });
   }
   return orders;
 }

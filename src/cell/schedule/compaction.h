@@ -10,8 +10,8 @@ namespace cobot_command::cell {
 
 /// By zone: its holds in the order in which they happen. Those of no length are told apart by the order of
 /// the events, as their times are the same.
-[[nodiscard]] std::vector<std::vector<Hold>> holdsInOrder(const Workload& work,
-                                                          const std::vector<Move>& moves);
+[[nodiscard]] std::vector<std::vector<CycleHold>> holdsInOrder(const Workload& work,
+                                                               const std::vector<Move>& moves);
 
 /// The search lets a robot wait at home as soon as on its way, and at run time an order holds back bookings
 /// only. So this is what the cell does under it. As it was, where the rule would not grant that.

@@ -24,12 +24,12 @@ void OrderGraph::addCycle(const Workload::Robot& robot, std::size_t first) {
   }
 }
 
-void OrderGraph::addOrder(const std::vector<const Hold*>& order) {
+void OrderGraph::addOrder(const std::vector<const CycleHold*>& order) {
   added_.push_back(edges_.size());
   for (std::size_t index = 0; index < order.size(); ++index) {
     const bool is_last = index + 1 == order.size();
-    const Hold& hold = *order[index];
-    const Hold& next = *order[is_last ? 0 : index + 1];
+    const CycleHold& hold = *order[index];
+    const CycleHold& next = *order[is_last ? 0 : index + 1];
     if (!hold.release || !next.booking) continue;
     // While another robot holds a zone, a supervisor grants nothing that leads to a booking of it by itself.
     const bool is_same = next.robot == hold.robot;
@@ -107,9 +107,9 @@ class OrderWalk {
 
  private:
   struct Picked {
-    std::vector<const Hold*> order;
+    std::vector<const CycleHold*> order;
     std::vector<std::size_t> next;  ///< by robot: index of its next hold
-    std::vector<std::vector<const Hold*>> holds;
+    std::vector<std::vector<const CycleHold*>> holds;
   };
 
   void walkZone(std::size_t zone) {
@@ -117,7 +117,7 @@ class OrderWalk {
     Picked picked;
     picked.next.resize(work_.robots.size(), 0);
     picked.holds.resize(work_.robots.size());
-    for (const Hold& hold : work_.zones[zone].holds) picked.holds[hold.robot].push_back(&hold);
+    for (const CycleHold& hold : work_.zones[zone].holds) picked.holds[hold.robot].push_back(&hold);
     pick(zone, picked);
   }
 
@@ -127,7 +127,7 @@ class OrderWalk {
     if (picked.order.size() == all) return tryOrder(zone, picked.order);
     for (std::size_t robot = 0; robot < picked.next.size() && !is_cut_; ++robot) {
       if (picked.next[robot] == picked.holds[robot].size()) continue;
-      const Hold* hold = picked.holds[robot][picked.next[robot]];
+      const CycleHold* hold = picked.holds[robot][picked.next[robot]];
       if (!hold->booking && !picked.order.empty()) continue;
       if (!hold->release && picked.order.size() + 1 < all) continue;
       ++picked.next[robot];
@@ -138,7 +138,7 @@ class OrderWalk {
     }
   }
 
-  void tryOrder(std::size_t zone, const std::vector<const Hold*>& order) {
+  void tryOrder(std::size_t zone, const std::vector<const CycleHold*>& order) {
     if (left_ == 0) {
       is_cut_ = true;
       return;

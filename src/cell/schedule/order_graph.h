@@ -17,7 +17,7 @@ class OrderGraph {
   explicit OrderGraph(const Workload& work);
 
   /// On one zone: each booking behind the release in front of it.
-  void addOrder(const std::vector<const Hold*>& order);
+  void addOrder(const std::vector<const CycleHold*>& order);
   /// Takes the order away that was added last.
   void removeOrder();
 
@@ -35,7 +35,7 @@ class OrderGraph {
     int cycles = 0;
   };
 
-  [[nodiscard]] std::size_t nodeOf(const Hold& hold, std::size_t event) const {
+  [[nodiscard]] std::size_t nodeOf(const CycleHold& hold, std::size_t event) const {
     return first_nodes_[hold.robot] + event;
   }
   void addCycle(const Workload::Robot& robot, std::size_t first);

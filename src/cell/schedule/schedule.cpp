@@ -13,7 +13,7 @@ namespace {
 
 using automata::Problem;
 
-void addHold(ZoneOrder& order, const Workload& work, const Hold& hold,
+void addHold(ZoneOrder& order, const Workload& work, const CycleHold& hold,
              const std::vector<std::vector<Duration>>& times) {
   const Workload::Robot& robot = work.robots[hold.robot];
   ScheduledHold scheduled;
@@ -34,7 +34,7 @@ std::vector<ZoneOrder> ordersOf(const Workload& work, const std::vector<Move>& m
   std::vector<ZoneOrder> orders;
   for (std::size_t zone = 0; zone < holds.size(); ++zone) {
     orders.push_back({work.zones[zone].automaton, {}});
-    for (const Hold& hold : holds[zone]) addHold(orders.back(), work, hold, times);
+    for (const CycleHold& hold : holds[zone]) addHold(orders.back(), work, hold, times);
   }
   return orders;
 }

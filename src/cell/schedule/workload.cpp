@@ -51,11 +51,11 @@ class ZoneSpec {
 
   [[nodiscard]] bool isZone() const { return is_zone_; }
 
-  void addHolds(std::size_t robot, const Workload::Robot& cycle, std::vector<Hold>& holds) const {
+  void addHolds(std::size_t robot, const Workload::Robot& cycle, std::vector<CycleHold>& holds) const {
     StateIndex state = holders_[automaton_.initial] == cycle.plant ? automaton_.initial : free_;
-    std::optional<Hold> open;
+    std::optional<CycleHold> open;
     std::optional<std::size_t> decision;
-    if (state != free_) open = Hold{robot, std::nullopt, std::nullopt, std::nullopt};
+    if (state != free_) open = CycleHold{robot, std::nullopt, std::nullopt, std::nullopt};
     for (std::size_t index = 0; index < cycle.size(); ++index) {
       if (!cycle.is_report[index]) decision = index;
       const auto next = next_.find({state, cycle.events[index]});
@@ -64,7 +64,7 @@ class ZoneSpec {
       if (was_free) {
         const bool is_decided_before = !holds.empty() && holds.back().robot == robot && decision &&
                                        holds.back().booking && *decision <= *holds.back().booking;
-        open = Hold{robot, index, is_decided_before ? std::nullopt : decision, std::nullopt};
+        open = CycleHold{robot, index, is_decided_before ? std::nullopt : decision, std::nullopt};
       } else if (state == free_) {
         open->release = index;
         holds.push_back(*std::exchange(open, std::nullopt));

@@ -12,7 +12,7 @@
 namespace cobot_command::cell {
 
 /// From one event of a robot to a later one; both are indices of its cycle.
-struct Hold {
+struct CycleHold {
   std::size_t robot = 0;               ///< into Workload::robots
   std::optional<std::size_t> booking;  ///< none: from the start
   /// The last one up to the booking that can be kept waiting; none: all are reports, or it has
@@ -39,7 +39,7 @@ struct Workload {
   /// A spec that several robots use, and one of them holds at a time.
   struct Zone {
     std::size_t automaton = 0;
-    std::vector<Hold> holds;  ///< those of a robot in their order
+    std::vector<CycleHold> holds;  ///< those of a robot in their order
   };
   std::vector<Robot> robots;
   std::vector<Zone> zones;

@@ -27,7 +27,7 @@ std::uint64_t choices(std::uint64_t all, std::uint64_t part) {
 /// Of the holds that are neither first nor last anyway, those of a robot in their own order.
 std::uint64_t ordersOf(const Workload::Zone& zone, std::size_t robots) {
   std::vector<std::uint64_t> free_holds(robots, 0);
-  for (const Hold& hold : zone.holds) {
+  for (const CycleHold& hold : zone.holds) {
     if (hold.booking && hold.release) ++free_holds[hold.robot];
   }
   std::uint64_t orders = 1;

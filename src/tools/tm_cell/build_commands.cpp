@@ -1,0 +1,94 @@
+#include "build_commands.h"
+
+#include <chrono>
+
+#include "cell_files.h"
+#include <fmt/format.h>
+
+#include "cobot_command/cell/program/canonical.h"
+
+namespace cobot_command::tools {
+namespace {
+
+using cell::BuildStage;
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+AnswerStage checked(const cell::Cell& cell, Clock::time_point begin) {
+  AnswerStage stage{"check", secondsSince(begin), {}, {}};
+  stage.report.push_back(fmt::format("{}: {} robots, {} parts, {} obstacles, {} mechanisms", cell.name,
+                                     cell.robots.size(), cell.parts.size(), cell.obstacles.size(),
+                                     cell.mechanisms.size()));
+  stage.report.push_back("hash " + hashOf(cell));
+  std::string parameters = describe(cell.parameters);
+  for (std::size_t at = 0; at < parameters.size();) {
+    const auto end = std::min(parameters.find('\n', at), parameters.size());
+    stage.report.push_back("  " + parameters.substr(at, end - at));
+    at = end + 1;
+  }
+  return stage;
+}
+
+}  // namespace
+
+Answer checkCell(const std::string& cell_file) {
+  const auto begin = Clock::now();
+  const auto cell = readCellFile(cell_file);
+  if (!cell) return {{{"check", secondsSince(begin), {}, cell.error()}}};
+  return {{checked(*cell, begin)}};
+}
+
+Answer buildCell(const BuildOptions& options, BuildStage last) {
+  auto begin = Clock::now();
+  auto cell = readCellFile(options.cell_file);
+  if (!cell) return {{{"check", secondsSince(begin), {}, cell.error()}}};
+  Answer answer{{checked(*cell, begin)}};
+  cell::CellBuild build(std::move(*cell), options.policy, options.threads);
+  for (const BuildStage stage : cell::kBuildStages) {
+    begin = Clock::now();
+    auto faults = build.run(stage);
+    const bool failed = !faults.empty();
+    answer.stages.push_back({toString(stage), secondsSince(begin),
+                             failed ? std::vector<std::string>() : build.report(stage), std::move(faults)});
+    if (failed) return answer;
+    if (stage == last) break;
+  }
+  if (options.output.empty()) return answer;
+  begin = Clock::now();
+  auto faults = writeFile(options.output, build.bytes());
+  answer.stages.push_back({"write", secondsSince(begin), {options.output}, std::move(faults)});
+  return answer;
+}
+
+Answer verifyArtifact(const std::string& artifact_file, const std::string& cell_file) {
+  const auto begin = Clock::now();
+  const auto artifact = readArtifact(artifact_file);
+  if (!artifact) return {{{"verify", secondsSince(begin), {}, artifact.error()}}};
+  AnswerStage stage{"verify", 0.0, {"hash " + artifact->hash}, {}};
+  if (!cell_file.empty()) {
+    const auto cell = readCellFile(cell_file);
+    if (!cell) return {{{"check", secondsSince(begin), {}, cell.error()}}};
+    if (hashOf(*cell) != artifact->hash) {
+      stage.faults.push_back(
+          fmt::format("{} is not what the artifact was made of: its hash is {}. Build it anew", cell_file,
+                      hashOf(*cell)));
+    }
+  }
+  const auto model = cell::modelOf(artifact->program);
+  if (!model) return {{{"verify", secondsSince(begin), {}, model.error()}}};
+  for (const auto& part : verifyParts(*model, artifact->supervisors,
+                                      static_cast<std::size_t>(artifact->parameters.max_states))) {
+    stage.faults.insert(stage.faults.end(), part.faults.begin(), part.faults.end());
+    stage.report.push_back(
+        fmt::format("{} states of plants and specs, {} dead; {} reached, {} refused by zones, {} beyond",
+                    part.counts.plant_and_spec, part.counts.dead, part.counts.states,
+                    part.counts.refused_by_spec, part.counts.refused_beyond_spec));
+  }
+  stage.seconds = secondsSince(begin);
+  return {{std::move(stage)}};
+}
+
+}  // namespace cobot_command::tools

@@ -1,0 +1,156 @@
+// tm_cell: from the file of a cell to a verified artifact, and what it decides. No ROS.
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "../command_line.h"
+#include "../written_output.h"
+#include "answer.h"
+#include "automata_commands.h"
+#include "build_commands.h"
+#include "decision_commands.h"
+#include <CLI/CLI.hpp>
+
+namespace {
+
+using namespace cobot_command::tools;
+using cobot_command::cell::BuildStage;
+using cobot_command::cell::Policy;
+
+/// What the words of the command line set.
+struct Given {
+  bool json = false;
+  BuildOptions build;
+  std::string policy = "supervisor";
+  std::string artifact;
+  std::string cell_file;
+  std::string event;
+  std::vector<std::string> happened;
+  double seconds = 10.0;
+  std::string file;
+  std::string format;
+  std::string output;
+};
+
+/// A command, and what it answers.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<Answer()> run;
+};
+
+class Commands {
+ public:
+  explicit Commands(CLI::App& app) : app_(app) {
+    addCell("check", "Read the file of a cell, and say all that is wrong with it",
+            [this] { return checkCell(given_.build.cell_file); });
+    addStage("sweep", "Plan all steps, and claim where the robots can be", BuildStage::Sweep);
+    addStage("zones", "Find the zones that robots share, and whether they are enough", BuildStage::Soundness);
+    addStage("instrument", "Make events and automata of the programs", BuildStage::Instrument);
+    addStage("synthesize", "Find the supervisor", BuildStage::Synthesize);
+    CLI::App* build = addStage("build", "All of that, verified, into one artifact", BuildStage::Verify);
+    build->add_option("-o,--output", given_.build.output, "The artifact")->required();
+    addArtifactCommands();
+    addAutomataCommands();
+  }
+
+  Answer run() {
+    given_.build.policy = *cobot_command::cell::policyNamed(given_.policy);
+    for (const Command& command : commands_) {
+      if (command.app->parsed()) return command.run();
+    }
+    return {};
+  }
+  [[nodiscard]] bool json() const { return given_.json; }
+
+ private:
+  CLI::App* add(const std::string& name, const std::string& description, std::function<Answer()> run) {
+    CLI::App* command = app_.add_subcommand(name, description);
+    command->add_flag("--json", given_.json, "One line of JSON instead of text for people");
+    commands_.push_back({command, std::move(run)});
+    return command;
+  }
+
+  CLI::App* addCell(const std::string& name, const std::string& description, std::function<Answer()> run) {
+    CLI::App* command = add(name, description, std::move(run));
+    command->add_option("CELL", given_.build.cell_file, "The file of a cell, as in config/cells")->required();
+    return command;
+  }
+
+  CLI::App* addStage(const std::string& name, const std::string& description, BuildStage last) {
+    CLI::App* command = addCell(name, description, [this, last] { return buildCell(given_.build, last); });
+    command
+        ->add_option("--policy", given_.policy,
+                     "What decides: supervisor, or safe_order, which needs no table of states")
+        ->check(CLI::IsMember({"supervisor", "safe_order"}));
+    given_.build.threads = std::max(1U, std::thread::hardware_concurrency());
+    command->add_option("--threads", given_.build.threads, "Robots are swept side by side on so many")
+        ->check(CLI::Range(1, 64));
+    return command;
+  }
+
+  CLI::App* addArtifact(const std::string& name, const std::string& description,
+                        std::function<Answer()> run) {
+    CLI::App* command = add(name, description, std::move(run));
+    command->add_option("ARTIFACT", given_.artifact, "What build has written")->required();
+    return command;
+  }
+
+  void addArtifactCommands() {
+    addArtifact("verify", "Prove an artifact anew, from its bytes", [this] {
+      return verifyArtifact(given_.artifact, given_.cell_file);
+    })->add_option("--cell", given_.cell_file, "The file that it has to be made of");
+    CLI::App* explain = addArtifact("explain", "Whether an event is granted, and why not", [this] {
+      return explainEvent(given_.artifact, given_.happened, given_.event);
+    });
+    explain->add_option("EVENT", given_.event, "Its name, for example RA_b_Z1")->required();
+    explain->add_option("--behind", given_.happened, "What has happened since all were at home, with commas")
+        ->delimiter(',');
+    CLI::App* schedule = addArtifact("schedule", "The shortest cycle of all robots",
+                                     [this] { return scheduleCell(given_.artifact, given_.seconds); });
+    schedule->add_option("--seconds", given_.seconds, "So long it is searched for")
+        ->check(CLI::Range(0.001, 86400.0));
+    CLI::App* exported = addArtifact("export", "The automata, for other programs", [this] {
+      return exportAutomata(given_.artifact, given_.format, given_.output);
+    });
+    exported->add_option("FORMAT", given_.format, "wmod, cif, dot or json")
+        ->required()
+        ->check(CLI::IsMember({"wmod", "cif", "dot", "json"}));
+    exported->add_option("-o,--output", given_.output, "A file; without it standard output");
+  }
+
+  void addAutomataCommands() {
+    add("import", "Synthesize and verify automata of another program",
+        [this] { return importAutomata(given_.file); })
+        ->add_option("FILE", given_.file, "A module of Supremica (.wmod), or our own JSON")
+        ->required();
+    add("oracle", "Compare with figures that independent programs have found",
+        [this] { return compareOracles(given_.file); })
+        ->add_option("FILE", given_.file, "As test/data/cell-oracles.json")
+        ->required();
+  }
+
+  CLI::App& app_;
+  Given given_;
+  std::vector<Command> commands_;
+};
+
+int run(int argc, char** argv) {
+  CLI::App app("Cells of several robots: zones that are swept, supervisors that are proved");
+  app.footer("Exit status: 0 yes, 1 no, 2 bad usage, 3 the answer could not be written.");
+  Commands commands(app);
+  askForSubcommand(app);
+  if (const auto end = readCommandLine(app, wordsOf(argc, argv))) return *end;
+  return print(commands.run(), commands.json());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  return cobot_command::tools::unlessOutputLost("tm_cell", run(argc, argv));
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "tm_cell: %s\n", error.what());
+  return cobot_command::tools::kNo;
+}
