@@ -111,7 +111,7 @@ TEST(TheVerificationOfAnArtifact, hasTeeth) {
               Contains(HasSubstr("not the supervisor that was synthesized")));
   EXPECT_THAT(
       faultsOfVerification([](Artifact& artifact) { artifact.program.robots[0].paths[0].steps.pop_back(); }),
-      Contains(HasSubstr("releases")));
+      Contains(HasSubstr("has no place")));
 }
 
 TEST(ACellOfSafeOrders, isBuiltWithoutATable) {

@@ -1,0 +1,143 @@
+// The program tm_cell as its caller sees it: standard output, files and exit code.
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "source_tree.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+using testing::HasSubstr;
+
+struct Outcome {
+  std::string output;
+  int exit_code = -1;
+};
+
+Outcome tmCell(const std::string& arguments) {
+  const std::string command = std::string(TM_CELL) + " " + arguments + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
+  Outcome outcome;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe))
+    outcome.output.append(buffer.data(), size);
+  outcome.exit_code = WEXITSTATUS(pclose(pipe));
+  return outcome;
+}
+
+std::string cellFile(const std::string& name) {
+  return cobot_command::test_support::inSourceTree("config/cells/" + name + ".yaml");
+}
+
+/// A folder of its own, which goes with it.
+class TmCell : public testing::Test {
+ protected:
+  TmCell() {
+    char name[] = "/tmp/tm_cell_test_XXXXXX";
+    if (mkdtemp(name) == nullptr) throw std::runtime_error("no folder for the test");
+    folder_ = name;
+  }
+  ~TmCell() override { (void)std::system(("rm -rf " + folder_).c_str()); }
+
+  [[nodiscard]] std::string in(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] std::string built(const std::string& cell) const {
+    const Outcome outcome = tmCell("build " + cellFile(cell) + " -o " + in(cell));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    return in(cell);
+  }
+
+ private:
+  std::string folder_;
+};
+
+TEST_F(TmCell, buildsTheCellsOfTheDemosAndVerifiesThem) {
+  for (const char* cell : {"handover", "head_on", "iris"}) {
+    const std::string artifact = built(cell);
+    const Outcome verified = tmCell("verify " + artifact + " --cell " + cellFile(cell));
+    EXPECT_EQ(verified.exit_code, 0) << verified.output;
+  }
+}
+
+TEST_F(TmCell, refusesAnArtifactOfAnotherCell) {
+  const Outcome verified = tmCell("verify " + built("handover") + " --cell " + cellFile("head_on"));
+  EXPECT_EQ(verified.exit_code, 1);
+  EXPECT_THAT(verified.output, HasSubstr("is not what the artifact was made of"));
+}
+
+TEST_F(TmCell, explainsWhyAnEventIsNotGranted) {
+  const std::string artifact = built("head_on");
+  const Outcome granted = tmCell("explain " + artifact + " RA_b_Z1 --behind RA_g_W");
+  EXPECT_EQ(granted.exit_code, 0) << granted.output;
+  const Outcome held = tmCell("explain " + artifact + " RB_b_Z2 --behind RA_g_W,RA_b_Z1,RA_b_Z2,RB_g_W");
+  EXPECT_EQ(held.exit_code, 1);
+  EXPECT_THAT(held.output, HasSubstr("ZONE_HELD: Z2 is held by RA"));
+  const Outcome blocks = tmCell("explain " + artifact + " RB_b_Z2 --behind RA_g_W,RA_b_Z1,RB_g_W");
+  EXPECT_EQ(blocks.exit_code, 1);
+  EXPECT_THAT(blocks.output, HasSubstr("WOULD_BLOCK: RA, RB could not all come home"));
+  EXPECT_THAT(tmCell("explain " + artifact + " RX_b_Z2").output, HasSubstr("the cell has RA_g_W"));
+}
+
+TEST_F(TmCell, findsTheShortestSchedule) {
+  const Outcome schedule = tmCell("schedule " + built("iris"));
+  EXPECT_EQ(schedule.exit_code, 0) << schedule.output;
+  EXPECT_THAT(schedule.output, HasSubstr("it is the shortest"));
+}
+
+TEST_F(TmCell, answersInJson) {
+  const Outcome outcome = tmCell("zones --json " + cellFile("handover"));
+  EXPECT_EQ(outcome.exit_code, 0);
+  const auto answer = nlohmann::json::parse(outcome.output);
+  EXPECT_TRUE(answer.at("ok"));
+  EXPECT_EQ(answer.at("stages").back().at("name"), "soundness");
+}
+
+TEST_F(TmCell, saysWhatIsWrongWithAFile) {
+  std::ofstream(in("wrong.yaml")) << "cell: x\nrobots: {RA: {model: tm5-901}}\n";
+  const Outcome outcome = tmCell("check " + in("wrong.yaml"));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("wrong.yaml:2:"));
+  EXPECT_THAT(outcome.output, HasSubstr("tm5-901"));
+  EXPECT_EQ(tmCell("check " + in("nowhere.yaml")).exit_code, 1);
+  EXPECT_THAT(tmCell("build " + cellFile("pallet") + " -o " + in("pallet")).output,
+              HasSubstr("cannot be swept yet"));
+}
+
+TEST_F(TmCell, leavesNoArtifactWhereItCannotBeWritten) {
+  const Outcome outcome = tmCell("build " + cellFile("handover") + " -o " + in("no/such/folder"));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("cannot be written"));
+}
+
+TEST_F(TmCell, exchangesAutomata) {
+  const std::string artifact = built("iris");
+  EXPECT_EQ(tmCell("export " + artifact + " wmod -o " + in("iris.wmod")).exit_code, 0);
+  const Outcome imported = tmCell("import " + in("iris.wmod"));
+  EXPECT_EQ(imported.exit_code, 0) << imported.output;
+  EXPECT_THAT(imported.output, HasSubstr("258 states, 672 transitions"));
+  EXPECT_THAT(tmCell("export " + artifact + " cif").output, HasSubstr("requirement Z1:"));
+  EXPECT_THAT(tmCell("export " + artifact + " dot").output, HasSubstr("digraph"));
+}
+
+TEST_F(TmCell, hasTheFiguresOfTheDataFile) {
+  const Outcome outcome =
+      tmCell("oracle " + cobot_command::test_support::inSourceTree("test/data/cell-oracles.json"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("352 figures were compared"));
+}
+
+TEST_F(TmCell, refusesACommandLineThatItCannotUse) {
+  EXPECT_EQ(tmCell("").exit_code, 2);
+  EXPECT_EQ(tmCell("build " + cellFile("handover")).exit_code, 2);
+  EXPECT_EQ(tmCell("build " + cellFile("handover") + " -o x --policy mutex").exit_code, 2);
+  EXPECT_EQ(tmCell("zones " + cellFile("handover") + " --threads 0").exit_code, 2);
+}
+
+}  // namespace
