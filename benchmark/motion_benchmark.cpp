@@ -62,6 +62,16 @@ void sampleMotion(benchmark::State& state, Command (*make)()) {
   }
 }
 
+/// Of pieces of 40 ms, as those are whose claims are small.
+void rangeOfPiece(benchmark::State& state, Command (*make)()) {
+  const TrajectoryPtr motion = *plan(tm5(), start(), make(), Setting{});
+  Duration time{};
+  for (auto _ : state) {
+    time = (time + milliseconds(8)) % motion->duration();
+    benchmark::DoNotOptimize(motion->jointRange(time, time + milliseconds(40)));
+  }
+}
+
 /// What six synchronised profiles cost in KDL: the measure for planning a PTP.
 void kdlProfiles(benchmark::State& state) {
   const arm::JointVector way = std::get<arm::JointVector>(std::get<Ptp>(ptp()).target) - start();
@@ -86,6 +96,9 @@ BENCHMARK_CAPTURE(planPath, ptp, &ptp);
 BENCHMARK(kdlProfiles);
 BENCHMARK_CAPTURE(sampleMotion, line, &line);
 BENCHMARK_CAPTURE(sampleMotion, ptp, &ptp);
+BENCHMARK_CAPTURE(rangeOfPiece, line, &line);
+BENCHMARK_CAPTURE(rangeOfPiece, circle, &circle);
+BENCHMARK_CAPTURE(rangeOfPiece, ptp, &ptp);
 
 }  // namespace
 }  // namespace cobot_command::motion

@@ -66,7 +66,8 @@ class WristPostures final : public PathPostures {
   /// The place, and each of J4..J6 by itself: both at one rate.
   [[nodiscard]] PathEquation equationAt(double progress, const arm::JointVector& joints) const override {
     const Eigen::Vector3d to_tool = placeAt(progress) - arm::forwardKinematics(arm_, joints).translation();
-    PathEquation equation{arm::jacobianAt(arm_, joints), {}, false};
+    PathEquation equation{arm::jacobianAt(arm_, joints), {}, {}, false};
+    equation.axes = equation.jacobian.bottomRows<3>();
     for (Eigen::Index i = 0; i < joints.size(); ++i) {
       equation.jacobian.col(i).head<3>() += equation.jacobian.col(i).tail<3>().cross(to_tool);
     }

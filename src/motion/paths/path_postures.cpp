@@ -50,7 +50,8 @@ arm::JointVector CurvePostures::velocityAt(double progress, double rate,
 
 PathEquation CurvePostures::equationAt(double progress, const arm::JointVector& joints) const {
   const Eigen::Vector3d to_flange = curve_->at(progress).linear() * flange_in_tcp_.translation();
-  PathEquation equation{arm::jacobianAt(arm_, joints), curve_->rateAt(progress)};
+  PathEquation equation{arm::jacobianAt(arm_, joints), {}, curve_->rateAt(progress)};
+  equation.axes = equation.jacobian.bottomRows<3>();
   for (Eigen::Index i = 0; i < joints.size(); ++i) {
     equation.jacobian.col(i).head<3>() += to_flange.cross(equation.jacobian.col(i).tail<3>());
   }

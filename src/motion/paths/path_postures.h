@@ -16,9 +16,10 @@ namespace cobot_command::motion {
 
 /// What the joints of a path do for each unit of its progress, at one posture: jacobian * joints' = rate.
 struct PathEquation {
-  arm::Jacobian jacobian;  ///< rows 0..2 those of the TCP in the robot base
+  arm::Jacobian jacobian;            ///< rows 0..2 those of the TCP in the robot base
+  Eigen::Matrix<double, 3, 6> axes;  ///< of the joints, likewise
   PathRate rate;
-  bool turns = true;  ///< rows 3..5 are the joints' axes, so depend on the posture; else they are constant
+  bool turns = true;  ///< rows 3..5 are these axes, so depend on the posture; else they are constant
 };
 
 /// Immutable.

@@ -25,8 +25,7 @@ struct PathPiece {
 ///     q' = G x - E(q) q'
 ///
 /// With RateChange, |(G x(s))_i - c_i| <= m_i s, where m_i = |G_i,lin| change_lin + |G_i,ang| change_ang. In
-/// the box |q_i - q_i(0)| <= w_i the columns of J(q) are off those of J by at most (turn_j, way_j), below. So
-/// |E_ij| <= K_ij(w) = |G_i,lin| way_j(w) + |G_i,ang| turn_j(w), which grows with w, at least in proportion.
+/// the box |q_i - q_i(0)| <= w_i, |E_ij| <= K_ij(w), below, which grows with w at least in proportion.
 ///
 /// Take a w > 0 with h (|c_i| + m_i h) + sum_j K_ij(w) w_j <= w_i for all i, h the longer one of both sides.
 /// As long as q is in the box, let v be the greatest |q'_i| h / w_i. Then |q'_i| h / w_i <= (1 - k_i) + k_i
@@ -39,11 +38,19 @@ struct PathPiece {
 /// which is what is added to the straight way s c_i. Moreover I + E is regular in the box, so no singularity
 /// is there and the pose bits stay: q(s) is the posture that the path takes.
 ///
-/// The columns. Column j of J is (z_j x (p - p_j); z_j), with p the TCP. Its derivative by q_k is
-/// (z_min x lin_max; z_k x z_j for k < j, else 0), with min and max of j and k, and lin_max the upper half of
-/// column max, as long as p is far from axis max. That distance depends on the joints behind max alone: in
-/// the box it is at most r_j = |lin_j| + sum_{k>j} r_k w_k. So way_j = sum_k r_max(j,k) w_k, and turn_j =
-/// sum_{k<j} w_k, without the k whose axis is parallel to j (2, 3 and 4 of the family).
+/// K. Column j of J is (z_j x (p - p_j); z_j), with p the TCP. Its derivative by q_k is (z_min x lin_max; z_k
+/// x z_j for k < j, else 0), with min and max of j and k, and lin_max the upper half of column max: what is
+/// behind an axis turns about it. Likewise, its second derivative by q_k and q_l has an upper half no longer
+/// than lin_max of the three, and a lower half no longer than 1, none but for k, l < j. The length of lin_j
+/// is the distance of p from axis j, which depends on the joints behind j alone: in the box it is at most r_j
+/// = |lin_j| + sum_{k>j} r_k w_k. So, with H_ijk row i of G times the derivative of column j by q_k in the
+/// middle,
+///
+///     K_ij(w) = sum_k |H_ijk| w_k + |G_i,lin| sum_kl r_max(j,k,l) w_k w_l / 2 + |G_i,ang| (sum_{k<j} w_k)^2
+///     / 2
+///
+/// Next to a singularity G is large, but most of the H are not: what they have in closed form makes pieces
+/// there tens of times as long as lengths alone would allow.
 [[nodiscard]] std::optional<JointRange> rangeOnPiece(const PathPostures& postures, const PathPiece& piece,
                                                      const arm::JointVector& joints);
 

@@ -11,6 +11,7 @@
 #include "paths/path_trajectory.h"
 #include "profiles/trapezoid.h"
 #include "random_motions.h"
+#include <Eigen/LU>
 
 #include "cobot_command/arm/pose_bits.h"
 
@@ -93,6 +94,59 @@ TEST(RangeOnAPiece, doesNotExistOnASingularity) {
     EXPECT_FALSE(aroundTheStart(degrees(10, 15, 80, -5, 0, 20), way));
     EXPECT_FALSE(aroundTheStart(degrees(10, 15, 0, -5, 85, 20), way));
   }
+}
+
+/// A line, an arc, or one velocity that passes into another; from where the arm is.
+TcpCurvePtr anyCurve(const arm::Pose& from, Dice& dice) {
+  const arm::Pose to = moved(from, dice.between(-0.2, 0.2), dice.between(-0.2, 0.2), dice.between(-0.2, 0.2),
+                             dice.between(0.0, 1.0), dice.direction());
+  const double kind = dice.between(0.0, 3.0);
+  if (kind < 1.0) return std::make_shared<const TcpPath>(TcpPath::line(from, to));
+  if (kind < 2.0) {
+    const Eigen::Vector3d normal = dice.direction();
+    const Eigen::Vector3d out = normal.cross(dice.direction()) * dice.between(0.02, 0.2);
+    return std::make_shared<const TcpPath>(
+        TcpPath::arc(from, from.translation() - out, normal, dice.between(-3.0, 3.0), to.linear()));
+  }
+  auto path = std::make_shared<TwistPath>(from);
+  PathRate one;
+  PathRate other;
+  one << dice.between(0, 0.2) * dice.direction(), dice.between(0, 1.0) * dice.direction();
+  other << dice.between(0, 0.2) * dice.direction(), dice.between(0, 1.0) * dice.direction();
+  path->append(1.0, one, other);
+  return path;
+}
+
+/// What the argument adds to the straight way is what is needed: no joint is outside of the whole, many are
+/// outside of the straight way alone.
+TEST(RangeOnAPiece, containsAllPosturesAndTheStraightWayDoesNot) {
+  const arm::ArmModel arm = model();
+  Dice dice(9);
+  int pieces = 0;
+  int outside_straight = 0;
+  for (int i = 0; i < 3000; ++i) {
+    arm::JointVector start = workingPosture() + dice.joints(0.8);
+    if (i % 3 == 0) start[4] = dice.between(2.6e-3, 5e-2);
+    if (i % 3 == 1) start[2] = dice.between(2.6e-3, 5e-2);
+    const arm::Pose tool = moved(arm::Pose::Identity(), 0.0, 0.05, 0.15, 0.5, {1, 1, 0});
+    const TcpCurvePtr curve = anyCurve(arm::forwardKinematics(arm, start) * tool, dice);
+    const CurvePostures postures(arm, curve, tool, arm::poseBitsOf(arm, start));
+    const PathPiece piece{0.0, 0.0, dice.ofAnySize(1e-3, 0.3)};
+    const auto range = rangeOnPiece(postures, piece, start);
+    if (!range) continue;
+    ++pieces;
+    const PathEquation equation = postures.equationAt(0.0, start);
+    JointRange straight = JointRange::of(start);
+    straight.include(start + piece.behind * equation.jacobian.partialPivLu().solve(equation.rate));
+    for (int k = 1; k <= 20; ++k) {
+      const auto joints = postures.at(piece.behind * k / 20, start);
+      ASSERT_TRUE(joints);
+      EXPECT_TRUE(range->contains(*joints)) << i;
+      outside_straight += straight.contains(*joints) ? 0 : 1;
+    }
+  }
+  EXPECT_GT(pieces, 500);
+  EXPECT_GT(outside_straight, pieces);
 }
 
 /// A line whose rate may do anything, for all that is said of it.
