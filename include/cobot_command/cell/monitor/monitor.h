@@ -1,0 +1,104 @@
+// Watches how far the robots of a cell are from each other, by their measured joints alone, and stops all
+// when they come too close (cell.md, M35).
+//
+// It is no safety function: it runs on an ordinary computer, hears of the robots by an ordinary network, and
+// stops them by ordinary commands. It finds faults of the cell's programs, its supervisor and its data; it
+// protects no people, and nothing that a risk assessment would count.
+//
+// It knows nothing of zones, claims or the supervisor, so that their faults are not its own. Pure: an event
+// and the time in, what to do out. One thread owns it. All instants are of that thread's clock; no stamp of a
+// message, and so no jump of another clock, matters.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cobot_command/arm/types.h"
+#include "cobot_command/cell/bodies/capsule.h"
+#include "cobot_command/cell/bodies/part_tree.h"
+#include "cobot_command/cell/bodies/robot_bodies.h"
+#include "cobot_command/cell/monitor/monitor_state.h"
+#include "cobot_command/common/result.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::cell {
+
+struct WatchedRobot {
+  std::string name;
+  RobotBodies bodies;  ///< its links and its tool, in the world
+  /// All that it may ever carry. As long as nobody has told what it does carry, it is taken to carry all of
+  /// it: that can only make distances less.
+  std::vector<FlangeCapsules> may_carry;
+};
+
+struct WatchedObstacle {
+  std::string name;
+  Capsules capsules;  ///< in the world [m]
+};
+
+struct MonitorSettings {
+  enum class Mode { Stop, Warn };  ///< Warn: what would stop all is only told
+
+  double margin = 0.020;                ///< closer than this is a breach [m]
+  std::optional<double> stop_distance;  ///< closer than this stops all [m]; none: half of the margin
+  Mode mode = Mode::Stop;
+  /// Older data is none: of a robot that moved by it, a reason to stop all.
+  Duration stale_after = std::chrono::milliseconds(500);
+  double standing_speed = 0.005;                    ///< a robot stands when no joint is faster [rad/s]
+  double exact_within = 1.0;                        ///< farther pairs are told by a lower bound [m]
+  Duration period = std::chrono::milliseconds(20);  ///< between two looks, while there is something to see
+};
+
+/// Why there is no monitor: what was found, what is allowed.
+struct MonitorRefusal {
+  std::string message;
+};
+
+class Monitor {
+ public:
+  /// Refused when two things have the same name, one has no bodies, and when a setting is not finite or
+  /// negative, the stop distance is above the margin, a time is not above 0.
+  [[nodiscard]] static Result<Monitor, MonitorRefusal> of(std::vector<WatchedRobot> robots,
+                                                          const std::vector<WatchedObstacle>& obstacles,
+                                                          const MonitorSettings& settings = {});
+  Monitor(Monitor&& other) noexcept;
+  Monitor& operator=(Monitor&& other) noexcept;
+  ~Monitor();
+
+  // --- What happens.
+  /// Measured joints [rad] and their velocities [rad/s], `age` before `now`. Velocities are not relied on:
+  /// what the joints did since the data before counts where it is more. A robot of which neither is known yet
+  /// counts as one that moves, and its data as certain. What is malformed or old is dropped and counted, so
+  /// that what is known becomes stale in the end.
+  void take(const std::string& robot, const arm::JointVector& joints,
+            const std::optional<arm::JointVector>& velocities, Duration age, Instant now);
+  /// From now on the robot carries just these of what it may carry. False, and nothing changes, when there is
+  /// no such robot or part.
+  bool setCarried(const std::string& robot, const Carried& parts);
+  /// Looks at all pairs.
+  void tick(Instant now);
+  /// Looks at all pairs, and ends the latch; refused while what it was for lasts, or anything else that stops
+  /// all. What is too close is so until it is 1 mm farther than the limit, here and in breaches.
+  ResetAnswer reset(Instant now);
+
+  // --- What to do, and how things stand as of the last tick.
+  /// Since the last call, in their order.
+  [[nodiscard]] std::vector<MonitorAction> takeActions();
+  [[nodiscard]] MonitorStatus status() const;
+  [[nodiscard]] bool latched() const;
+  /// The newest ones, in the order of their ends, and those that last.
+  [[nodiscard]] std::vector<Breach> breaches() const;
+  /// When tick() has something to do, if nothing else happens before. None while all stand, and nothing new
+  /// was heard.
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+ private:
+  class Parts;
+  explicit Monitor(std::unique_ptr<Parts> parts);
+
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,116 @@
+#include "cobot_command/cell/monitor/monitor.h"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "monitor/monitor_parts.h"
+#include <fmt/format.h>
+
+namespace cobot_command::cell {
+namespace {
+
+/// Empty: it is one.
+std::string wrongIn(const MonitorSettings& settings) {
+  const double stop_distance = settings.stop_distance.value_or(settings.margin / 2);
+  for (const double value :
+       {settings.margin, stop_distance, settings.standing_speed, settings.exact_within}) {
+    if (!std::isfinite(value) || value < 0) {
+      return fmt::format("A setting of the monitor is {}; all have to be finite, and none negative.", value);
+    }
+  }
+  if (stop_distance > settings.margin) {
+    return fmt::format("The stop distance is {} m, but it may be no more than the margin, {} m.",
+                       stop_distance, settings.margin);
+  }
+  if (settings.exact_within < settings.margin) {
+    return fmt::format("Distances are exact within {} m, but that has to be at least the margin, {} m.",
+                       settings.exact_within, settings.margin);
+  }
+  if (settings.stale_after <= Duration::zero() || settings.period <= Duration::zero()) {
+    return "A time of the monitor is none; the age of stale data and the period have to be above 0.";
+  }
+  return "";
+}
+
+/// Empty: nothing is.
+std::string wrongWith(const std::vector<WatchedRobot>& robots,
+                      const std::vector<WatchedObstacle>& obstacles) {
+  std::set<std::string> names;
+  const auto check = [&names](const std::string& name, bool bodies) -> std::string {
+    if (!names.insert(name).second) {
+      return fmt::format("Two things in the cell are named \"{}\". Give each a name of its own.", name);
+    }
+    return bodies ? "" : fmt::format("\"{}\" has no bodies. Leave it out, or say its shapes.", name);
+  };
+  for (const WatchedRobot& robot : robots) {
+    std::set<std::string> parts;
+    for (const FlangeCapsules& part : robot.may_carry) {
+      if (parts.insert(part.name).second) continue;
+      return fmt::format("\"{}\" may carry two parts that are named \"{}\". Give each a name of its own.",
+                         robot.name, part.name);
+    }
+    const std::string wrong = check(robot.name, !robot.bodies.bodies().empty());
+    if (!wrong.empty()) return wrong;
+  }
+  for (const WatchedObstacle& obstacle : obstacles) {
+    const std::string wrong = check(obstacle.name, !obstacle.capsules.empty());
+    if (!wrong.empty()) return wrong;
+  }
+  return "";
+}
+
+}  // namespace
+
+Result<Monitor, MonitorRefusal> Monitor::of(std::vector<WatchedRobot> robots,
+                                            const std::vector<WatchedObstacle>& obstacles,
+                                            const MonitorSettings& settings) {
+  std::string wrong = wrongIn(settings);
+  if (wrong.empty()) wrong = wrongWith(robots, obstacles);
+  if (!wrong.empty()) return refuse(MonitorRefusal{std::move(wrong)});
+  return Monitor(std::make_unique<Parts>(std::move(robots), obstacles, settings));
+}
+
+Monitor::Monitor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Monitor::Monitor(Monitor&& other) noexcept = default;
+Monitor& Monitor::operator=(Monitor&& other) noexcept = default;
+Monitor::~Monitor() = default;
+
+void Monitor::take(const std::string& robot, const arm::JointVector& joints,
+                   const std::optional<arm::JointVector>& velocities, Duration age, Instant now) {
+  parts_->take(robot, joints, velocities, age, now);
+}
+
+bool Monitor::setCarried(const std::string& robot, const Carried& parts) {
+  return parts_->setCarried(robot, parts);
+}
+
+void Monitor::tick(Instant now) {
+  parts_->tick(now);
+}
+
+ResetAnswer Monitor::reset(Instant now) {
+  return parts_->reset(now);
+}
+
+std::vector<MonitorAction> Monitor::takeActions() {
+  return parts_->takeActions();
+}
+
+MonitorStatus Monitor::status() const {
+  return parts_->status();
+}
+
+bool Monitor::latched() const {
+  return parts_->latched();
+}
+
+std::vector<Breach> Monitor::breaches() const {
+  return parts_->breaches();
+}
+
+std::optional<Instant> Monitor::nextDeadline() const {
+  return parts_->nextDeadline();
+}
+
+}  // namespace cobot_command::cell

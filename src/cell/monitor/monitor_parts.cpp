@@ -1,0 +1,175 @@
+#include "monitor/monitor_parts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace cobot_command::cell {
+namespace {
+
+using monitor::Names;
+using monitor::PairWatch;
+using monitor::RobotTrack;
+using monitor::Threshold;
+
+/// Older records of breaches are dropped for newer ones.
+constexpr std::size_t kMostBreaches = 1000;
+
+}  // namespace
+
+Monitor::Parts::Parts(std::vector<WatchedRobot> robots, const std::vector<WatchedObstacle>& obstacles,
+                      const MonitorSettings& settings)
+    : settings_(settings),
+      stop_distance_(settings.stop_distance.value_or(settings.margin / 2)),
+      alarm_(settings.mode) {
+  for (WatchedRobot& robot : robots) {
+    robot_index_[robot.name] = robots_.size();
+    robots_.push_back({robot.name, RobotTrack(robot.bodies, std::move(robot.may_carry))});
+  }
+  for (const WatchedObstacle& obstacle : obstacles) {
+    obstacles_.push_back({obstacle.name, {}});
+    obstacles_.back().set = monitor::fixedSet(obstacle.capsules);
+  }
+  const std::size_t things = robots_.size() + obstacles_.size();
+  for (std::size_t first = 0; first < robots_.size(); ++first) {
+    for (std::size_t second = first + 1; second < things; ++second) {
+      PairWatch pair;
+      pair.first = first;
+      pair.second = second;
+      pairs_.push_back(pair);
+    }
+  }
+}
+
+void Monitor::Parts::take(const std::string& robot, const arm::JointVector& joints,
+                          const std::optional<arm::JointVector>& velocities, Duration age, Instant now) {
+  const auto found = robot_index_.find(robot);
+  if (found == robot_index_.end()) {
+    ++counts_.unknown_robots;
+    return;
+  }
+  switch (robots_[found->second].track.take(joints, velocities, age, now, settings_.stale_after)) {
+    case RobotTrack::Taken::Malformed:
+      ++counts_.malformed;
+      break;
+    case RobotTrack::Taken::Old:
+      ++counts_.old;
+      break;
+    case RobotTrack::Taken::Yes:
+      if (!news_) news_ = now;
+      break;
+  }
+}
+
+bool Monitor::Parts::setCarried(const std::string& robot, const Carried& parts) {
+  const auto found = robot_index_.find(robot);
+  if (found == robot_index_.end() || !robots_[found->second].track.carry(parts)) return false;
+  if (!news_) news_ = ticked_;
+  return true;
+}
+
+void Monitor::Parts::tick(Instant now) {
+  bool one_moves = false;
+  for (Robot& robot : robots_) {
+    if (!robot.track.heard()) continue;
+    judgeAge(robot, now);
+    // What is older says nothing of a robot that moved, which stops all anyway, and a robot that stood would
+    // in the end be anywhere by the last digits of its speeds.
+    robot.track.grow(std::min(robot.track.age(now), settings_.stale_after));
+    one_moves = one_moves || (!robot.silent && robot.track.moves(settings_.standing_speed));
+  }
+  for (PairWatch& pair : pairs_) judge(pair, now);
+  if (one_moves) alarm_.moving(now);
+  ticked_ = now;
+  news_.reset();
+}
+
+void Monitor::Parts::judgeAge(Robot& robot, Instant now) {
+  const bool was_silent = robot.silent;
+  robot.silent = robot.track.age(now) > settings_.stale_after && robot.track.moves(settings_.standing_speed);
+  if (robot.silent && !was_silent) alarm_.raise(staleSentence(robot), now);
+}
+
+void Monitor::Parts::judge(PairWatch& pair, Instant now) {
+  pair.known = isHeard(pair.first) && isHeard(pair.second);
+  if (!pair.known) return;
+  pair.gap = gapBetween(setOf(pair.first), setOf(pair.second), settings_.exact_within, pair.gap);
+  if (pair.gap.distance < pair.least) pair.keepLeast(bodiesOf(pair), now);
+  const Threshold::Passed margin = pair.margin.see(pair.gap.lowest, settings_.margin);
+  if (margin == Threshold::Passed::Down) begin(pair, bodiesOf(pair), now);
+  if (margin == Threshold::Passed::Up) end(pair, now);
+  if (pair.breach) pair.keepBreach(bodiesOf(pair), now);
+  if (pair.stop.see(pair.gap.lowest, stop_distance_) == Threshold::Passed::Down) {
+    alarm_.raise(sentenceOf(pair, stop_distance_, "stop distance"), now);
+  }
+}
+
+void Monitor::Parts::begin(PairWatch& pair, const Names& bodies, Instant now) {
+  Breach breach;
+  breach.first = nameOf(pair.first);
+  breach.second = nameOf(pair.second);
+  breach.first_body = bodies.first;
+  breach.second_body = bodies.second;
+  breach.start = now;
+  breach.least = pair.gap.lowest;
+  breach.distance = pair.gap.distance;
+  breach.least_at = now;
+  pair.breach = breach;
+  alarm_.warn(sentenceOf(pair, settings_.margin, "margin"));
+}
+
+void Monitor::Parts::end(PairWatch& pair, Instant now) {
+  pair.breach->end = now;
+  alarm_.ended(*pair.breach);
+  ended_.push_back(std::move(*pair.breach));
+  pair.breach.reset();
+  if (ended_.size() <= kMostBreaches) return;
+  ended_.pop_front();
+  ++counts_.lost_breaches;
+}
+
+ResetAnswer Monitor::Parts::reset(Instant now) {
+  tick(now);
+  const std::vector<std::string> reasons = causes();
+  if (!latched()) return {true, "Nothing was stopped, so there is nothing to reset."};
+  if (!reasons.empty()) return {false, "It cannot be reset while its cause lasts. " + reasons.front()};
+  alarm_.reset();
+  return {true, "It is reset, and robots may move again."};
+}
+
+std::vector<Breach> Monitor::Parts::breaches() const {
+  std::vector<Breach> all(ended_.begin(), ended_.end());
+  for (const PairWatch& pair : pairs_) {
+    if (pair.breach) all.push_back(*pair.breach);
+  }
+  return all;
+}
+
+std::optional<Instant> Monitor::Parts::nextDeadline() const {
+  if (!ticked_) return news_;
+  std::optional<Instant> next;
+  if (news_) next = *ticked_ + settings_.period;
+  for (const Robot& robot : robots_) {
+    // Of a robot that moved and fell silent nothing changes any more but that it is heard again.
+    if (robot.silent || !robot.track.moves(settings_.standing_speed)) continue;
+    const Instant stale = robot.track.measured() + settings_.stale_after + Duration(1);
+    const Instant due = std::min(*ticked_ + settings_.period, std::max(stale, *ticked_));
+    if (!next || due < *next) next = due;
+  }
+  return next;
+}
+
+const monitor::BodySet& Monitor::Parts::setOf(std::size_t thing) const {
+  return thing < robots_.size() ? robots_[thing].track.set() : obstacles_[thing - robots_.size()].set;
+}
+
+const std::string& Monitor::Parts::nameOf(std::size_t thing) const {
+  return thing < robots_.size() ? robots_[thing].name : obstacles_[thing - robots_.size()].name;
+}
+
+bool Monitor::Parts::isHeard(std::size_t thing) const {
+  return thing >= robots_.size() || robots_[thing].track.heard();
+}
+
+}  // namespace cobot_command::cell

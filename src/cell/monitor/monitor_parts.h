@@ -1,0 +1,79 @@
+// The monitor behind its façade.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monitor/alarm.h"
+#include "monitor/body_set.h"
+#include "monitor/pair_watch.h"
+#include "monitor/robot_track.h"
+
+#include "cobot_command/cell/monitor/monitor.h"
+
+namespace cobot_command::cell {
+
+class Monitor::Parts {
+ public:
+  Parts(std::vector<WatchedRobot> robots, const std::vector<WatchedObstacle>& obstacles,
+        const MonitorSettings& settings);
+
+  void take(const std::string& robot, const arm::JointVector& joints,
+            const std::optional<arm::JointVector>& velocities, Duration age, Instant now);
+  bool setCarried(const std::string& robot, const Carried& parts);
+  void tick(Instant now);
+  ResetAnswer reset(Instant now);
+
+  std::vector<MonitorAction> takeActions() { return alarm_.takeActions(); }
+  [[nodiscard]] MonitorStatus status() const;
+  [[nodiscard]] bool latched() const { return alarm_.latched(); }
+  [[nodiscard]] std::vector<Breach> breaches() const;
+  [[nodiscard]] std::optional<Instant> nextDeadline() const;
+
+ private:
+  struct Robot {
+    std::string name;
+    monitor::RobotTrack track;
+    bool silent = false;  ///< it moved, and its data is stale
+  };
+  struct Obstacle {
+    std::string name;
+    monitor::BodySet set;
+  };
+
+  void judgeAge(Robot& robot, Instant now);
+  void judge(monitor::PairWatch& pair, Instant now);
+  void begin(monitor::PairWatch& pair, const monitor::Names& bodies, Instant now);
+  void end(monitor::PairWatch& pair, Instant now);
+
+  [[nodiscard]] const monitor::BodySet& setOf(std::size_t thing) const;
+  [[nodiscard]] const std::string& nameOf(std::size_t thing) const;
+  [[nodiscard]] bool isHeard(std::size_t thing) const;
+  [[nodiscard]] monitor::Names bodiesOf(const monitor::PairWatch& pair) const;
+  [[nodiscard]] std::string bodyName(std::size_t thing, std::size_t body) const;
+  [[nodiscard]] std::string sentenceOf(const monitor::PairWatch& pair, double limit,
+                                       const char* limit_name) const;
+  [[nodiscard]] PairStatus statusOf(const monitor::PairWatch& pair) const;
+  [[nodiscard]] std::string diagnosis() const;
+  [[nodiscard]] std::string closest() const;
+  [[nodiscard]] std::vector<std::string> causes() const;
+  [[nodiscard]] std::string staleSentence(const Robot& robot) const;
+
+  MonitorSettings settings_;
+  double stop_distance_;
+  std::vector<Robot> robots_;
+  std::map<std::string, std::size_t> robot_index_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<monitor::PairWatch> pairs_;
+  monitor::Alarm alarm_;
+  std::deque<Breach> ended_;
+  MonitorCounts counts_;
+  std::optional<Instant> ticked_;
+  std::optional<Instant> news_;  ///< since the last tick, the first
+};
+
+}  // namespace cobot_command::cell

@@ -1,0 +1,55 @@
+// What is remembered of one pair: how close it was, and the breach that lasts.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "monitor/body_set.h"
+
+#include "cobot_command/cell/monitor/monitor_state.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::cell::monitor {
+
+/// Names of two things, or of their bodies.
+struct Names {
+  std::string first;
+  std::string second;
+};
+
+/// A limit that is passed downwards at once, and upwards only with some more than it: a pair that stands at
+/// the limit does not pass it each time its data changes in the last digit.
+class Threshold {
+ public:
+  enum class Passed { None, Down, Up };
+
+  Passed see(double value, double limit);
+  [[nodiscard]] bool isBelow() const { return below_; }
+
+ private:
+  bool below_ = false;
+};
+
+struct PairWatch {
+  std::size_t first = 0;   ///< a robot
+  std::size_t second = 0;  ///< a robot, or behind all of those an obstacle
+  bool known = false;
+  Gap gap;
+
+  double least = std::numeric_limits<double>::infinity();  ///< [m]
+  Instant least_at;
+  Names least_bodies;
+
+  Threshold stop;
+  Threshold margin;
+  std::optional<Breach> breach;  ///< that lasts
+
+  /// Keeps the least distance; `bodies` are those of the gap.
+  void keepLeast(const Names& bodies, Instant now);
+  /// Goes on with the breach.
+  void keepBreach(const Names& bodies, Instant now);
+};
+
+}  // namespace cobot_command::cell::monitor
