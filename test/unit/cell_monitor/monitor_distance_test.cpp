@@ -1,10 +1,13 @@
 // How far robots are from each other, and how far they may have moved since (cell.md, M35).
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "watched_cell.h"
 #include <gtest/gtest.h>
+
+#include "cobot_command/cell/sweep/displacement.h"
 
 namespace cobot_command::cell {
 namespace {
@@ -149,6 +152,41 @@ TEST(MonitorUncertainty, growsWithTheAgeOfTheDataAndWithTheSpeed) {
   EXPECT_NEAR(uncertaintyAt(1.0, 0.1), 2 * some, 1e-9);
   EXPECT_NEAR(uncertaintyAt(0.5, 0.2), 2 * some, 1e-9);
   EXPECT_NEAR(uncertaintyAt(-0.5, 0.1), some, 1e-9);
+}
+
+/// The least distance once each body has moved by its bound towards all others; the slow way, and by other
+/// code.
+double lowestOf(const PlacedRobot& left, const PlacedRobot& right, const arm::JointVector& widths) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < left.capsules.size(); ++i) {
+    const std::size_t link = leftBodies().bodies()[i].link;
+    const double moved = displacementBound(left.capsules[i], link, left.axes, widths);
+    for (std::size_t j = 0; j < right.capsules.size(); ++j) {
+      const std::size_t other = rightBodies().bodies()[j].link;
+      if (link == 0 && other == 0) continue;
+      const double others = displacementBound(right.capsules[j], other, right.axes, widths);
+      lowest = std::min(lowest, distanceBetween(left.capsules[i], right.capsules[j]) - moved - others);
+    }
+  }
+  return lowest;
+}
+
+TEST(MonitorUncertainty, isThatOfTheBodiesThatMayBeTheClosestByNow) {
+  RandomNumbers random(29);
+  MonitorSettings settings;
+  settings.exact_within = 5;
+  for (int i = 0; i < 1000; ++i) {
+    const arm::JointVector left = random.joints(3);
+    const arm::JointVector right = random.joints(3);
+    const arm::JointVector speeds = random.joints(2);
+    Monitor monitor = handover(settings);
+    monitor.take("left", left, speeds, Duration(0), at(0));
+    monitor.take("right", right, speeds, Duration(0), at(0));
+    monitor.tick(at(0.1));
+    const PairStatus pair = monitor.status().pairs.front();
+    const double lowest = lowestOf(leftBodies().at(left), rightBodies().at(right), 0.1 * speeds.cwiseAbs());
+    EXPECT_NEAR(pair.distance - pair.uncertainty, lowest, 1e-9);
+  }
 }
 
 /// By how much robots came closer than they were measured, at most in parts of the uncertainty.

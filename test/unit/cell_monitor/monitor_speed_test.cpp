@@ -32,7 +32,7 @@ Hall hallOf(int count, double apart) {
   return {monitorOf(std::move(robots), settings), std::move(bodies)};
 }
 
-/// The least time of many for a tick with new data of each robot [ms].
+/// The middle one of many times for a tick with new data of each robot [ms].
 double millisecondsOfTick(Hall& hall) {
   using Clock = std::chrono::steady_clock;
   RandomNumbers random(5);
@@ -77,14 +77,14 @@ TEST(MonitorOfMany, looksAtAllPairsOf32Robots) {
   }
 }
 
-// Limits for machines that are busy, and builds with assertions and sanitizers; what is reached is printed.
-TEST(MonitorOfMany, isAsFastAsTheGoalOnAnyMachine) {
+// Five times, as machines are busy, and builds have assertions and sanitizers; what is reached is printed.
+TEST(MonitorOfMany, areLookedAtWithinFiveTimesTheGoal) {
   for (const auto& [count, goal] : {std::pair<int, double>{3, 0.1}, std::pair<int, double>{32, 2.0}}) {
     for (const double apart : {1000.0, 1400.0, 2000.0}) {
       Hall hall = hallOf(count, apart);
       const double milliseconds = millisecondsOfTick(hall);
       std::printf("%d robots, %.0f mm apart: %.4f ms (goal %.1f)\n", count, apart, milliseconds, goal);
-      EXPECT_LT(milliseconds, 50 * goal);
+      EXPECT_LT(milliseconds, 5 * goal);
     }
   }
 }
