@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/cell/model/supervisors.h"
 #include "cobot_command/cell/program/canonical.h"
 #include "cobot_command/cell/zones/soundness.h"
@@ -146,6 +148,63 @@ TEST(ACell, isLeftAsItIsWhereItsMotionsAreNotToBeCut) {
   const SplitCell split = orThrow(splitCell(cell));
   EXPECT_THAT(split.cuts, IsEmpty());
   EXPECT_EQ(canonicalText(split.cell), canonicalText(cell));
+}
+
+/// One motion where the demo has two.
+void goStraightToW(Cell& cell) {
+  for (Robot& robot : cell.robots) robot.program[0].steps.erase(robot.program[0].steps.begin());
+}
+
+TEST(AMotionThatEntersTwoZones, isCutBeforeEachOfThem) {
+  Cell cell = cellToCut("iris", 5);
+  goStraightToW(cell);
+  const ZonedCell whole(cell);
+  const SplitCell split = splitOf(cell);
+  EXPECT_EQ(split.cuts.size(), 6U);
+  EXPECT_THAT(checkSoundness(split.cell, split.claims, split.held).faults, IsEmpty());
+  for (const RobotIndex robot : {0U, 1U, 2U}) {
+    ASSERT_EQ(whole.held.program.robots[robot].paths[0].steps.front().zones.size(), 2U) << "at once";
+    const auto& steps = split.held.program.robots[robot].paths[0].steps;
+    const auto& places = split.held.robots[robot].paths[0].places;
+    ASSERT_GE(steps.size(), 2U);
+    for (const std::size_t booking : {0U, 1U}) {
+      ASSERT_EQ(steps[booking].zones.size(), 1U);
+      EXPECT_EQ(places[booking].frame, booking + 1);
+      EXPECT_EQ(split.cell.robots[robot].program[0].steps[booking].name,
+                fmt::format("step 1 (before {})", split.held.program.zones[steps[booking].zones[0]]));
+    }
+  }
+}
+
+/// The way in of the handover as a line of the TCP at so many mm/s.
+Cell handoverByLines(double speed) {
+  Cell cell = cellToCut("handover");
+  for (Robot& robot : cell.robots) {
+    Step& step = robot.program[0].steps[0];
+    auto goal = std::get<blocks::MoveAbsoluteGoal>(step.goal);
+    const arm::ArmModel arm = *arm::ArmModel::named(robot.model);
+    goal.movement_command = static_cast<int>(blocks::Movement::Line);
+    goal.data_format = static_cast<int>(blocks::AbsoluteFormat::Cap);
+    goal.target =
+        arm::toControllerPose(arm::forwardKinematics(arm, find(robot.stations, robot.program[0].to)->joints) *
+                              arm::toPose(robot.tcp));
+    goal.speed = speed;
+    step.goal = goal;
+    step.name = "to the other one";
+  }
+  return cell;
+}
+
+TEST(ALineThatEntersAZone, isCutBeforeIt) {
+  const SplitCell split = splitOf(handoverByLines(100));
+  ASSERT_EQ(split.cuts.size(), 2U);
+  for (const CutReport& cut : split.cuts) {
+    EXPECT_LE(cut.measure.longer, std::chrono::milliseconds(1));
+    EXPECT_EQ(split.cell.robots[0].program[0].steps[0].name, "to the other one (before Z1)");
+    EXPECT_EQ(split.cell.robots[0].program[0].steps[1].name, "to the other one");
+  }
+  EXPECT_EQ(supervisorOf(split.held.program), Counts(27, 48));
+  EXPECT_THAT(checkSoundness(split.cell, split.claims, split.held).faults, IsEmpty());
 }
 
 }  // namespace
