@@ -176,6 +176,22 @@ TEST(AMotionThatEntersTwoZones, isCutBeforeEachOfThem) {
   }
 }
 
+TEST(ACut, isMadeFartherBackWhereAHalfOrAChangedZoneTouchesIt) {
+  // Slow enough, and with voxels small enough, that some pieces of the halves touch what those of the whole
+  // do not; and that a zone grows by what was cut, so that one path is cut anew.
+  Cell cell = cellToCut("iris", 4);
+  goStraightToW(cell);
+  cell.parameters.voxel = 0.016;
+  cell.parameters.tracking = 0.002;
+  const SplitCell split = splitOf(cell);
+  EXPECT_EQ(split.cuts.size(), 6U);
+  for (const CutReport& cut : split.cuts) {
+    EXPECT_GE(cut.saved, kLeastSaved);
+    EXPECT_FALSE(cut.zones.empty());
+  }
+  EXPECT_THAT(checkSoundness(split.cell, split.claims, split.held).faults, IsEmpty());
+}
+
 /// The way in of the handover as a line of the TCP at so many mm/s.
 Cell handoverByLines(double speed) {
   Cell cell = cellToCut("handover");
