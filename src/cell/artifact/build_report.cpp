@@ -36,6 +36,14 @@ std::vector<std::string> CellBuild::report(BuildStage stage) const {
       break;
     case BuildStage::Zones:
       return reportZones();
+    case BuildStage::Split:
+      for (const CutReport& cut : cuts_) {
+        lines.push_back(fmt::format(
+            "{} {}, step {}: cut at {:.0f} % before {}, which saves {:.2f} s of holding", cut.robot, cut.path,
+            cut.step + 1, 100.0 * cut.progress, fmt::join(cut.zones, ", "), toSeconds(cut.saved)));
+      }
+      if (cuts_.empty()) lines.emplace_back("no motion is cut");
+      break;
     case BuildStage::Soundness:
       lines.push_back(fmt::format(
           "{} pairs of pieces that no zone keeps apart; least distance {:.1f} mm, margin {:.1f} mm",

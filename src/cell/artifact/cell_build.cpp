@@ -22,13 +22,13 @@ Faults described(const std::vector<Fault>& faults) {
 }  // namespace
 
 const char* toString(BuildStage stage) {
-  constexpr const char* kNames[] = {"plan",       "sweep",      "zones", "soundness",
-                                    "instrument", "synthesize", "verify"};
+  constexpr const char* kNames[] = {"plan",      "sweep",      "zones",      "split",
+                                    "soundness", "instrument", "synthesize", "verify"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 
 CellBuild::CellBuild(Cell cell, Policy policy, unsigned threads)
-    : cell_(std::move(cell)), policy_(policy), threads_(threads) {}
+    : cell_(std::move(cell)), hash_(hashOf(cell_)), policy_(policy), threads_(threads) {}
 
 Faults CellBuild::run(BuildStage stage) {
   switch (stage) {
@@ -38,6 +38,8 @@ Faults CellBuild::run(BuildStage stage) {
       return sweep();
     case BuildStage::Zones:
       return findZonesAndHolds();
+    case BuildStage::Split:
+      return split();
     case BuildStage::Soundness:
       soundness_ = checkSoundness(cell_, claims_, held_);
       return soundness_.faults;
@@ -79,6 +81,19 @@ Faults CellBuild::findZonesAndHolds() {
   return {};
 }
 
+Faults CellBuild::split() {
+  if (cell_.parameters.split == Split::Never) return {};
+  auto split = splitCell(cell_, threads_);
+  if (!split) return split.error();
+  cell_ = std::move(split->cell);
+  planned_ = std::move(split->planned);
+  claims_ = std::move(split->claims);
+  zones_ = std::move(split->zones);
+  held_ = std::move(split->held);
+  cuts_ = std::move(split->cuts);
+  return {};
+}
+
 Faults CellBuild::synthesize() {
   auto supervisors = synthesizeParts(model_, policy_, static_cast<std::size_t>(cell_.parameters.max_states));
   if (!supervisors) return {supervisors.error()};
@@ -103,7 +118,7 @@ Faults CellBuild::verify() {
 
 Artifact CellBuild::artifact() const {
   Artifact artifact;
-  artifact.hash = hashOf(cell_);
+  artifact.hash = hash_;
   artifact.parameters = cell_.parameters;
   artifact.program = held_.program;
   artifact.zones = zones_;

@@ -16,13 +16,13 @@ struct Claimed {
   std::vector<Fault> faults;
 };
 
+std::vector<Fault> badBodies(const Robot& robot, const std::string& why) {
+  return {{robot.place.file, robot.place.line, robot.place.column, "robots." + robot.name, why, "", ""}};
+}
+
 Claimed claimRobotOf(const Cell& cell, const Robot& robot, const PlannedRobot& planned) {
   auto bodies = BodiesOfRobot::of(cell, robot);
-  if (!bodies) {
-    return {{},
-            {{robot.place.file, robot.place.line, robot.place.column, "robots." + robot.name, bodies.error(),
-              "", ""}}};
-  }
+  if (!bodies) return {{}, badBodies(robot, bodies.error())};
   Sweep sweep(cell, robot, planned, std::move(*bodies));
   RobotClaim claim = sweep.claim();
   return {std::move(claim), sweep.faults()};
@@ -53,6 +53,16 @@ Result<std::vector<RobotClaim>, std::vector<Fault>> claimCell(const Cell& cell,
   }
   if (!faults.empty()) return refuse(faults);
   return claims;
+}
+
+Result<PathClaim, std::vector<Fault>> claimPath(const Cell& cell, const Robot& robot,
+                                                const PlannedRobot& planned, std::size_t path) {
+  auto bodies = BodiesOfRobot::of(cell, robot);
+  if (!bodies) return refuse(badBodies(robot, bodies.error()));
+  Sweep sweep(cell, robot, planned, std::move(*bodies));
+  PathClaim claim = sweep.claimPath(path);
+  if (!sweep.faults().empty()) return refuse(sweep.faults());
+  return claim;
 }
 
 double claimError(const Parameters& parameters) {

@@ -40,14 +40,15 @@ RobotClaim Sweep::claim() {
     claim.all |= claim.stations.back().claim;
   }
   for (std::size_t path = 0; path < planned_.paths.size(); ++path) {
-    path_ = &robot_.program[path];
-    claim.paths.push_back(claimPath(planned_.paths[path]));
+    claim.paths.push_back(claimPath(path));
     for (const Piece& piece : claim.paths.back().pieces) claim.all |= piece.claim;
   }
   return claim;
 }
 
-PathClaim Sweep::claimPath(const PlannedPath& path) {
+PathClaim Sweep::claimPath(std::size_t index) {
+  const PlannedPath& path = planned_.paths[index];
+  path_ = &robot_.program[index];
   pieces_.clear();
   for (std::size_t frame = 0; frame < path.frames.size() && faults_.empty(); ++frame) claimFrame(path, frame);
   return {std::exchange(pieces_, {})};

@@ -18,6 +18,7 @@ class Sweep {
       : parameters_(cell.parameters), robot_(robot), planned_(planned), bodies_(std::move(bodies)) {}
 
   [[nodiscard]] RobotClaim claim();
+  [[nodiscard]] PathClaim claimPath(std::size_t path);
   [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
 
  private:
@@ -29,7 +30,6 @@ class Sweep {
     std::shared_ptr<const RobotBodies> bodies;
   };
 
-  [[nodiscard]] PathClaim claimPath(const PlannedPath& path);
   void claimFrame(const PlannedPath& path, std::size_t frame);
   void claimMotion(const motion::Trajectory& trajectory, const Made& made, motion::Interval time);
   void claimCorner(const PlannedMotion& before, const PlannedMotion& next, const Made& made);

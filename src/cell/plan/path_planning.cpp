@@ -119,7 +119,8 @@ bool PathPlanning::planCommand(const script::ScriptCommand& command, const Step&
     return true;
   }
   const auto blend = std::visit([](const auto& one) { return blendOfCommand(one); }, command);
-  frame.motions.push_back({planned->trajectory, blend, separate_.setting().base, separate_.setting().tcp});
+  const motion::Setting setting = separate_.setting();
+  frame.motions.push_back({planned->trajectory, blend, setting.tcp, setting.base});
   const auto flowing = flowing_.append(command, ready_);
   if (flowing && frame.motions.size() == 1) frame.begin = flowing->start;
   return true;

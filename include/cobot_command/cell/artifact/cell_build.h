@@ -8,6 +8,7 @@
 #include "cobot_command/cell/artifact/artifact.h"
 #include "cobot_command/cell/model/cell_model.h"
 #include "cobot_command/cell/program/cell.h"
+#include "cobot_command/cell/splitting/split_cell.h"
 #include "cobot_command/cell/zones/soundness.h"
 #include "cobot_command/common/result.h"
 
@@ -48,6 +49,7 @@ class CellBuild {
   [[nodiscard]] std::vector<std::string> plan();
   [[nodiscard]] std::vector<std::string> sweep();
   [[nodiscard]] std::vector<std::string> findZonesAndHolds();
+  [[nodiscard]] std::vector<std::string> split();
   [[nodiscard]] std::vector<std::string> synthesize();
   [[nodiscard]] std::vector<std::string> verify();
   [[nodiscard]] Artifact artifact() const;
@@ -56,12 +58,14 @@ class CellBuild {
   [[nodiscard]] std::vector<std::string> reportSupervisors() const;
 
   Cell cell_;
+  std::string hash_;  ///< of the cell as it was given, not as it was cut
   Policy policy_;
   unsigned threads_;
   std::vector<PlannedRobot> planned_;
   std::vector<RobotClaim> claims_;
   std::vector<Zone> zones_;
   HeldCell held_;
+  std::vector<CutReport> cuts_;
   Soundness soundness_;
   CellModel model_;
   std::vector<PartSupervisor> supervisors_;

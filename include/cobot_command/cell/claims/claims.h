@@ -57,6 +57,10 @@ struct RobotClaim {
 [[nodiscard]] Result<std::vector<RobotClaim>, std::vector<Fault>> claimCell(
     const Cell& cell, const std::vector<PlannedRobot>& robots, unsigned threads = 1);
 
+/// One path of one of its robots, as claimCell() claims it.
+[[nodiscard]] Result<PathClaim, std::vector<Fault>> claimPath(const Cell& cell, const Robot& robot,
+                                                              const PlannedRobot& planned, std::size_t path);
+
 /// How far a claimed point is at most from a body that is there at some moment: what the claim is too large
 /// by [m].
 [[nodiscard]] double claimError(const Parameters& parameters);

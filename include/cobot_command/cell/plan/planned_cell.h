@@ -22,8 +22,8 @@ namespace cobot_command::cell {
 struct PlannedMotion {
   motion::TrajectoryPtr trajectory;        ///< from rest to rest, at the highest project speed
   std::optional<motion::Blend> blend;      ///< into the next motion of the path; nothing: it stops
-  arm::Pose base = arm::Pose::Identity();  ///< in the robot base
   arm::Pose tcp = arm::Pose::Identity();   ///< in the flange
+  arm::Pose base = arm::Pose::Identity();  ///< the active one, in that of the robot
 };
 
 /// One script frame: what is sent for a step.
