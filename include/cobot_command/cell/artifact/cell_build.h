@@ -18,14 +18,15 @@ enum class BuildStage {
   Plan,        ///< every step
   Sweep,       ///< claims
   Zones,       ///< and holds
+  Split,       ///< motions cut before they enter a zone, and all of the above anew
   Soundness,   ///< whether zones are enough
   Instrument,  ///< events and automata
   Synthesize,
   Verify  ///< of what is read back from the bytes
 };
 inline constexpr BuildStage kBuildStages[] = {
-    BuildStage::Plan,       BuildStage::Sweep,      BuildStage::Zones, BuildStage::Soundness,
-    BuildStage::Instrument, BuildStage::Synthesize, BuildStage::Verify};
+    BuildStage::Plan,      BuildStage::Sweep,      BuildStage::Zones,      BuildStage::Split,
+    BuildStage::Soundness, BuildStage::Instrument, BuildStage::Synthesize, BuildStage::Verify};
 [[nodiscard]] const char* toString(BuildStage stage);
 
 class CellBuild {
