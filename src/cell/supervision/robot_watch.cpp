@@ -18,6 +18,9 @@ bool RobotWatch::hear(const RobotReport& report, Instant now) {
     if (session_ != 0) former_sessions_.insert(session_);
     session_ = report.session;
     highest_number_ = 0;
+    // What was wrong was wrong with the node that is gone; who was let in by that one is lost until a person
+    // lets this one in.
+    fault_.clear();
     request.reset();
   }
   report_ = report;

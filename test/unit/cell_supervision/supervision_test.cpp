@@ -47,6 +47,19 @@ TEST(ASupervisor, waitsForARobotThatDoesNotStandAtHome) {
   EXPECT_EQ(cell.mode(), SupervisorMode::Ready);
 }
 
+TEST(ASupervisor, letsARobotJoinThatWasStartedAnewWithTheRightArtifact) {
+  SupervisedCell cell(handover());
+  RobotReport other = cell.robots[0].report();
+  other.hash = "another";
+  cell.supervision->take(other, cell.now);
+  EXPECT_EQ(cell.robot(0).state, RobotState::Fault);
+  cell.now += 600ms;
+  cell.supervision->take(cell.robots[1].report(), cell.now);
+  EventRobot again(cell.model(), 0, 999);
+  cell.supervision->take(again.report(), cell.now);
+  EXPECT_EQ(cell.mode(), SupervisorMode::Ready);
+}
+
 TEST(ASupervisor, letsOneRobotAfterTheOtherIntoAZone) {
   SupervisedCell cell(handover());
   cell.exchange();
