@@ -113,6 +113,14 @@ class CornerCheck {
     return longest(most, [&](Duration overlap) { return areWithinRadius(overlap); });
   }
 
+  /// The same of the end of the one alone, and of the beginning of the other.
+  [[nodiscard]] Duration longestOfBefore(Duration most) const {
+    return longest(most, [&](Duration overlap) { return isBeforeWithinRadius(overlap); });
+  }
+  [[nodiscard]] Duration longestOfNext(Duration most) const {
+    return longest(most, [&](Duration overlap) { return isNextWithinRadius(overlap); });
+  }
+
   /// Whether the arm can follow the sum.
   [[nodiscard]] bool canBeMade(Duration overlap) const {
     const auto steps = static_cast<Duration::rep>(std::ceil(toSeconds(overlap) / samplePeriod(overlap)));
@@ -144,10 +152,15 @@ class CornerCheck {
   [[nodiscard]] bool isWithinRadius(const arm::JointVector& joints) const {
     return std::isinf(radius_) || fromPoint(joints) <= radius_ + kRadiusTolerance;
   }
-  [[nodiscard]] bool areWithinRadius(Duration overlap) const {
+  [[nodiscard]] bool isBeforeWithinRadius(Duration overlap) const {
     const Trajectory& before = corner_.before;
-    return fromPoint(before.at(before.duration() - overlap).position) <= radius_ &&
-           fromPoint(corner_.next.at(overlap).position) <= radius_;
+    return fromPoint(before.at(before.duration() - overlap).position) <= radius_;
+  }
+  [[nodiscard]] bool isNextWithinRadius(Duration overlap) const {
+    return fromPoint(corner_.next.at(overlap).position) <= radius_;
+  }
+  [[nodiscard]] bool areWithinRadius(Duration overlap) const {
+    return isBeforeWithinRadius(overlap) && isNextWithinRadius(overlap);
   }
   [[nodiscard]] bool isTooFast(const arm::JointVector& velocity) const {
     for (std::size_t i = 0; i < arm::kJointCount; ++i) {
@@ -197,6 +210,28 @@ Duration longestOverlap(const arm::ArmModel& arm, const Corner& corner, const Bl
   if (const auto* way = std::get_if<BlendWay>(&blend)) return longestWithin(corner, *way, most);
   const double radius = std::get<BlendRadius>(blend).metres;
   return radius > 0.0 ? CornerCheck(arm, corner, radius).longestWithinRadius(most) : Duration{};
+}
+
+// A ramp of the time T to the speed V has V t^2 / 2 T of way in the time t. At the share s of the project
+// speed V is s V, and a motion too short for it has ramps of the time that grows as 1 / sqrt(s), up to T. So
+// s T^2, and with it the way on any share of a ramp, is largest at full speed: what a motion makes in an
+// overlap at s it makes at full speed in sqrt(s) of the time, which is within its own ramp there. A radius is
+// reached at full speed in sqrt(s) of the time, too.
+CornerReach cornerReach(const arm::ArmModel& arm, const Corner& corner, const Blend& blend) {
+  const CornerReach most{std::min(corner.before.timeDown(), corner.before.duration() / 2),
+                         std::min(corner.next.timeUp(), corner.next.duration() / 2)};
+  if (most.before <= Duration::zero() || most.next <= Duration::zero()) return {};
+  if (const auto* share = std::get_if<BlendShare>(&blend)) {
+    return {partOf(most.before, *share), partOf(most.next, *share)};
+  }
+  if (const auto* way = std::get_if<BlendWay>(&blend)) {
+    return {longestWithin(corner, {way->before, 1.0}, most.before),
+            longestWithin(corner, {1.0, way->next}, most.next)};
+  }
+  const double radius = std::get<BlendRadius>(blend).metres;
+  if (radius <= 0.0) return {};
+  const CornerCheck check(arm, corner, radius);
+  return {check.longestOfBefore(most.before), check.longestOfNext(most.next)};
 }
 
 Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend,

@@ -57,6 +57,19 @@ struct Interval {
 /// what keeps overlapAt() from it makes it shorter.
 [[nodiscard]] Duration longestOverlap(const arm::ArmModel& arm, const Corner& corner, const Blend& blend);
 
+/// So much of the end of the one motion, and of the beginning of the other.
+struct CornerReach {
+  Duration before{};
+  Duration next{};
+};
+
+/// How much of both can be a corner when either is made at the speed that it was planned for, or at a lower
+/// one, each at its own: the project speed counts for the motions that start from then on. With the next one
+/// slow and long, more of the one before is a corner than longestOverlap() of both as planned has. The share
+/// that `next` has made of its reach is never more than that which `before` has made of its own. For motions
+/// whose speed grows and falls evenly, as of all that scripts have.
+[[nodiscard]] CornerReach cornerReach(const arm::ArmModel& arm, const Corner& corner, const Blend& blend);
+
 /// Contains the arm wherever the two add up while `before` is at any moment of `of_before` and `next` at any
 /// of `of_next`, whatever the overlap: the sum of the ranges of both, less the corner. With the last and the
 /// first longestOverlap() it is the whole corner however late the next motion comes, a stop included. Who

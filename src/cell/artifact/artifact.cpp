@@ -83,8 +83,9 @@ void checkIndices(const Artifact& artifact) {
     for (const ArtifactStation& station : of_robot.stations) requireZones(station.zones);
     for (std::size_t path = 0; path < of_robot.paths.size(); ++path) {
       const ArtifactPath& of_path = of_robot.paths[path];
-      if (of_path.places.size() != program.paths[path].steps.size())
+      if (of_path.places.size() != program.paths[path].steps.size()) {
         wrongInArtifact("a zone step has no place");
+      }
       for (const ZonePlace& place : of_path.places) {
         if (place.frame >= of_path.frames.size() || place.piece >= of_path.pieces.size()) {
           wrongInArtifact("a zone step is at no frame or piece");
@@ -114,8 +115,9 @@ Artifact artifactFrom(const json& source) {
   const auto policy = policyNamed(source.at("policy").get<std::string>());
   if (!policy) wrongInArtifact("it has no policy");
   artifact.policy = *policy;
-  for (const auto& supervisor : source.at("supervisors"))
+  for (const auto& supervisor : source.at("supervisors")) {
     artifact.supervisors.push_back(supervisorFrom(supervisor));
+  }
   source.at("least_distance").get_to(artifact.least_distance);
   checkIndices(artifact);
   return artifact;
@@ -142,8 +144,9 @@ Result<Artifact, std::string> fromBytes(std::string_view bytes) {
   const auto end = bytes.find('\n');
   const bool has_checksum =
       end != std::string_view::npos && bytes.substr(end + 1) == sha256Hex(bytes.substr(0, end + 1)) + "\n";
-  if (!has_checksum)
+  if (!has_checksum) {
     return refuse(std::string("the artifact is damaged: its checksum is wrong. Build it anew"));
+  }
   try {
     return artifactFrom(json::parse(bytes.substr(0, end)));
   } catch (const json::exception& wrong) {

@@ -111,8 +111,9 @@ Faults CellBuild::verify() {
   verified_ = verifyParts(*model, again->supervisors, static_cast<std::size_t>(cell_.parameters.max_states));
   Faults faults;
   for (const auto& part : verified_) faults.insert(faults.end(), part.faults.begin(), part.faults.end());
-  if (toBytes(*again) != bytes_)
+  if (toBytes(*again) != bytes_) {
     faults.emplace_back("the artifact is not the same when it is read and written");
+  }
   return faults;
 }
 

@@ -9,8 +9,9 @@ Result<BodiesOfRobot, std::string> BodiesOfRobot::of(const Cell& cell, const Rob
   auto bare = RobotBodies::fromUrdf(arm::ArmModel::urdfOf(robot.model), robot.base, robot.tool, body_cell);
   if (!bare) return refuse(bare.error().message);
   std::vector<CarriedPart> parts;
-  for (const Part& part : cell.parts)
+  for (const Part& part : cell.parts) {
     parts.push_back({part.name, part.shapes, part.on.empty() ? kOnFlange : part.on, part.at});
+  }
   auto tree = PartTree::of(parts, body_cell);
   if (!tree) return refuse(tree.error().message);
   return BodiesOfRobot(std::move(*bare), std::move(*tree));

@@ -50,6 +50,8 @@ PathClaim Sweep::claimPath(std::size_t index) {
   const PlannedPath& path = planned_.paths[index];
   path_ = &robot_.program[index];
   pieces_.clear();
+  last_ = nullptr;
+  standing_ = planned_.stations[path.from].joints;
   for (std::size_t frame = 0; frame < path.frames.size() && faults_.empty(); ++frame) claimFrame(path, frame);
   return {std::exchange(pieces_, {})};
 }
@@ -57,28 +59,29 @@ PathClaim Sweep::claimPath(std::size_t index) {
 void Sweep::claimFrame(const PlannedPath& path, std::size_t index) {
   const PlannedFrame& frame = path.frames[index];
   Made made{Piece::Kind::Motion, index, 0, bodies_.carrying(frame.carried)};
-  const PlannedMotion* before = nullptr;
-  if (index > 0 && !path.frames[index - 1].stands && !path.frames[index - 1].motions.empty()) {
-    before = &path.frames[index - 1].motions.back();
-  }
   for (const PlannedMotion& motion : frame.motions) {
-    if (before != nullptr && before->blend) claimCorner(*before, motion, made);
+    // Frames without a motion in between, such as those that change the base, do not keep it from blending.
+    if (last_ != nullptr && last_->blend) claimCorner(*last_, motion, made);
     claimMotion(*motion.trajectory, made, {Duration::zero(), motion.trajectory->duration()});
-    before = &motion;
+    last_ = &motion;
+    standing_ = motion.trajectory->end().position;
     ++made.motion;
   }
-  // It stands there as long as the next frame is not sent, whatever comes then; with what it has taken, and
-  // with what it has not set down yet.
-  if (frame.motions.empty()) return;
-  made.kind = Piece::Kind::Rest;
-  made.motion = frame.motions.size() - 1;
-  const arm::JointVector end = frame.motions.back().trajectory->end().position;
-  pieces_.push_back(rest(end, made));
-  const auto& carried_next =
-      index + 1 < path.frames.size() ? path.frames[index + 1].carried : path.carried_at_end;
-  if (carried_next == frame.carried) return;
-  made.bodies = bodies_.carrying(carried_next);
-  pieces_.push_back(rest(end, made));
+  if (made.motion > 0) --made.motion;
+  claimRests(path, made);
+}
+
+/// It stands there as long as the next frame is not sent, whatever comes then; with what it has taken, and
+/// with what it has not set down yet.
+void Sweep::claimRests(const PlannedPath& path, const Made& made) {
+  Made of_rest = made;
+  of_rest.kind = Piece::Kind::Rest;
+  pieces_.push_back(rest(standing_, of_rest));
+  const bool is_last = made.frame + 1 == path.frames.size();
+  const auto& next = is_last ? path.carried_at_end : path.frames[made.frame + 1].carried;
+  if (next == path.frames[made.frame].carried) return;
+  of_rest.bodies = bodies_.carrying(next);
+  pieces_.push_back(rest(standing_, of_rest));
 }
 
 void Sweep::claimMotion(const motion::Trajectory& trajectory, const Made& made, Interval time) {
@@ -93,19 +96,22 @@ void Sweep::claimMotion(const motion::Trajectory& trajectory, const Made& made, 
 
 void Sweep::claimCorner(const PlannedMotion& before, const PlannedMotion& next, const Made& made) {
   const motion::Corner corner{*before.trajectory, *next.trajectory, before.tcp};
-  const Duration overlap = motion::longestOverlap(planned_.arm, corner, *before.blend);
-  if (overlap <= Duration::zero()) return;
+  const motion::CornerReach reach = motion::cornerReach(planned_.arm, corner, *before.blend);
+  if (reach.before <= Duration::zero() || reach.next <= Duration::zero()) return;
   Made of_corner = made;
   of_corner.kind = Piece::Kind::Corner;
   const Duration end = before.trajectory->duration();
-  claimCornerPart(corner, of_corner, end - overlap, {end - overlap, end}, {Duration::zero(), overlap});
+  claimCornerPart(corner, of_corner, reach, {end - reach.before, end}, {Duration::zero(), reach.next});
 }
 
-void Sweep::claimCornerPart(const motion::Corner& corner, const Made& made, Duration since,
+void Sweep::claimCornerPart(const motion::Corner& corner, const Made& made, const motion::CornerReach& reach,
                             Interval of_before, Interval of_next) {
-  // The next motion begins with the overlap or later, so that it is never farther within its time than that
-  // before it.
-  if (!faults_.empty() || of_next.from > of_before.to - since) return;
+  // Of its reach the next motion has never made a larger share than that before it. Times are rounded down
+  // where they are halved.
+  constexpr Duration kRounded(4);
+  const double left = toSeconds(corner.before.duration() - of_before.to);
+  const double made_of_before = 1.0 - (left - toSeconds(kRounded)) / toSeconds(reach.before);
+  if (!faults_.empty() || toSeconds(of_next.from - kRounded) > made_of_before * toSeconds(reach.next)) return;
   const auto range = motion::cornerRange(corner.before, of_before, corner.next, of_next);
   const bool is_shortest =
       of_before.to - of_before.from <= kShortest && of_next.to - of_next.from <= kShortest;
@@ -113,7 +119,7 @@ void Sweep::claimCornerPart(const motion::Corner& corner, const Made& made, Dura
   if (range && add(*range, made, of_next, is_shortest)) return;
   for (const Interval& before : {firstHalf(of_before), secondHalf(of_before)}) {
     for (const Interval& next : {firstHalf(of_next), secondHalf(of_next)}) {
-      claimCornerPart(corner, made, since, before, next);
+      claimCornerPart(corner, made, reach, before, next);
     }
   }
 }

@@ -32,9 +32,10 @@ class Sweep {
 
   void claimFrame(const PlannedPath& path, std::size_t frame);
   void claimMotion(const motion::Trajectory& trajectory, const Made& made, motion::Interval time);
+  void claimRests(const PlannedPath& path, const Made& made);
   void claimCorner(const PlannedMotion& before, const PlannedMotion& next, const Made& made);
-  /// `since`: when the overlap begins at the earliest, since `before` began.
-  void claimCornerPart(const motion::Corner& corner, const Made& made, Duration since,
+  /// `reach`: of the whole corner.
+  void claimCornerPart(const motion::Corner& corner, const Made& made, const motion::CornerReach& reach,
                        motion::Interval of_before, motion::Interval of_next);
   [[nodiscard]] Piece rest(const arm::JointVector& joints, const Made& made) const;
   /// False: a body moves too far.
@@ -46,8 +47,11 @@ class Sweep {
   const Robot& robot_;
   const PlannedRobot& planned_;
   BodiesOfRobot bodies_;
+  // Of the path that is being claimed.
   const Path* path_ = nullptr;
-  std::vector<Piece> pieces_;  ///< of the path that is being claimed
+  std::vector<Piece> pieces_;
+  const PlannedMotion* last_ = nullptr;                   ///< motion so far
+  arm::JointVector standing_ = arm::JointVector::Zero();  ///< where the last motion so far ends
   std::vector<Fault> faults_;
 };
 

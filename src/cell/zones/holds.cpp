@@ -55,8 +55,9 @@ class Holder {
     // A zone of others is nothing to it, wherever it may be: what keeps it apart from each of them is a zone
     // of its own.
     for (ZoneIndex zone = 0; zone < zones.size(); ++zone) {
-      if (std::binary_search(zones[zone].users.begin(), zones[zone].users.end(), robot))
+      if (std::binary_search(zones[zone].users.begin(), zones[zone].users.end(), robot)) {
         used_.push_back(zone);
+      }
     }
   }
 

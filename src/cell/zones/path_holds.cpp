@@ -9,8 +9,9 @@ namespace {
 Duration endOf(const Piece& piece, const PlannedPath& path) {
   const PlannedFrame& frame = path.frames[piece.frame];
   Duration end = frame.begin + piece.to;
-  for (std::size_t motion = 0; motion < piece.motion; ++motion)
+  for (std::size_t motion = 0; motion < piece.motion; ++motion) {
     end += frame.motions[motion].trajectory->duration();
+  }
   return piece.kind == Piece::Kind::Rest ? std::max(end, frame.end) : end;
 }
 
@@ -27,7 +28,9 @@ std::vector<Hold> holdsOnPath(const PathInZone& in_zone) {
   if (in_zone.at_begin) holds.push_back({0, std::nullopt, 0, 0});
   const auto& pieces = in_zone.claim.pieces;
   for (std::size_t index = 0; index < pieces.size(); ++index) {
-    if (!pieces[index].claim.touches(in_zone.voxels)) continue;
+    // The rest at its end is that at the station, but for the rounding of both.
+    const bool is_at_station = in_zone.at_end && index + 1 == pieces.size();
+    if (!is_at_station && !pieces[index].claim.touches(in_zone.voxels)) continue;
     const std::size_t frame = pieces[index].frame;
     if (!holds.empty()) {
       const Piece& last = pieces[*holds.back().last_piece];
@@ -41,11 +44,7 @@ std::vector<Hold> holdsOnPath(const PathInZone& in_zone) {
     }
     holds.push_back({0, frame, firstPieceOf(frame, in_zone.claim), index});
   }
-  if (in_zone.at_end) {
-    // The rest at its end is the last piece of the path, and touches what the station touches.
-    if (holds.empty()) holds.push_back({0, std::nullopt, 0, std::nullopt});
-    holds.back().last_piece.reset();
-  }
+  if (in_zone.at_end) holds.back().last_piece.reset();
   return holds;
 }
 

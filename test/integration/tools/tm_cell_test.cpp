@@ -27,8 +27,9 @@ Outcome tmCell(const std::string& arguments) {
   if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
   Outcome outcome;
   std::array<char, 4096> buffer{};
-  while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe))
+  while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) {
     outcome.output.append(buffer.data(), size);
+  }
   outcome.exit_code = WEXITSTATUS(pclose(pipe));
   return outcome;
 }

@@ -28,8 +28,9 @@ Touched touchedOn(const ZonedCell& cell, RobotIndex robot, std::size_t path, std
   Touched touched;
   for (const Piece& piece : cell.claims[robot].paths[path].pieces) {
     if (piece.frame != frame || piece.kind != Piece::Kind::Motion ||
-        !piece.claim.touches(cell.zones[zone].voxels))
+        !piece.claim.touches(cell.zones[zone].voxels)) {
       continue;
+    }
     touched.first = std::min(touched.first, cell.progress(robot, path, piece, piece.from));
     touched.last = std::max(touched.last, cell.progress(robot, path, piece, piece.to));
   }
@@ -73,8 +74,9 @@ TEST(TheIris, hasTheZonesOfOracle26) {
     double second = 2.0;
     for (ZoneIndex zone = 0; zone < 3; ++zone) {
       first = std::min(first, touchedOn(cell, robot, 0, 0, zone).first);
-      if (touchedOn(cell, robot, 0, 0, zone).last < 0)
+      if (touchedOn(cell, robot, 0, 0, zone).last < 0) {
         second = std::min(second, touchedOn(cell, robot, 0, 1, zone).first);
+      }
     }
     EXPECT_THAT(first, isWithin(0.27, 0.39));
     EXPECT_THAT(second, isWithin(0.11, 0.25));
@@ -149,8 +151,9 @@ TEST(TheSoundnessOfTheDemos, isLostWithAnyZone) {
                                           [&](const Hold& hold) { return hold.zone == zone; }),
                            path.holds.end());
         }
-        for (auto& zones : robot.at_stations)
+        for (auto& zones : robot.at_stations) {
           zones.erase(std::remove(zones.begin(), zones.end(), zone), zones.end());
+        }
       }
       const Soundness found = checkSoundness(cell.cell, cell.claims, held);
       ASSERT_FALSE(found.faults.empty()) << name << " without " << cell.zones[zone].name;

@@ -78,7 +78,8 @@ TEST(PartTree, aSheetOnAPartThatHangsOnTheGripperMovesWithItToo) {
   rail.at = arm::toPose({0, 200, 0, 0, 90, 0});
   const arm::ControllerPose at = {0, 0, 125, 0, 45, 30};
   const PartTree tree = treeOf({sheetOn("rail", at), rail, frame});
-  const RobotBodies loaded = robotAt({100, 200, 0, 0, 0, 45}).carrying(tree.bodiesOf({"frame", "rail", "sheet"}));
+  const RobotBodies loaded =
+      robotAt({100, 200, 0, 0, 0, 45}).carrying(tree.bodiesOf({"frame", "rail", "sheet"}));
   expectCornersInside(loaded, frame.at * rail.at * arm::toPose(at));
 }
 
