@@ -195,7 +195,7 @@ Result<JointRange, Unbounded> cornerRange(const Trajectory& before, const Interv
                                           const Trajectory& next, const Interval& of_next) {
   auto range = before.jointRange(of_before.from, of_before.to);
   if (!range) return range;
-  const auto of_other = next.jointRange(of_next.from, of_next.to);
+  auto of_other = next.jointRange(of_next.from, of_next.to);
   if (!of_other) return of_other;
   const arm::JointVector corner = before.end().position;
   range->lower += of_other->lower - corner;

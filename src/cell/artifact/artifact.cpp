@@ -68,7 +68,7 @@ void checkIndices(const Artifact& artifact) {
   if (artifact.program.zones.size() != zones || artifact.program.robots.size() != artifact.robots.size()) {
     wrongInArtifact("zones or robots are not those of the program");
   }
-  const auto requireZones = [zones](const std::vector<ZoneIndex>& list) {
+  const auto require_zones = [zones](const std::vector<ZoneIndex>& list) {
     for (const ZoneIndex zone : list) {
       if (zone >= zones) wrongInArtifact("a zone is named that is not there");
     }
@@ -80,7 +80,7 @@ void checkIndices(const Artifact& artifact) {
         of_robot.stations.size() != program.stations.size()) {
       wrongInArtifact("paths or stations are not those of the program");
     }
-    for (const ArtifactStation& station : of_robot.stations) requireZones(station.zones);
+    for (const ArtifactStation& station : of_robot.stations) require_zones(station.zones);
     for (std::size_t path = 0; path < of_robot.paths.size(); ++path) {
       const ArtifactPath& of_path = of_robot.paths[path];
       if (of_path.places.size() != program.paths[path].steps.size()) {
@@ -91,10 +91,10 @@ void checkIndices(const Artifact& artifact) {
           wrongInArtifact("a zone step is at no frame or piece");
         }
       }
-      for (const Hold& hold : of_path.holds) requireZones({hold.zone});
+      for (const Hold& hold : of_path.holds) require_zones({hold.zone});
       for (const ArtifactPiece& piece : of_path.pieces) {
         if (piece.frame >= of_path.frames.size()) wrongInArtifact("a piece is of no frame");
-        requireZones(piece.zones);
+        require_zones(piece.zones);
       }
     }
   }

@@ -126,10 +126,10 @@ class Holder {
   /// One that is in it wherever it rests and moves can let nobody else in.
   void checkLeaving() {
     for (const ZoneIndex zone : used_) {
-      const auto isInside = [&](const Piece& piece) { return piece.claim.touches(zones_[zone].voxels); };
-      bool leaves = !std::all_of(claim_.stations.begin(), claim_.stations.end(), isInside);
+      const auto is_inside = [&](const Piece& piece) { return piece.claim.touches(zones_[zone].voxels); };
+      bool leaves = !std::all_of(claim_.stations.begin(), claim_.stations.end(), is_inside);
       for (const PathClaim& path : claim_.paths) {
-        leaves = leaves || !std::all_of(path.pieces.begin(), path.pieces.end(), isInside);
+        leaves = leaves || !std::all_of(path.pieces.begin(), path.pieces.end(), is_inside);
       }
       if (leaves) continue;
       faults_.push_back(fmt::format(
