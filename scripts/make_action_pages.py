@@ -17,6 +17,8 @@ EXAMPLE = re.compile(r"^```sh example", re.MULTILINE)
 INDEX = "README"
 # Served with the messages of another package; its fields are written here once more, for the tests.
 FOREIGN = {"follow_joint_trajectory": "control_msgs"}
+# Served by the supervisor of a cell: their errors stand on their pages, and rostest.cell has their examples.
+OF_SUPERVISOR = {"build_cell", "run_cell"}
 
 DECLARATION = re.compile(r"(?P<type>[\w/]+)(?P<array>\[\d*\])?\s+(?P<name>\w+)(=(?P<value>[^#\s]+))?\s*"
                          r"(#\s*(?P<comment>.*))?")
@@ -147,8 +149,9 @@ def page_tables(package, action):
     name, header, sections = package.actions[action]
     goal, result, feedback = sections
     package_name = FOREIGN.get(action, "cobot_command")
-    lines = ["## Names", f"Type `{package_name}/{name}`; its goal is sent to `/{action}/goal`"
-             f" (`{package_name}/{name}ActionGoal`). With a window: `rosrun actionlib_tools axclient.py /{action}`.", ""]
+    topic = f"/cell/{action}" if action in OF_SUPERVISOR else f"/{action}"
+    lines = ["## Names", f"Type `{package_name}/{name}`; its goal is sent to `{topic}/goal`"
+             f" (`{package_name}/{name}ActionGoal`). With a window: `rosrun actionlib_tools axclient.py {topic}`.", ""]
     lines += ["## How a goal ends", "| state | when |", "|---|---|"]
     lines += [f"| {states} | {when} |" for states, when in ends(header)] + [""]
     for title, section in (("Goal", goal), ("Result", result), ("Feedback", feedback)):
@@ -198,6 +201,8 @@ def type_link(package, entry):
 
 
 def error_tables(rows):
+    if not rows:
+        return []
     head = ["| id | decimal | description | remedy | raised when |", "|---|---|---|---|---|"]
     lines = ["## Errors", "The first violated row decides the `error_id`."] + [""] + head
     past = [row for row in rows if row.split(" | ")[4].startswith(NO_MORE)]
@@ -209,7 +214,7 @@ def error_tables(rows):
 
 def index_tables(package):
     lines = ["| action | what it does | SUCCEEDED means |", "|---|---|---|"]
-    for action in package.errors:
+    for action in [*package.errors, *sorted(OF_SUPERVISOR)]:
         _, header, _ = package.actions[action]
         what = re.split(r"(?<=\.) ", re.sub(r"^\w+ \(.*?\): ", "", header))[0]
         succeeded = dict(ends(header)).get("SUCCEEDED", "")
@@ -246,7 +251,7 @@ def faults_in_section(where, section, in_goal):
 
 
 def faults_in_pages(package):
-    for action in sorted(package.actions.keys() ^ package.errors.keys()):
+    for action in sorted((package.actions.keys() - OF_SUPERVISOR) ^ package.errors.keys()):
         yield f"{action} is in one of action/ and doc/errors.md only"
     for path in sorted(package.pages.glob("*.md")):
         if path.stem != INDEX and path.stem not in package.actions:
@@ -255,7 +260,7 @@ def faults_in_pages(package):
         path = package.pages / f"{action}.md"
         if not path.exists():
             yield f"doc/actions/{path.name} is missing: begin it with a title, what the action does, and an example"
-        elif not EXAMPLE.search(path.read_text(encoding="utf-8")):
+        elif action not in OF_SUPERVISOR and not EXAMPLE.search(path.read_text(encoding="utf-8")):
             yield f"doc/actions/{path.name} has no example, a block that begins with ```sh example"
 
 

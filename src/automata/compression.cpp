@@ -8,7 +8,7 @@ namespace {
 constexpr StateIndex kNone = ~StateIndex{0};
 
 /// By event: whether it is left out.
-std::vector<bool> leftOut(const Problem& problem) {
+std::vector<bool> leftOut(const Problem& problem, const std::vector<EventIndex>& kept) {
   std::vector<std::size_t> users(problem.events.size(), 0);
   std::vector<bool> left_out(problem.events.size(), true);
   for (const Automaton& automaton : problem.automata) {
@@ -25,6 +25,7 @@ std::vector<bool> leftOut(const Problem& problem) {
   for (EventIndex event = 0; event < users.size(); ++event) {
     if (users[event] != 1) left_out[event] = false;
   }
+  for (const EventIndex event : kept) left_out[event] = false;
   return left_out;
 }
 
@@ -97,8 +98,8 @@ std::vector<StateIndex> compressInto(Automaton& smaller, const Automaton& automa
 
 }  // namespace
 
-Compressed compress(const Problem& problem) {
-  const std::vector<bool> left_out = leftOut(problem);
+Compressed compress(const Problem& problem, const std::vector<EventIndex>& kept) {
+  const std::vector<bool> left_out = leftOut(problem, kept);
   Compressed compressed;
   compressed.problem.name = problem.name;
   compressed.problem.about = problem.about;

@@ -61,7 +61,7 @@ json supervisorFigures(const Synthesis& synthesis, const Problem& problem) {
 /// What a rule would leave that refuses only what leads into a dead state at once: the supervisor must not be
 /// that.
 json shallowFigures(const StateSpace& space) {
-  const auto isDead = [&](Number state) { return space.edges(state).empty() && !space.isMarked(state); };
+  const auto is_dead = [&](Number state) { return space.edges(state).empty() && !space.isMarked(state); };
   std::vector<bool> reached(space.size(), false);
   std::vector<Number> open = {0};
   reached[0] = true;
@@ -73,7 +73,7 @@ json shallowFigures(const StateSpace& space) {
     ++states;
     bool goes_on = false;
     for (const auto& edge : space.edges(state)) {
-      if (isDead(edge.to)) continue;
+      if (is_dead(edge.to)) continue;
       goes_on = true;
       if (reached[edge.to]) continue;
       reached[edge.to] = true;
@@ -124,7 +124,7 @@ void compare(const json& expected, const json& found, const std::string& path, c
              std::vector<OracleFigure>& figures) {
   for (const auto& [key, value] : expected.items()) {
     if (key == "schedule") continue;
-    const std::string place = path.empty() ? key : path + "." + key;
+    const std::string place = path.empty() ? key : fmt::format("{}.{}", path, key);
     const json& ours = found.is_object() && found.contains(key) ? found[key] : json();
     if (value.is_object()) {
       compare(value, ours, place, problem, figures);

@@ -28,7 +28,7 @@ std::vector<bool> largestSolution(const Model& model) {
   const auto& states = model.states();
   const auto& events = model.problem().events;
   std::vector<bool> good(states.size(), true);
-  const auto takeOut = [&](Number number) {
+  const auto take_out = [&](Number number) {
     const bool was_good = good[number];
     good[number] = false;
     return was_good;
@@ -40,7 +40,7 @@ std::vector<bool> largestSolution(const Model& model) {
       const bool is_left = std::any_of(state.edges.begin(), state.edges.end(), [&](const auto& edge) {
         return !events[edge.event].controllable && !good[edge.to];
       });
-      if (state.breaks_spec || is_left) changed = takeOut(number) || changed;
+      if (state.breaks_spec || is_left) changed = take_out(number) || changed;
     }
     std::vector<bool> comes_home(states.size(), false);
     for (bool found = true; found;) {
@@ -56,7 +56,7 @@ std::vector<bool> largestSolution(const Model& model) {
       }
     }
     for (Number number = 0; number < states.size(); ++number) {
-      if (!comes_home[number]) changed = takeOut(number) || changed;
+      if (!comes_home[number]) changed = take_out(number) || changed;
     }
   }
   return good;

@@ -9,7 +9,7 @@
 namespace cobot_command::blocks {
 
 ErrorTable ChangeBaseGoal::errors() {
-  return ErrorTable().thesisCommand().echoedCommandId().anyCommand().turn().framedPose().shared(
+  return ErrorTable().thesisCommand().echoedCommandId().anyCommand().turn().inCell().framedPose().shared(
       {own_error::kNotFinite, own_error::kCoordinateRange, own_error::kNameInvalid});
 }
 

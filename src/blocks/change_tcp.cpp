@@ -20,6 +20,7 @@ ErrorTable ChangeTcpGoal::errors() {
       .echoedCommandId()
       .anyCommand()
       .turn()
+      .inCell()
       .row(tcp_error::kWeightRange, "Weight range: 0~14 kg", kSetInRange,
            "weight is negative, above 14, or not a number")
       .row(own_error::kInertiaRange, "Moment of inertia range: 0~1000000000 kg mm^2", kSetInRange,

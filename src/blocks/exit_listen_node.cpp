@@ -5,7 +5,7 @@
 namespace cobot_command::blocks {
 
 ErrorTable ExitListenNodeGoal::errors() {
-  return ErrorTable().anyCommand().turn();
+  return ErrorTable().anyCommand().turn().inCell();
 }
 
 GoalTraits traitsOf(const ExitListenNodeGoal& goal) {

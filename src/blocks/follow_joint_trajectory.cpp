@@ -118,6 +118,7 @@ ErrorTable FollowJointTrajectoryGoal::errors() {
       .anyCommand()
       .turn()
       .underInterface()
+      .inCell()
       .condition(motion_error::kOtherBlockBusy, "cannot occur through ROS: a trajectory always takes over")
       .condition(own_error::kBufferModeUnknown, "cannot occur through ROS, which has no such field here")
       .condition(own_error::kOrphanMoves, "cannot occur through ROS: a trajectory always takes over")

@@ -85,6 +85,7 @@ ErrorTable JogGoal::errors() {
                 {own_error::kOrphanMoves, jog_error::kMotionActive}})
       .anyCommand()
       .underInterface()
+      .inCell()
       .motion()
       .shared({own_error::kNotListening, own_error::kEmergencyStop, own_error::kRobotError,
                own_error::kStopNotConfirmed})

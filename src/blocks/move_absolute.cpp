@@ -43,6 +43,7 @@ ErrorTable MoveAbsoluteGoal::errors() {
       .anyCommand()
       .turn()
       .underInterface()
+      .inCell()
       .move()
       .framedPose()
       .row(motion_error::kPoseWithLine, "Robot Pose must be disabled for Line command", kSetInRange,

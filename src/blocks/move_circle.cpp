@@ -40,6 +40,7 @@ ErrorTable MoveCircleGoal::errors() {
       .anyCommand()
       .turn()
       .underInterface()
+      .inCell()
       .move()
       .framedPose()
       .row(own_error::kArcAngleRange, "ArcAngle range: 0~360 degrees", kSetInRange,

@@ -19,6 +19,7 @@ ErrorTable MoveRelativeGoal::errors() {
       .anyCommand()
       .turn()
       .underInterface()
+      .inCell()
       .move()
       .row(relative_error::kFormatForPtp, "DataFormat invalid for PTP command", kSetInRange,
            "PTP with a data_format other than JPP (0), CPP (1) or TPP (5), known or unknown")

@@ -166,6 +166,7 @@ ErrorTable RunScriptGoal::errors() {
               "fail again")
       .turn()
       .underInterface()
+      .inCell()
       .motion()
       .row(
           own_error::kScriptInvalid, "Script invalid",

@@ -5,6 +5,7 @@
 #include "node_arguments.h"
 #include <ros/ros.h>
 
+#include "cobot_command/ros/cell/cell_seat.h"
 #include "cobot_command/ros/shared/node_end.h"
 
 int main(int argc, char** argv) {
@@ -25,7 +26,16 @@ int main(int argc, char** argv) {
     ROS_FATAL_STREAM(parameters.error().message);
     return 2;
   }
-  ros_adapter::CommandNode command_node(node, self, std::move(*parameters));
+  std::unique_ptr<ros_adapter::CellSeat> seat;
+  if (!parameters->cell.cell.empty()) {
+    auto taken = ros_adapter::CellSeat::of(parameters->cell, parameters->robot_model);
+    if (!taken) {
+      ROS_FATAL_STREAM("~cell_artifact, ~cell_robot: " << taken.error());
+      return 2;
+    }
+    seat = std::move(*taken);
+  }
+  ros_adapter::CommandNode command_node(node, self, std::move(*parameters), std::move(seat));
   end.serve([&](const auto& begun) { command_node.retire(begun); });
   command_node.stop();
   end.leaveWithin(ros_adapter::kFarewellPatience);

@@ -214,6 +214,15 @@ class AnyGoal {
     return goal;
   }
 
+  blocks::RunProgramGoal any(const blocks::RunProgramGoal* /*kind*/) {
+    blocks::RunProgramGoal goal;
+    begin();
+    vary(goal.cycles);
+    varyFault(goal.paths_fault);
+    if (varied()) goal.paths = {"HOME>T1", ""};
+    return goal;
+  }
+
   blocks::StopGoal any(const blocks::StopGoal* /*kind*/) { return {}; }
 
   blocks::ChangeLoadGoal any(const blocks::ChangeLoadGoal* /*kind*/) {

@@ -169,6 +169,11 @@ inline blocks::ReturnToPrimaryGoal good() {
   return goal;
 }
 
+template <>
+inline blocks::RunProgramGoal good() {
+  return {};
+}
+
 /// To where the path was begun, as fast as that was.
 template <>
 inline blocks::RetraceGoal good() {

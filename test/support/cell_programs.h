@@ -38,6 +38,16 @@ inline cell::CellProgram headOn() {
            thereAndBack("RB", "W", {book({1}), book({0})}, {release(0), release(1)})}};
 }
 
+/// A robot, and a pallet that enters the zone by itself once it is let go.
+inline cell::CellProgram pallet() {
+  cell::CellProgram program{"A4",
+                            {"Z"},
+                            {thereAndBack("RA", "T1", {book({0})}, {release(0)}),
+                             thereAndBack("PALLET", "IN", {book({0})}, {release(0)})}};
+  program.robots[1].paths[0].steps[0].uncontrollable = true;
+  return program;
+}
+
 /// A3 is that of three.
 inline cell::CellProgram iris(std::size_t robots = 3) {
   cell::CellProgram program;

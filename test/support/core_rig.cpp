@@ -8,17 +8,21 @@ using namespace blocks;
 using namespace command;
 
 CoreRig::CoreRig(std::optional<arm::ArmModel> arm, link::LinkSettings settings, Planning planning)
-    : core(std::move(arm), settings,
-           {[this](const std::string& frame) -> std::optional<arm::Pose> {
-              const auto found = frames.find(frame);
-              return found == frames.end() ? std::nullopt : std::make_optional(found->second);
-            },
-            [this] { return last_goal_; },
-            [this](const Departure& departure, Instant at) {
-              return gate ? gate(departure, at) : std::nullopt;
-            },
-            {}},
-           planning) {}
+    : core(std::move(arm), settings, ports(), planning) {}
+
+CorePorts CoreRig::ports() {
+  CorePorts all;
+  all.frames = [this](const std::string& frame) -> std::optional<arm::Pose> {
+    const auto found = frames.find(frame);
+    return found == frames.end() ? std::nullopt : std::make_optional(found->second);
+  };
+  all.newest = [this] { return last_goal_; };
+  all.gate = [this](const Departure& departure, Instant at) {
+    return gate ? gate(departure, at) : std::nullopt;
+  };
+  all.program = program;
+  return all;
+}
 
 CoreRig::~CoreRig() {
   EXPECT_TRUE(sent_.empty()) << sent_.size() << " frames were sent that the test did not expect; the first: "

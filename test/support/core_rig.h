@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "one_frame.h"
 #include <gtest/gtest.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
@@ -91,7 +92,8 @@ class CoreRig {
   [[nodiscard]] const command::BlockOutputs& outputs(blocks::Block block) const;
   [[nodiscard]] bool connectionOpen(link::Channel channel) const { return connections_.count(channel) != 0; }
 
-  command::Gate gate;  ///< empty: open
+  command::Gate gate;                                                ///< empty: open
+  std::shared_ptr<OneFrame> program = std::make_shared<OneFrame>();  ///< of the robot
   command::CommandCore core;
   Instant now{1000s};
   bool answers_lifesigns = true;
@@ -116,6 +118,7 @@ class CoreRig {
   void pump();
 
  private:
+  [[nodiscard]] command::CorePorts ports();
   struct Connection {
     link::ConnectionId id;
     bool open = false;

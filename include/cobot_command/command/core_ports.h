@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "cobot_command/blocks/programs/program_guide.h"
 #include "cobot_command/blocks/shared/goal_values.h"
 #include "cobot_command/command/gate.h"
 #include "cobot_command/command/waiting_goals.h"
@@ -18,6 +19,8 @@ struct CorePorts {
   NewestGoal newest;
   /// Before a frame leaves that may move the robot; without it, all may.
   Gate gate;
+  /// Who leads run_program goals; nullptr: the robot is in no cell.
+  blocks::ProgramGuidePtr program;
   /// Whether somebody listens to the frames of that channel (FrameTraced); without it, somebody always does.
   std::function<bool(link::Channel channel)> traced;
 };

@@ -20,9 +20,12 @@ namespace cobot_command::command {
 struct Departure {
   blocks::Block block{};           ///< whose errors a refusal is one of
   std::vector<std::string> lines;  ///< without queue tag, and without the exit from the node behind them
+  bool asks_permit = false;        ///< it is a frame of a run_program goal
   bool planned = false;            ///< false: nobody knows what the lines do
   std::vector<motion::TrajectoryPtr> motions;  ///< of planned ones, in their order
+  std::optional<arm::JointVector> start;       ///< where what is in front of it leaves the arm [rad]
   arm::Pose tcp = arm::Pose::Identity();       ///< of the motions, in the flange [m]
+  std::optional<arm::Pose> base;               ///< active behind them, in the robot base [m]
   /// The Listen node is left with it, or behind it: the project goes on then, and may move the arm too.
   bool leaves_node = false;
 };

@@ -160,6 +160,7 @@ void addOwn(ErrorTable& table) {
                own_error::kNotAtTarget, own_error::kOrphanMoves, own_error::kStoppedElsewhere,
                own_error::kShutDown})
       .underInterface()
+      .inCell()
       .shared(own_error::kNotPlannable,
               "planning: the path would take more than 3 h, or is refused for another reason, which the "
               "description tells")

@@ -191,6 +191,11 @@ constexpr SharedError kRobotErrors[] = {
     {own_error::kStopNotConfirmed, "Stop not confirmed", "Make sure that the robot stands before you go on",
      "after a cancel, or for a goal with buffer_mode ABORTING, the controller did not accept the stop, or "
      "the status stream did not show the robot come to rest in time"},
+    {own_error::kOnlyPrograms, "In a cell only programs move the robot",
+     "Use run_program; or take the robot out of the cell, and start its node without ~cell",
+     "the node has a ~cell: what else moves the robot, or leaves the Listen node, is refused before a byte "
+     "of "
+     "it is sent"},
     {own_error::kShutDown, "Command layer is shutting down", "Start the command layer again",
      "cannot occur through ROS, whose node takes no goals by then: the goal came after the command layer was "
      "told to shut down"},
@@ -287,6 +292,10 @@ ErrorTable& ErrorTable::turn() {
 ErrorTable& ErrorTable::underInterface() {
   return shared(
       {interface_error::kNotEnabled, interface_error::kNotSynchronized, interface_error::kInterrupted});
+}
+
+ErrorTable& ErrorTable::inCell() {
+  return shared({own_error::kOnlyPrograms});
 }
 
 ErrorTable& ErrorTable::motion() {

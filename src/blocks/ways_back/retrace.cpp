@@ -146,6 +146,7 @@ ErrorTable RetraceGoal::errors() {
       .anyCommand()
       .turn()
       .underInterface()
+      .inCell()
       .shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kPlanningBudget,
                own_error::kNoFreeTag, own_error::kTagLost, own_error::kNotAtTarget,
                own_error::kStoppedElsewhere})

@@ -53,6 +53,7 @@ ErrorTable ReturnToPrimaryGoal::errors() {
   return ErrorTable()
       .anyCommand()
       .underInterface()
+      .inCell()
       .motion()
       .shared({own_error::kNotListening, own_error::kEmergencyStop, own_error::kRobotError,
                own_error::kStopNotConfirmed, own_error::kOrphanMoves, own_error::kBaseUnknown})

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "cobot-cell-artifact";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 /// Calls for each parameter that is a number of its own, by its name.
 template <class ParametersOrConst, class Visitor>
@@ -63,39 +63,70 @@ json listOf(const Values& values) {
 }
 
 /// Indices that lead nowhere would be followed by who uses it.
-void checkIndices(const Artifact& artifact) {
-  const std::size_t zones = artifact.zones.size();
-  if (artifact.program.zones.size() != zones || artifact.program.robots.size() != artifact.robots.size()) {
-    wrongInArtifact("zones or robots are not those of the program");
-  }
-  const auto require_zones = [zones](const std::vector<ZoneIndex>& list) {
-    for (const ZoneIndex zone : list) {
-      if (zone >= zones) wrongInArtifact("a zone is named that is not there");
-    }
-  };
-  for (RobotIndex robot = 0; robot < artifact.robots.size(); ++robot) {
-    const RobotProgram& program = artifact.program.robots[robot];
-    const ArtifactRobot& of_robot = artifact.robots[robot];
-    if (of_robot.paths.size() != program.paths.size() ||
-        of_robot.stations.size() != program.stations.size()) {
+class IndexCheck {
+ public:
+  explicit IndexCheck(const Artifact& artifact) : zones_(artifact.zones.size()) {}
+
+  /// Of a robot or mechanism.
+  template <class User>
+  void check(const RobotProgram& program, const User& user) const {
+    if (user.paths.size() != program.paths.size() || user.stations.size() != program.stations.size()) {
       wrongInArtifact("paths or stations are not those of the program");
     }
-    for (const ArtifactStation& station : of_robot.stations) require_zones(station.zones);
-    for (std::size_t path = 0; path < of_robot.paths.size(); ++path) {
-      const ArtifactPath& of_path = of_robot.paths[path];
-      if (of_path.places.size() != program.paths[path].steps.size()) {
-        wrongInArtifact("a zone step has no place");
+    for (const auto& station : user.stations) requireZones(station.zones);
+    for (std::size_t path = 0; path < user.paths.size(); ++path) {
+      checkPath(program.paths[path], user.paths[path]);
+    }
+  }
+
+ private:
+  template <class OfPath>
+  void checkPath(const PathProgram& program, const OfPath& path) const {
+    if (path.places.size() != program.steps.size()) wrongInArtifact("a zone step has no place");
+    const std::size_t frames = framesOf(path);
+    for (const ZonePlace& place : path.places) {
+      if (place.frame >= frames || place.piece >= path.pieces.size()) {
+        wrongInArtifact("a zone step is at no frame or piece");
       }
-      for (const ZonePlace& place : of_path.places) {
-        if (place.frame >= of_path.frames.size() || place.piece >= of_path.pieces.size()) {
-          wrongInArtifact("a zone step is at no frame or piece");
-        }
-      }
-      for (const Hold& hold : of_path.holds) require_zones({hold.zone});
-      for (const ArtifactPiece& piece : of_path.pieces) {
-        if (piece.frame >= of_path.frames.size()) wrongInArtifact("a piece is of no frame");
-        require_zones(piece.zones);
-      }
+    }
+    for (const Hold& hold : path.holds) requireZones({hold.zone});
+    for (const auto& piece : path.pieces) {
+      if (frameOf(piece) >= frames) wrongInArtifact("a piece is of no frame");
+      requireZones(piece.zones);
+    }
+  }
+
+  void requireZones(const std::vector<ZoneIndex>& list) const {
+    for (const ZoneIndex zone : list) {
+      if (zone >= zones_) wrongInArtifact("a zone is named that is not there");
+    }
+  }
+
+  static std::size_t framesOf(const ArtifactPath& path) { return path.frames.size(); }
+  static std::size_t framesOf(const ArtifactMechanismPath& /*path*/) { return 1; }
+  static std::size_t frameOf(const ArtifactPiece& piece) { return piece.frame; }
+  static std::size_t frameOf(const ArtifactAxisPiece& /*piece*/) { return 0; }
+
+  std::size_t zones_;
+};
+
+void checkIndices(const Artifact& artifact) {
+  const auto& programs = artifact.program.robots;
+  if (artifact.program.zones.size() != artifact.zones.size() ||
+      programs.size() != artifact.robots.size() + artifact.mechanisms.size()) {
+    wrongInArtifact("zones or robots are not those of the program");
+  }
+  for (const Zone& zone : artifact.zones) {
+    for (const RobotIndex user : zone.users) {
+      if (user >= programs.size()) wrongInArtifact("a zone has a user that is not there");
+    }
+  }
+  const IndexCheck indices(artifact);
+  for (RobotIndex robot = 0; robot < programs.size(); ++robot) {
+    if (robot < artifact.robots.size()) {
+      indices.check(programs[robot], artifact.robots[robot]);
+    } else {
+      indices.check(programs[robot], artifact.mechanisms[robot - artifact.robots.size()]);
     }
   }
 }
@@ -112,6 +143,9 @@ Artifact artifactFrom(const json& source) {
   artifact.program = programFrom(source.at("program"));
   for (const auto& zone : source.at("zones")) artifact.zones.push_back(zoneFrom(zone));
   for (const auto& robot : source.at("robots")) artifact.robots.push_back(robotFrom(robot));
+  for (const auto& mechanism : source.at("mechanisms")) {
+    artifact.mechanisms.push_back(mechanismFrom(mechanism));
+  }
   const auto policy = policyNamed(source.at("policy").get<std::string>());
   if (!policy) wrongInArtifact("it has no policy");
   artifact.policy = *policy;
@@ -133,6 +167,7 @@ std::string toBytes(const Artifact& artifact) {
                      {"program", toJson(artifact.program)},
                      {"zones", listOf(artifact.zones)},
                      {"robots", listOf(artifact.robots)},
+                     {"mechanisms", listOf(artifact.mechanisms)},
                      {"policy", toString(artifact.policy)},
                      {"supervisors", listOf(artifact.supervisors)},
                      {"least_distance", artifact.least_distance}};

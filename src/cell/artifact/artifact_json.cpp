@@ -10,19 +10,19 @@ void wrongInArtifact(const std::string& what) {
   throw json::other_error::create(501, what, nullptr);
 }
 
-namespace {
-
-double finite(const json& value) {
-  const double number = value.get<double>();
+double finiteFrom(const json& source) {
+  const double number = source.get<double>();
   if (!std::isfinite(number)) wrongInArtifact("a number is not finite");
   return number;
 }
+
+namespace {
 
 template <std::size_t Count>
 std::array<double, Count> numbersFrom(const json& list) {
   if (list.size() != Count) wrongInArtifact("a list of numbers is too short or too long");
   std::array<double, Count> numbers{};
-  for (std::size_t index = 0; index < Count; ++index) numbers[index] = finite(list.at(index));
+  for (std::size_t index = 0; index < Count; ++index) numbers[index] = finiteFrom(list.at(index));
   return numbers;
 }
 
@@ -62,16 +62,42 @@ std::string bytesOf(const std::string& hex) {
 }
 
 json written(const ArtifactFrame& frame) {
-  json result = {{"step", frame.step},
-                 {"lines", frame.lines},
-                 {"base", toJson(frame.base)},
-                 {"tcp", toJson(frame.tcp)},
-                 {"stands", frame.stands},
-                 {"dwell", frame.dwell},
-                 {"begin", written(frame.begin)},
-                 {"end", written(frame.end)}};
+  json result = {{"step", frame.step},       {"lines", frame.lines},          {"base", toJson(frame.base)},
+                 {"tcp", toJson(frame.tcp)}, {"stands", frame.stands},        {"carried", frame.carried},
+                 {"dwell", frame.dwell},     {"begin", written(frame.begin)}, {"end", written(frame.end)}};
   if (frame.start) result["start"] = toJson(*frame.start);
+  if (frame.output) {
+    result["output"] = {{"kind", frame.output->kind},
+                        {"module", frame.output->module},
+                        {"output", frame.output->output},
+                        {"value", frame.output->value}};
+  }
+  if (frame.input) {
+    result["input"] = {{"module", frame.input->module},
+                       {"input", frame.input->input},
+                       {"value", frame.input->value},
+                       {"timeout", frame.input->timeout}};
+  }
   return result;
+}
+
+void outputFrom(const json& source, ArtifactFrame& frame) {
+  if (source.contains("output")) {
+    const json& output = source.at("output");
+    frame.output.emplace();
+    output.at("kind").get_to(frame.output->kind);
+    output.at("module").get_to(frame.output->module);
+    output.at("output").get_to(frame.output->output);
+    frame.output->value = finiteFrom(output.at("value"));
+  }
+  if (source.contains("input")) {
+    const json& input = source.at("input");
+    frame.input.emplace();
+    input.at("module").get_to(frame.input->module);
+    input.at("input").get_to(frame.input->input);
+    input.at("value").get_to(frame.input->value);
+    frame.input->timeout = finiteFrom(input.at("timeout"));
+  }
 }
 
 ArtifactFrame frameFrom(const json& source) {
@@ -81,7 +107,9 @@ ArtifactFrame frameFrom(const json& source) {
   frame.base = poseFrom(source.at("base"));
   frame.tcp = poseFrom(source.at("tcp"));
   source.at("stands").get_to(frame.stands);
-  frame.dwell = finite(source.at("dwell"));
+  source.at("carried").get_to(frame.carried);
+  outputFrom(source, frame);
+  frame.dwell = finiteFrom(source.at("dwell"));
   frame.begin = durationFrom(source.at("begin"));
   frame.end = durationFrom(source.at("end"));
   if (source.contains("start")) frame.start = jointsFrom(source.at("start"));
@@ -128,13 +156,11 @@ Hold holdFrom(const json& source) {
 json written(const ArtifactPath& path) {
   json result = {{"frames", json::array()},
                  {"pieces", json::array()},
-                 {"holds", json::array()},
-                 {"places", json::array()},
+                 {"holds", toJson(path.holds)},
+                 {"places", toJson(path.places)},
                  {"duration", written(path.duration)}};
   for (const ArtifactFrame& frame : path.frames) result["frames"].push_back(written(frame));
   for (const ArtifactPiece& piece : path.pieces) result["pieces"].push_back(written(piece));
-  for (const Hold& hold : path.holds) result["holds"].push_back(written(hold));
-  for (const ZonePlace& place : path.places) result["places"].push_back({place.frame, place.piece});
   return result;
 }
 
@@ -142,15 +168,76 @@ ArtifactPath pathFrom(const json& source) {
   ArtifactPath path;
   for (const auto& frame : source.at("frames")) path.frames.push_back(frameFrom(frame));
   for (const auto& piece : source.at("pieces")) path.pieces.push_back(pieceFrom(piece));
-  for (const auto& hold : source.at("holds")) path.holds.push_back(holdFrom(hold));
-  for (const auto& place : source.at("places")) {
-    path.places.push_back({place.at(0).get<std::size_t>(), place.at(1).get<std::size_t>()});
-  }
+  path.holds = holdsFrom(source.at("holds"));
+  path.places = placesFrom(source.at("places"));
   path.duration = durationFrom(source.at("duration"));
   return path;
 }
 
+json written(const std::vector<FlangeCapsules>& things) {
+  json list = json::array();
+  for (const FlangeCapsules& thing : things) {
+    list.push_back({{"name", thing.name}, {"capsules", toJson(thing.capsules)}});
+  }
+  return list;
+}
+
+std::vector<FlangeCapsules> thingsFrom(const json& source) {
+  std::vector<FlangeCapsules> things;
+  for (const auto& thing : source) {
+    FlangeCapsules& made = things.emplace_back();
+    thing.at("name").get_to(made.name);
+    made.capsules = capsulesFrom(thing.at("capsules"));
+  }
+  return things;
+}
+
 }  // namespace
+
+json toJson(const Capsules& capsules) {
+  json list = json::array();
+  for (const Capsule& one : capsules) {
+    list.push_back(
+        {one.from.x(), one.from.y(), one.from.z(), one.to.x(), one.to.y(), one.to.z(), one.radius});
+  }
+  return list;
+}
+
+Capsules capsulesFrom(const json& source) {
+  Capsules capsules;
+  for (const auto& capsule : source) {
+    const auto numbers = numbersFrom<7>(capsule);
+    capsules.push_back(
+        {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}, numbers[6]});
+  }
+  return capsules;
+}
+
+json toJson(const std::vector<Hold>& holds) {
+  json list = json::array();
+  for (const Hold& hold : holds) list.push_back(written(hold));
+  return list;
+}
+
+std::vector<Hold> holdsFrom(const json& source) {
+  std::vector<Hold> holds;
+  for (const auto& hold : source) holds.push_back(holdFrom(hold));
+  return holds;
+}
+
+json toJson(const std::vector<ZonePlace>& places) {
+  json list = json::array();
+  for (const ZonePlace& place : places) list.push_back({place.frame, place.piece});
+  return list;
+}
+
+std::vector<ZonePlace> placesFrom(const json& source) {
+  std::vector<ZonePlace> places;
+  for (const auto& place : source) {
+    places.push_back({place.at(0).get<std::size_t>(), place.at(1).get<std::size_t>()});
+  }
+  return places;
+}
 
 json toJson(const arm::JointVector& joints) {
   return {joints[0], joints[1], joints[2], joints[3], joints[4], joints[5]};
@@ -181,12 +268,12 @@ arm::Pose poseFrom(const json& source) {
 }
 
 json toJson(const ArtifactRobot& robot) {
-  json result = {{"model", robot.model},
-                 {"namespace", robot.name_space},
-                 {"stations", json::array()},
+  json result = {{"model", robot.model},        {"namespace", robot.name_space}, {"base", toJson(robot.base)},
+                 {"tool", written(robot.tool)}, {"parts", written(robot.parts)}, {"stations", json::array()},
                  {"paths", json::array()}};
   for (const ArtifactStation& station : robot.stations) {
-    result["stations"].push_back({{"joints", toJson(station.joints)}, {"zones", station.zones}});
+    result["stations"].push_back(
+        {{"joints", toJson(station.joints)}, {"zones", station.zones}, {"carried", station.carried}});
   }
   for (const ArtifactPath& path : robot.paths) result["paths"].push_back(written(path));
   return result;
@@ -196,9 +283,13 @@ ArtifactRobot robotFrom(const json& source) {
   ArtifactRobot robot;
   source.at("model").get_to(robot.model);
   source.at("namespace").get_to(robot.name_space);
+  robot.base = poseFrom(source.at("base"));
+  robot.tool = thingsFrom(source.at("tool"));
+  robot.parts = thingsFrom(source.at("parts"));
   for (const auto& station : source.at("stations")) {
-    robot.stations.push_back(
-        {jointsFrom(station.at("joints")), station.at("zones").get<std::vector<ZoneIndex>>()});
+    robot.stations.push_back({jointsFrom(station.at("joints")),
+                              station.at("zones").get<std::vector<ZoneIndex>>(),
+                              station.at("carried").get<std::vector<std::string>>()});
   }
   for (const auto& path : source.at("paths")) robot.paths.push_back(pathFrom(path));
   return robot;

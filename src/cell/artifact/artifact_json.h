@@ -13,14 +13,27 @@ namespace cobot_command::cell {
 [[nodiscard]] nlohmann::json toJson(const arm::Pose& pose);
 [[nodiscard]] arm::Pose poseFrom(const nlohmann::json& json);
 
+[[nodiscard]] nlohmann::json toJson(const Capsules& capsules);
+[[nodiscard]] Capsules capsulesFrom(const nlohmann::json& json);
+
+/// On whichever path: holds and the places of zone steps.
+[[nodiscard]] nlohmann::json toJson(const std::vector<Hold>& holds);
+[[nodiscard]] std::vector<Hold> holdsFrom(const nlohmann::json& json);
+[[nodiscard]] nlohmann::json toJson(const std::vector<ZonePlace>& places);
+[[nodiscard]] std::vector<ZonePlace> placesFrom(const nlohmann::json& json);
+
 [[nodiscard]] nlohmann::json toJson(const CellProgram& program);
 [[nodiscard]] CellProgram programFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::json toJson(const ArtifactRobot& robot);
 [[nodiscard]] ArtifactRobot robotFrom(const nlohmann::json& json);
+[[nodiscard]] nlohmann::json toJson(const ArtifactMechanism& mechanism);
+[[nodiscard]] ArtifactMechanism mechanismFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::json toJson(const Zone& zone);
 [[nodiscard]] Zone zoneFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::json toJson(const PartSupervisor& supervisor);
 [[nodiscard]] PartSupervisor supervisorFrom(const nlohmann::json& json);
+
+[[nodiscard]] double finiteFrom(const nlohmann::json& json);
 
 /// For what the types of JSON do not tell.
 [[noreturn]] void wrongInArtifact(const std::string& what);

@@ -12,28 +12,9 @@ std::vector<std::string> CellBuild::report(BuildStage stage) const {
   std::vector<std::string> lines;
   switch (stage) {
     case BuildStage::Plan:
-      for (const PlannedRobot& robot : planned_) {
-        std::size_t frames = 0;
-        Duration all{};
-        for (const PlannedPath& path : robot.paths) {
-          frames += path.frames.size();
-          all += path.duration;
-        }
-        lines.push_back(fmt::format("{}: {} paths, {} frames, {:.1f} s in all", robot.name,
-                                    robot.paths.size(), frames, toSeconds(all)));
-      }
-      break;
+      return reportPlan();
     case BuildStage::Sweep:
-      for (const RobotClaim& claim : claims_) {
-        const double edge = 1000.0 * cell_.parameters.voxel / 100.0;  // [dm], so that its cube is in litres
-        lines.push_back(fmt::format("{}: {} pieces, {} voxels, {:.1f} l", claim.name, claim.pieces(),
-                                    claim.all.count(),
-                                    edge * edge * edge * static_cast<double>(claim.all.count())));
-      }
-      lines.push_back(
-          fmt::format("a claimed point is at most {:.1f} mm from a body that is there at some moment",
-                      mToMm(claimError(cell_.parameters))));
-      break;
+      return reportSweep();
     case BuildStage::Zones:
       return reportZones();
     case BuildStage::Split:
@@ -69,19 +50,52 @@ std::vector<std::string> CellBuild::report(BuildStage stage) const {
   return lines;
 }
 
+std::vector<std::string> CellBuild::reportPlan() const {
+  std::vector<std::string> lines;
+  for (const PlannedRobot& robot : planned_) {
+    std::size_t frames = 0;
+    Duration all{};
+    for (const PlannedPath& path : robot.paths) {
+      frames += path.frames.size();
+      all += path.duration;
+    }
+    lines.push_back(fmt::format("{}: {} paths, {} frames, {:.1f} s in all", robot.name, robot.paths.size(),
+                                frames, toSeconds(all)));
+  }
+  for (const Mechanism& mechanism : cell_.mechanisms) {
+    lines.push_back(fmt::format("{}: a mechanism, {} paths between {} positions", mechanism.name,
+                                mechanism.program.size(), stationsOf(mechanism).size()));
+  }
+  return lines;
+}
+
+std::vector<std::string> CellBuild::reportSweep() const {
+  std::vector<std::string> lines;
+  const double edge = 1000.0 * cell_.parameters.voxel / 100.0;  // [dm], so that its cube is in litres
+  for (const RobotClaim& claim : claims_) {
+    lines.push_back(fmt::format("{}: {} pieces, {} voxels, {:.1f} l", claim.name, claim.pieces(),
+                                claim.all.count(),
+                                edge * edge * edge * static_cast<double>(claim.all.count())));
+  }
+  lines.push_back(fmt::format("a claimed point is at most {:.1f} mm from a body that is there at some moment",
+                              mToMm(claimError(cell_.parameters))));
+  return lines;
+}
+
 std::vector<std::string> CellBuild::reportZones() const {
   std::vector<std::string> lines;
   for (const Zone& zone : zones_) {
     std::vector<std::string> users;
-    for (const RobotIndex user : zone.users) users.push_back(cell_.robots[user].name);
+    for (const RobotIndex user : zone.users) users.push_back(claims_[user].name);
     lines.push_back(fmt::format("{} of {}: {} voxels, {}", zone.name, fmt::join(users, " and "),
                                 zone.voxels.count(), boxOf(zone, cell_.parameters.voxel)));
   }
   for (const RobotProgram& robot : held_.program.robots) {
     for (const PathProgram& path : robot.paths) {
-      std::string line = fmt::format("{} {}:", robot.name, path.name);
+      std::string line =
+          fmt::format("{} {}{}:", robot.name, path.name, path.uncontrollable_go ? " (begins by itself)" : "");
       for (const ZoneStep& step : path.steps) {
-        line += step.books ? " book" : " release";
+        line += step.uncontrollable ? " enter by itself" : step.books ? " book" : " release";
         for (const ZoneIndex zone : step.zones) line += " " + held_.program.zones[zone];
         line += ",";
       }

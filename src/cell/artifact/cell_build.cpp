@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "artifact/carried_bodies.h"
 #include <fmt/format.h>
 
 #include "cobot_command/cell/program/canonical.h"
@@ -126,16 +127,58 @@ Artifact CellBuild::artifact() const {
   artifact.policy = policy_;
   artifact.supervisors = supervisors_;
   artifact.least_distance = soundness_.least;
-  for (RobotIndex robot = 0; robot < planned_.size(); ++robot) {
-    ArtifactRobot& of_robot = artifact.robots.emplace_back();
-    of_robot.model = cell_.robots[robot].model;
-    of_robot.name_space = cell_.robots[robot].name_space;
-    for (std::size_t station = 0; station < planned_[robot].stations.size(); ++station) {
-      of_robot.stations.push_back(
-          {planned_[robot].stations[station].joints, held_.robots[robot].at_stations[station]});
-    }
-    for (std::size_t path = 0; path < planned_[robot].paths.size(); ++path) {
-      of_robot.paths.push_back(pathOf(robot, path));
+  for (RobotIndex robot = 0; robot < planned_.size(); ++robot) artifact.robots.push_back(robotOf(robot));
+  for (std::size_t index = 0; index < cell_.mechanisms.size(); ++index) {
+    artifact.mechanisms.push_back(mechanismOf(cell_.mechanisms[index], planned_.size() + index));
+  }
+  return artifact;
+}
+
+ArtifactRobot CellBuild::robotOf(RobotIndex robot) const {
+  ArtifactRobot of_robot;
+  of_robot.model = cell_.robots[robot].model;
+  of_robot.name_space = cell_.robots[robot].name_space;
+  of_robot.base = cell_.robots[robot].base;
+  of_robot.tool = toolOf(cell_, cell_.robots[robot]);
+  of_robot.parts = partsOf(cell_, planned_[robot]);
+  for (std::size_t station = 0; station < planned_[robot].stations.size(); ++station) {
+    const PlannedStation& planned = planned_[robot].stations[station];
+    of_robot.stations.push_back({planned.joints,
+                                 held_.robots[robot].at_stations[station],
+                                 {planned.carried.begin(), planned.carried.end()}});
+  }
+  for (std::size_t path = 0; path < planned_[robot].paths.size(); ++path) {
+    of_robot.paths.push_back(pathOf(robot, path));
+  }
+  return of_robot;
+}
+
+std::vector<ZoneIndex> CellBuild::touchedBy(const Piece& piece, RobotIndex user) const {
+  std::vector<ZoneIndex> touched;
+  for (ZoneIndex zone = 0; zone < zones_.size(); ++zone) {
+    const auto& users = zones_[zone].users;
+    const bool is_user = std::find(users.begin(), users.end(), user) != users.end();
+    if (is_user && piece.claim.touches(zones_[zone].voxels)) touched.push_back(zone);
+  }
+  return touched;
+}
+
+ArtifactMechanism CellBuild::mechanismOf(const Mechanism& mechanism, RobotIndex user) const {
+  ArtifactMechanism artifact;
+  artifact.bodies = bodiesOf(cell_.parameters, mechanism);
+  const std::vector<MechanismPosition> stations = stationsOf(mechanism);
+  for (std::size_t station = 0; station < stations.size(); ++station) {
+    artifact.stations.push_back({stations[station].value, held_.robots[user].at_stations[station]});
+  }
+  for (std::size_t index = 0; index < mechanism.program.size(); ++index) {
+    ArtifactMechanismPath& path = artifact.paths.emplace_back();
+    path.holds = held_.robots[user].paths[index].holds;
+    path.places = held_.robots[user].paths[index].places;
+    const double seconds = mechanism.program[index].duration;
+    if (seconds > 0.0) path.duration = fromSeconds(seconds);
+    for (const Piece& piece : claims_[user].paths[index].pieces) {
+      const auto& axis = std::get<AxisPosture>(piece.posture);
+      path.pieces.push_back({axis.from, axis.to, touchedBy(piece, user)});
     }
   }
   return artifact;
@@ -152,6 +195,10 @@ ArtifactPath CellBuild::pathOf(RobotIndex robot, std::size_t index) const {
     of_path.step = frame.step;
     of_path.lines = frame.lines;
     of_path.stands = frame.stands;
+    of_path.carried.assign(frame.carried.begin(), frame.carried.end());
+    const Step& step = cell_.robots[robot].program[index].steps[frame.step];
+    of_path.output = step.output;
+    of_path.input = step.input;
     of_path.dwell = frame.dwell;
     of_path.begin = frame.begin;
     of_path.end = frame.end;
@@ -161,14 +208,8 @@ ArtifactPath CellBuild::pathOf(RobotIndex robot, std::size_t index) const {
     of_path.tcp = frame.motions.front().tcp;
   }
   for (const Piece& piece : claims_[robot].paths[index].pieces) {
-    std::vector<ZoneIndex> touched;
-    for (ZoneIndex zone = 0; zone < zones_.size(); ++zone) {
-      const auto& users = zones_[zone].users;
-      const bool is_user = std::find(users.begin(), users.end(), robot) != users.end();
-      if (is_user && piece.claim.touches(zones_[zone].voxels)) touched.push_back(zone);
-    }
-    path.pieces.push_back(
-        {piece.kind, piece.frame, piece.motion, piece.from, piece.to, piece.range, std::move(touched)});
+    path.pieces.push_back({piece.kind, piece.frame, piece.motion, piece.from, piece.to,
+                           std::get<ArmPosture>(piece.posture).range, touchedBy(piece, robot)});
   }
   return path;
 }

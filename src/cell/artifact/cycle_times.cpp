@@ -16,6 +16,18 @@ Duration timeOf(const ArtifactPath& path, const ZonePlace& place, bool books) {
   return rests ? frame.end : std::min(frame.begin + piece.to, frame.end);
 }
 
+/// Nobody knows when a mechanism is where: it may be in its zones until it has arrived.
+Duration timeOf(const ArtifactMechanismPath& path, const ZonePlace& /*place*/, bool books) {
+  return books ? Duration::zero() : *path.duration;
+}
+
+Duration lengthOf(const ArtifactPath& path) {
+  return path.duration;
+}
+Duration lengthOf(const ArtifactMechanismPath& path) {
+  return *path.duration;
+}
+
 class CycleWriter {
  public:
   CycleWriter(const Artifact& artifact, const CellModel& model, RobotIndex robot)
@@ -28,7 +40,17 @@ class CycleWriter {
       const auto path = std::find_if(program.paths.begin(), program.paths.end(),
                                      [station](const PathProgram& one) { return one.from == station; });
       if (path == program.paths.end()) break;
-      addPath(static_cast<PathIndex>(path - program.paths.begin()));
+      const auto index = static_cast<PathIndex>(path - program.paths.begin());
+      if (robot_ < artifact_.robots.size()) {
+        addPath(index, artifact_.robots[robot_].paths[index]);
+      } else {
+        const auto& of_mechanism = artifact_.mechanisms[robot_ - artifact_.robots.size()].paths[index];
+        if (!of_mechanism.duration) {
+          return refuse(fmt::format("{}: how long {} takes is not known: give it a duration in the cell file",
+                                    program.name, path->name));
+        }
+        addPath(index, of_mechanism);
+      }
       station = path->to;
       if (station == program.home) return std::move(cycle_);
     }
@@ -36,8 +58,8 @@ class CycleWriter {
   }
 
  private:
-  void addPath(PathIndex index) {
-    const ArtifactPath& path = artifact_.robots[robot_].paths[index];
+  template <class OfPath>
+  void addPath(PathIndex index, const OfPath& path) {
     last_ = Duration::zero();
     std::size_t step = 0;
     for (automata::EventIndex event = 0; event < model_.events.size(); ++event) {
@@ -48,7 +70,7 @@ class CycleWriter {
           add(event, Duration::zero());
           break;
         case CellEvent::Kind::Reached:
-          add(event, path.duration);
+          add(event, lengthOf(path));
           break;
         case CellEvent::Kind::Book:
         case CellEvent::Kind::Release:

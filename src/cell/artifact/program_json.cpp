@@ -14,7 +14,11 @@ json written(const RobotProgram& robot) {
       steps.push_back(
           {{"books", step.books}, {"zones", step.zones}, {"uncontrollable", step.uncontrollable}});
     }
-    paths.push_back({{"name", path.name}, {"from", path.from}, {"to", path.to}, {"steps", std::move(steps)}});
+    paths.push_back({{"name", path.name},
+                     {"from", path.from},
+                     {"to", path.to},
+                     {"steps", std::move(steps)},
+                     {"uncontrollable_go", path.uncontrollable_go}});
   }
   return {{"name", robot.name},
           {"stations", robot.stations},
@@ -34,6 +38,7 @@ RobotProgram robotProgramFrom(const json& source) {
     path.at("name").get_to(of_robot.name);
     path.at("from").get_to(of_robot.from);
     path.at("to").get_to(of_robot.to);
+    path.at("uncontrollable_go").get_to(of_robot.uncontrollable_go);
     for (const auto& step : path.at("steps")) {
       of_robot.steps.push_back({step.at("books").get<bool>(), step.at("zones").get<std::vector<ZoneIndex>>(),
                                 step.at("uncontrollable").get<bool>()});

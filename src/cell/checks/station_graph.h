@@ -17,6 +17,7 @@ struct Link {
 template <class Way>
 [[nodiscard]] std::vector<Link> linksOf(const std::vector<Way>& program) {
   std::vector<Link> links;
+  links.reserve(program.size());
   for (const Way& path : program) links.push_back({path.name, path.from, path.to, path.place});
   return links;
 }

@@ -6,10 +6,16 @@
 #include <thread>
 
 #include "claims/bodies_of_robot.h"
+#include "claims/mechanism_sweep.h"
 #include "claims/sweep.h"
+
+#include "cobot_command/common/overloaded.h"
 
 namespace cobot_command::cell {
 namespace {
+
+/// What rounding could do to a claim [m].
+constexpr double kRoundingRoom = 1e-6;
 
 struct Claimed {
   RobotClaim claim;
@@ -28,16 +34,42 @@ Claimed claimRobotOf(const Cell& cell, const Robot& robot, const PlannedRobot& p
   return {std::move(claim), sweep.faults()};
 }
 
+Claimed claimMechanismOf(const Cell& cell, const Mechanism& mechanism) {
+  auto claim = claimMechanism(cell.parameters, mechanism);
+  if (claim) return {std::move(*claim), {}};
+  return {{},
+          {{mechanism.place.file, mechanism.place.line, mechanism.place.column,
+            "mechanisms." + mechanism.name, claim.error(), "", ""}}};
+}
+
 }  // namespace
+
+Capsules Piece::capsulesAtCentre() const {
+  return std::visit(
+      Overloaded{[](const ArmPosture& arm) { return arm.bodies->at(arm.range.centre()).capsules; },
+                 [](const AxisPosture& axis) { return axis.bodies->at(axis.centre()); }},
+      posture);
+}
+
+std::size_t RobotClaim::pieces() const {
+  std::size_t count = stations.size();
+  for (const PathClaim& path : paths) count += path.pieces.size();
+  return count;
+}
+
+double clearanceOf(const Parameters& parameters) {
+  return parameters.body_tolerance + 0.5 * parameters.margin + kRoundingRoom;
+}
 
 Result<std::vector<RobotClaim>, std::vector<Fault>> claimCell(const Cell& cell,
                                                               const std::vector<PlannedRobot>& robots,
                                                               unsigned threads) {
-  std::vector<Claimed> claimed(robots.size());
+  std::vector<Claimed> claimed(robots.size() + cell.mechanisms.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
-    for (std::size_t robot = next++; robot < robots.size(); robot = next++) {
-      claimed[robot] = claimRobotOf(cell, cell.robots[robot], robots[robot]);
+    for (std::size_t one = next++; one < claimed.size(); one = next++) {
+      claimed[one] = one < robots.size() ? claimRobotOf(cell, cell.robots[one], robots[one])
+                                         : claimMechanismOf(cell, cell.mechanisms[one - robots.size()]);
     }
   };
   std::vector<std::thread> others;

@@ -11,8 +11,6 @@ namespace {
 
 using motion::Interval;
 
-/// What rounding could do to a claim [m].
-constexpr double kRoundingRoom = 1e-6;
 /// Shorter, and nothing was proved: the motion is refused.
 constexpr Duration kShortest = std::chrono::microseconds(1);
 
@@ -24,12 +22,6 @@ Interval secondHalf(const Interval& time) {
 }
 
 }  // namespace
-
-std::size_t RobotClaim::pieces() const {
-  std::size_t count = stations.size();
-  for (const PathClaim& path : paths) count += path.pieces.size();
-  return count;
-}
 
 RobotClaim Sweep::claim() {
   RobotClaim claim;
@@ -129,9 +121,7 @@ Piece Sweep::rest(const arm::JointVector& joints, const Made& made) const {
   piece.kind = made.kind;
   piece.frame = made.frame;
   piece.motion = made.motion;
-  piece.range = motion::JointRange::of(joints);
-  piece.bodies = made.bodies;
-  finish(piece, made.bodies->at(joints));
+  finish(piece, {motion::JointRange::of(joints), made.bodies}, made.bodies->at(joints));
   return piece;
 }
 
@@ -145,18 +135,16 @@ bool Sweep::add(const motion::JointRange& range, const Made& made, Interval time
   piece.motion = made.motion;
   piece.from = time.from;
   piece.to = time.to;
-  piece.range = range;
   piece.displacement = displacement;
-  piece.bodies = made.bodies;
-  finish(piece, placed);
+  finish(piece, {range, made.bodies}, placed);
   pieces_.push_back(std::move(piece));
   return true;
 }
 
-void Sweep::finish(Piece& piece, const PlacedRobot& placed) const {
-  const arm::JointVector half_widths = (0.5 * piece.range.widths()).array() + parameters_.tracking;
-  const double clearance = parameters_.body_tolerance + 0.5 * parameters_.margin + kRoundingRoom;
-  claimRobot(piece.claim, *piece.bodies, placed, half_widths, clearance, parameters_.voxel);
+void Sweep::finish(Piece& piece, ArmPosture posture, const PlacedRobot& placed) const {
+  const arm::JointVector half_widths = (0.5 * posture.range.widths()).array() + parameters_.tracking;
+  claimRobot(piece.claim, *posture.bodies, placed, half_widths, clearanceOf(parameters_), parameters_.voxel);
+  piece.posture = std::move(posture);
 }
 
 void Sweep::fault(std::size_t frame, const motion::Unbounded& unbounded) {

@@ -12,6 +12,9 @@
 
 namespace cobot_command::cell {
 
+/// What a claim is grown by besides what its bodies move [m].
+[[nodiscard]] double clearanceOf(const Parameters& parameters);
+
 class Sweep {
  public:
   Sweep(const Cell& cell, const Robot& robot, const PlannedRobot& planned, BodiesOfRobot bodies)
@@ -40,7 +43,7 @@ class Sweep {
   [[nodiscard]] Piece rest(const arm::JointVector& joints, const Made& made) const;
   /// False: a body moves too far.
   bool add(const motion::JointRange& range, const Made& made, motion::Interval time, bool at_any_rate);
-  void finish(Piece& piece, const PlacedRobot& placed) const;
+  void finish(Piece& piece, ArmPosture posture, const PlacedRobot& placed) const;
   void fault(std::size_t frame, const motion::Unbounded& unbounded);
 
   const Parameters& parameters_;

@@ -6,11 +6,29 @@
 #include "cobot_command/automata/compression.h"
 
 namespace cobot_command::cell {
+namespace {
+
+/// Events of the part that let a mechanism go which then enters zones by itself: refusing them is all that
+/// keeps it out.
+std::vector<automata::EventIndex> lettingGo(const CellModel& model, const automata::PartOfProblem& part) {
+  std::vector<automata::EventIndex> events;
+  for (automata::EventIndex event = 0; event < part.events.size(); ++event) {
+    const CellEvent& meaning = model.events[part.events[event]];
+    if (meaning.kind != CellEvent::Kind::Go) continue;
+    const auto& steps = model.program.robots[meaning.robot].paths[meaning.path].steps;
+    const bool enters_by_itself =
+        std::any_of(steps.begin(), steps.end(), [](const ZoneStep& step) { return step.uncontrollable; });
+    if (enters_by_itself) events.push_back(event);
+  }
+  return events;
+}
+
+}  // namespace
 
 PartProblem::PartProblem(const CellModel& model, const automata::PartOfProblem& part, bool is_compressed)
     : problem_(part.problem), automata_(part.automata), events_(model.events.size()) {
   if (is_compressed) {
-    automata::Compressed compressed = automata::compress(part.problem);
+    automata::Compressed compressed = automata::compress(part.problem, lettingGo(model, part));
     problem_ = std::move(compressed.problem);
     state_of_ = std::move(compressed.state_of);
     for (automata::EventIndex event = 0; event < compressed.events.size(); ++event) {

@@ -34,14 +34,14 @@ void PlantBuilder::build() {
 }
 
 bool PlantBuilder::areIndicesInRange() {
-  const auto isZone = [&](ZoneIndex zone) { return zone < model_.program.zones.size(); };
-  const auto isStation = [&](std::size_t station) { return station < program_.stations.size(); };
-  bool fits = isStation(program_.home) &&
-              std::all_of(program_.held_at_home.begin(), program_.held_at_home.end(), isZone);
+  const auto is_zone = [&](ZoneIndex zone) { return zone < model_.program.zones.size(); };
+  const auto is_station = [&](std::size_t station) { return station < program_.stations.size(); };
+  bool fits = is_station(program_.home) &&
+              std::all_of(program_.held_at_home.begin(), program_.held_at_home.end(), is_zone);
   for (const PathProgram& path : program_.paths) {
-    fits = fits && isStation(path.from) && isStation(path.to);
+    fits = fits && is_station(path.from) && is_station(path.to);
     for (const ZoneStep& step : path.steps) {
-      fits = fits && !step.zones.empty() && std::all_of(step.zones.begin(), step.zones.end(), isZone);
+      fits = fits && !step.zones.empty() && std::all_of(step.zones.begin(), step.zones.end(), is_zone);
     }
   }
   if (!fits) {
@@ -107,7 +107,7 @@ automata::StateIndex PlantBuilder::addPlace(CellPlace place) {
 void PlantBuilder::addPath(PathIndex index) {
   const PathProgram& path = program_.paths[index];
   Zones held = places_[path.from].holds;
-  const auto addPlaceBehind = [&](std::size_t steps) {
+  const auto add_place_behind = [&](std::size_t steps) {
     CellPlace place;
     place.path = index;
     place.behind = steps;
@@ -115,12 +115,13 @@ void PlantBuilder::addPath(PathIndex index) {
     place.name = steps == 0 ? path.name + ">" : fmt::format("{}>{}", path.name, steps);
     return addPlace(std::move(place));
   };
-  automata::StateIndex at = addPlaceBehind(0);
-  addEvent({CellEvent::Kind::Go, robot_, index, {}}, true, static_cast<automata::StateIndex>(path.from), at);
+  automata::StateIndex at = add_place_behind(0);
+  addEvent({CellEvent::Kind::Go, robot_, index, {}}, !path.uncontrollable_go,
+           static_cast<automata::StateIndex>(path.from), at);
   for (std::size_t step = 0; step < path.steps.size(); ++step) {
     const ZoneStep& zone_step = path.steps[step];
     if (!applyStep(path, zone_step, held)) return;
-    const automata::StateIndex next = addPlaceBehind(step + 1);
+    const automata::StateIndex next = add_place_behind(step + 1);
     addEvent(
         {zone_step.books ? CellEvent::Kind::Book : CellEvent::Kind::Release, robot_, index, zone_step.zones},
         zone_step.books && !zone_step.uncontrollable, at, next);

@@ -112,6 +112,32 @@ std::vector<RobotIndex> Rules::stuckIn(const automata::Tuple& state) const {
   return stuck;
 }
 
+std::optional<Rules::Intrusion> Rules::intrusionIn(const automata::Tuple& state) const {
+  for (RobotIndex robot = 0; robot < model_.robots(); ++robot) {
+    if (const auto intrusion = intrusionOf(robot, state)) return intrusion;
+  }
+  return std::nullopt;
+}
+
+/// Along all that it can do from its place and nobody can refuse.
+std::optional<Rules::Intrusion> Rules::intrusionOf(RobotIndex robot, const automata::Tuple& state) const {
+  const automata::Automaton& plant = model_.problem.automata[robot];
+  std::vector<automata::StateIndex> open = {state[robot]};
+  for (std::size_t at = 0; at < open.size(); ++at) {
+    for (const automata::Transition& step : plant.transitions) {
+      if (step.from != open[at] || composition_.isControllable(step.event)) continue;
+      const CellEvent& event = model_.events[step.event];
+      for (const ZoneIndex zone : event.zones) {
+        const auto holder = model_.holder(zone, state[model_.automatonOf(zone)]);
+        const bool intrudes = event.kind == CellEvent::Kind::Book && holder && *holder != robot;
+        if (intrudes) return Intrusion{robot, zone, *holder};
+      }
+      if (std::find(open.begin(), open.end(), step.to) == open.end()) open.push_back(step.to);
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<RobotIndex> Rules::aheadOf(const automata::Tuple& state, RobotIndex robot) const {
   const Part& part = *parts_[part_of_robot_[robot]];
   const auto at = std::find(part.automata.begin(), part.automata.end(), robot);

@@ -21,7 +21,7 @@ void addZone(CellModel& model, ZoneIndex zone, std::vector<std::string>& faults)
   spec.states = {"free"};
   std::vector<std::optional<RobotIndex>> holders = {std::nullopt};
   std::map<RobotIndex, automata::StateIndex> owner_states;
-  const auto ownerState = [&](RobotIndex robot) {
+  const auto owner_state = [&](RobotIndex robot) {
     const auto [at, is_new] =
         owner_states.emplace(robot, static_cast<automata::StateIndex>(spec.states.size()));
     if (is_new) {
@@ -33,7 +33,7 @@ void addZone(CellModel& model, ZoneIndex zone, std::vector<std::string>& faults)
   for (automata::EventIndex event = 0; event < model.events.size(); ++event) {
     const CellEvent& meaning = model.events[event];
     if (!has(meaning.zones, zone)) continue;
-    const automata::StateIndex owner = ownerState(meaning.robot);
+    const automata::StateIndex owner = owner_state(meaning.robot);
     const bool books = meaning.kind == CellEvent::Kind::Book;
     spec.alphabet.push_back(event);
     spec.transitions.push_back({books ? 0 : owner, event, books ? owner : 0});
@@ -44,7 +44,7 @@ void addZone(CellModel& model, ZoneIndex zone, std::vector<std::string>& faults)
       faults.push_back(fmt::format("{} and {} both hold {} at home: let one of them rest elsewhere",
                                    spec.states[spec.initial], model.program.robots[robot].name, spec.name));
     }
-    spec.initial = ownerState(robot);
+    spec.initial = owner_state(robot);
   }
   spec.marked = {spec.initial};
   model.holders.push_back(std::move(holders));

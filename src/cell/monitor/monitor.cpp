@@ -50,11 +50,11 @@ std::string wrongWith(const std::vector<WatchedRobot>& robots,
       return fmt::format("\"{}\" may carry two parts that are named \"{}\". Give each a name of its own.",
                          robot.name, part.name);
     }
-    const std::string wrong = check(robot.name, !robot.bodies.bodies().empty());
+    std::string wrong = check(robot.name, !robot.bodies.bodies().empty());
     if (!wrong.empty()) return wrong;
   }
   for (const WatchedObstacle& obstacle : obstacles) {
-    const std::string wrong = check(obstacle.name, !obstacle.capsules.empty());
+    std::string wrong = check(obstacle.name, !obstacle.capsules.empty());
     if (!wrong.empty()) return wrong;
   }
   return "";

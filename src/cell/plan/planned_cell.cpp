@@ -84,11 +84,6 @@ class RobotPlanner {
 Result<std::vector<PlannedRobot>, std::vector<Fault>> planCell(const Cell& cell) {
   std::vector<Fault> faults;
   std::vector<PlannedRobot> robots;
-  for (const Mechanism& mechanism : cell.mechanisms) {
-    faults.push_back({mechanism.place.file, mechanism.place.line, mechanism.place.column,
-                      "mechanisms." + mechanism.name, "cannot be swept yet", "",
-                      "leave it out, and keep its space clear by an obstacle"});
-  }
   for (const Robot& robot : cell.robots) robots.push_back(RobotPlanner(cell, robot, faults).plan());
   if (!faults.empty()) return refuse(faults);
   return robots;

@@ -12,7 +12,6 @@ namespace cobot_command::cell {
 namespace {
 
 using blocks::AbsoluteFormat;
-using blocks::CircleFormat;
 using blocks::Movement;
 using blocks::RelativeFormat;
 using script::DataFormat;

@@ -61,6 +61,19 @@ bool movesOf(const RunScriptGoal& goal) {
 
 }  // namespace
 
+std::vector<MechanismPosition> stationsOf(const Mechanism& mechanism) {
+  std::vector<MechanismPosition> stations;
+  for (const MechanismPosition& position : mechanism.positions) {
+    const bool rests =
+        position.name == mechanism.home ||
+        std::any_of(mechanism.program.begin(), mechanism.program.end(), [&](const MechanismPath& path) {
+          return path.from == position.name || path.to == position.name;
+        });
+    if (rests) stations.push_back(position);
+  }
+  return stations;
+}
+
 bool blends(const Step& step) {
   return std::visit([](const auto& goal) { return blendsOf(goal); }, step.goal);
 }

@@ -26,6 +26,7 @@ namespace cobot_command::cell {
 template <class Thing>
 [[nodiscard]] std::vector<std::string> namesOf(const std::vector<Thing>& things) {
   std::vector<std::string> names;
+  names.reserve(things.size());
   for (const Thing& thing : things) names.push_back(thing.name);
   return names;
 }

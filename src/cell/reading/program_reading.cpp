@@ -95,7 +95,7 @@ std::vector<files::FileStep> stepsOfFile(const YamlMap& map, const std::string& 
                                          ProgramReading& reading) {
   const YAML::Mark mark = map.required("steps_file").Mark();
   const std::string name = map.text("steps_file");
-  const auto refuseFile = [&](const std::string& why) {
+  const auto refuse_file = [&](const std::string& why) {
     refuseAt(mark, {"steps_file", fmt::format("is {}, which cannot be read: {}", quoted(name), why),
                     "a pick-and-place file, see config/pick_and_place.yaml", "check the path of the file"});
   };
@@ -104,8 +104,8 @@ std::vector<files::FileStep> stepsOfFile(const YamlMap& map, const std::string& 
              {"dwell", "stands beside a steps_file", "that of the file", "write it into the file"});
   }
   const auto text = reading.read_file(name);
-  if (!text) refuseFile(foreignText(text.error()));
-  if (text->size() > kMostBytes) refuseFile(fmt::format("it is larger than {} bytes", kMostBytes));
+  if (!text) refuse_file(foreignText(text.error()));
+  if (text->size() > kMostBytes) refuse_file(fmt::format("it is larger than {} bytes", kMostBytes));
   auto steps = files::readSteps(*text, foreignText(name));
   if (!steps) {
     reading.faults.add(joined(field, "steps_file"), steps.error());

@@ -16,7 +16,7 @@ using files::YamlMap;
 constexpr std::size_t kMostStations = 256;
 
 std::string modelIn(const YamlMap& map) {
-  const std::string model = map.text("model");
+  std::string model = map.text("model");
   const auto& known = arm::ArmModel::knownNames();
   if (std::find(known.begin(), known.end(), model) == known.end()) {
     refuseUnknown(map.required("model").Mark(), "model", model, "model", known);

@@ -15,7 +15,6 @@ namespace {
 
 using files::YamlMap;
 
-constexpr std::size_t kMostShapes = 200;
 /// How far what is given as a rotation may be from one: that of numbers with six digits.
 constexpr double kRotationTolerance = 1e-6;
 
@@ -123,7 +122,8 @@ void refuseMesh(const YAML::Node& node) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
     if (key != "mesh" && key != "stl" && key != "file") continue;
     refuseAt(entry.first.Mark(), {key, "is a mesh", "capsule, sphere, cylinder, box",
-                                  "cover the mesh by boxes: what is proved of a cell needs bodies that are "
+                                  "cover the mesh by boxes, as tm_cell cover proposes them: what is proved "
+                                  "of a cell needs bodies that are "
                                   "closed"});
   }
 }

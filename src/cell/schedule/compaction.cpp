@@ -44,14 +44,14 @@ bool isGranted(const Workload& work, const std::vector<Move>& moves, const Rule&
 std::vector<std::vector<CycleHold>> holdsInOrder(const Workload& work, const std::vector<Move>& moves) {
   std::vector<std::vector<std::size_t>> ranks(work.robots.size());
   for (std::size_t index = 0; index < moves.size(); ++index) ranks[moves[index].robot].push_back(index + 1);
-  const auto rankOf = [&](const CycleHold& hold) {
+  const auto rank_of = [&](const CycleHold& hold) {
     return hold.booking ? ranks[hold.robot][*hold.booking] : 0;
   };
   std::vector<std::vector<CycleHold>> orders;
   for (const Workload::Zone& zone : work.zones) {
     orders.push_back(zone.holds);
     std::sort(orders.back().begin(), orders.back().end(),
-              [&](const CycleHold& one, const CycleHold& other) { return rankOf(one) < rankOf(other); });
+              [&](const CycleHold& one, const CycleHold& other) { return rank_of(one) < rank_of(other); });
   }
   return orders;
 }

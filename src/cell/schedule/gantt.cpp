@@ -72,6 +72,7 @@ std::string robotCells(const Schedule& schedule, const TimeLine& line, std::size
 std::vector<Row> rowsOf(const Schedule& schedule, const automata::Problem& problem, const TimeLine& line) {
   std::vector<Row> rows;
   const auto robots = robotsOf(schedule);
+  rows.reserve(robots.size() + schedule.zones.size());
   for (const std::size_t robot : robots) {
     rows.push_back({fmt::format("{} {}", signOf(robots, robot), problem.automata[robot].name),
                     robotCells(schedule, line, robot)});

@@ -70,14 +70,14 @@ bool OrderGraph::isCircular() const {
 /// The longest ways to all events, each cycle back worth a period. One with more edges than there are events,
 /// or longer than all edges together, has gone in a circle that is longer than its periods.
 bool OrderGraph::holdsPeriod(Duration period) const {
-  const auto lengthOf = [&](const Edge& edge) { return edge.least - period * edge.cycles; };
+  const auto length_of = [&](const Edge& edge) { return edge.least - period * edge.cycles; };
   Duration all{};
-  for (const Edge& edge : edges_) all += std::max(lengthOf(edge), Duration{});
-  for (const Edge& edge : reports_) all += std::max(lengthOf(edge), Duration{});
+  for (const Edge& edge : edges_) all += std::max(length_of(edge), Duration{});
+  for (const Edge& edge : reports_) all += std::max(length_of(edge), Duration{});
   std::vector<Duration> earliest(nodes_, Duration{});
   bool has_changed = true;
   const auto push = [&](const Edge& edge) {
-    const Duration at = earliest[edge.from] + lengthOf(edge);
+    const Duration at = earliest[edge.from] + length_of(edge);
     if (at <= earliest[edge.to]) return true;
     earliest[edge.to] = at;
     has_changed = true;

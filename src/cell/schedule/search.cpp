@@ -84,12 +84,12 @@ bool Search::isDominated(const Entry& entry, const std::vector<Duration>& times_
       return true;
     }
   }
-  const auto isLater = [&](Number other) {
+  const auto is_later = [&](Number other) {
     return std::equal(times_of_it.begin(), times_of_it.end(), times(other),
                       [](Duration mine, Duration its) { return mine <= its; });
   };
   const auto worse =
-      std::stable_partition(others.begin(), others.end(), [&](Number other) { return !isLater(other); });
+      std::stable_partition(others.begin(), others.end(), [&](Number other) { return !is_later(other); });
   for (auto other = worse; other != others.end(); ++other) entries_[*other].is_dominated = true;
   others.erase(worse, others.end());
   return false;
@@ -109,7 +109,7 @@ void Search::expand(Number from) {
 /// Always the step with the least bound, and of those the earliest, as far as it goes. Its entries are not
 /// searched from: they are there for the schedule that they may end in.
 void Search::dive(Number from) {
-  const auto isBefore = [](const Step& one, const Step& other) {
+  const auto is_before = [](const Step& one, const Step& other) {
     const Duration at = one.times[one.entry.robot];
     const Duration other_at = other.times[other.entry.robot];
     return std::make_pair(one.entry.bound, at) < std::make_pair(other.entry.bound, other_at);
@@ -117,7 +117,7 @@ void Search::dive(Number from) {
   while (!isComplete(from)) {
     findSteps(from);
     if (steps_.empty()) return;
-    const Step& step = *std::min_element(steps_.begin(), steps_.end(), isBefore);
+    const Step& step = *std::min_element(steps_.begin(), steps_.end(), is_before);
     from = add(step.entry, step.times);
   }
 }

@@ -7,6 +7,7 @@ namespace {
 
 std::vector<std::string> sentencesOf(const std::vector<Fault>& faults) {
   std::vector<std::string> sentences;
+  sentences.reserve(faults.size());
   for (const Fault& fault : faults) sentences.push_back(describe(fault));
   return sentences;
 }

@@ -58,6 +58,15 @@ std::optional<RobotIndex> CellRecord::robotNamed(const std::string& name) const 
   return std::nullopt;
 }
 
+bool CellRecord::hold(bool on, const std::string& reason) {
+  const bool is_so = on ? held_ == reason : !held_;
+  return is_so || write(journal::Held{on, reason});
+}
+
+bool CellRecord::finish(bool on) {
+  return is_finishing_ == on || write(journal::Finishing{on});
+}
+
 std::optional<automata::StateIndex> CellRecord::placeNamed(RobotIndex robot, const std::string& name) const {
   const auto& places = rules_.model().places[robot];
   for (automata::StateIndex place = 0; place < places.size(); ++place) {
@@ -89,39 +98,48 @@ std::optional<automata::Tuple> CellRecord::placed(RobotIndex robot, automata::St
 }
 
 bool CellRecord::apply(const journal::Record& record) {
-  return std::visit(Overloaded{[this](const journal::Started& one) {
-                                 instance_ = one.instance;
-                                 epoch_ = one.epoch;
-                                 return true;
-                               },
-                               [this](const journal::Joined& one) {
-                                 const auto robot = robotNamed(one.robot);
-                                 if (!robot) return false;
-                                 robots_[*robot] = {one.session, one.acknowledged, {}, false};
-                                 return true;
-                               },
-                               [this](const journal::CarriedOut& one) { return apply(one); },
-                               [this](const journal::Recovered& one) {
-                                 const auto robot = robotNamed(one.robot);
-                                 const auto place = robot ? placeNamed(*robot, one.place) : std::nullopt;
-                                 const auto tuple = place ? placed(*robot, *place) : std::nullopt;
-                                 if (tuple) tuple_ = *tuple;
-                                 return tuple.has_value();
-                               },
-                               [this](const journal::TakenOut& one) {
-                                 const auto robot = robotNamed(one.robot);
-                                 if (!robot) return false;
-                                 // Its zones go to nobody while it is away; a zone that it holds at home is
-                                 // its own again when it comes back.
-                                 tuple_[*robot] = rules_.initial()[*robot];
-                                 for (ZoneIndex zone = 0; zone < rules_.model().holders.size(); ++zone) {
-                                   if (holderOf(zone) == robot) tuple_[rules_.model().automatonOf(zone)] = 0;
-                                 }
-                                 robots_[*robot].session = 0;
-                                 robots_[*robot].is_out = true;
-                                 return true;
-                               }},
-                    record);
+  return std::visit(
+      Overloaded{[this](const journal::Started& one) {
+                   instance_ = one.instance;
+                   epoch_ = one.epoch;
+                   return true;
+                 },
+                 [this](const journal::Joined& one) {
+                   const auto robot = robotNamed(one.robot);
+                   if (!robot) return false;
+                   robots_[*robot] = {one.session, one.acknowledged, {}, false, robots_[*robot].joins + 1};
+                   return true;
+                 },
+                 [this](const journal::CarriedOut& one) { return apply(one); },
+                 [this](const journal::Recovered& one) {
+                   const auto robot = robotNamed(one.robot);
+                   const auto place = robot ? placeNamed(*robot, one.place) : std::nullopt;
+                   const auto tuple = place ? placed(*robot, *place) : std::nullopt;
+                   if (tuple) tuple_ = *tuple;
+                   return tuple.has_value();
+                 },
+                 [this](const journal::TakenOut& one) {
+                   const auto robot = robotNamed(one.robot);
+                   if (!robot) return false;
+                   // Its zones go to nobody while it is away; a zone that it holds at home is
+                   // its own again when it comes back.
+                   tuple_[*robot] = rules_.initial()[*robot];
+                   for (ZoneIndex zone = 0; zone < rules_.model().holders.size(); ++zone) {
+                     if (holderOf(zone) == robot) tuple_[rules_.model().automatonOf(zone)] = 0;
+                   }
+                   robots_[*robot].session = 0;
+                   robots_[*robot].is_out = true;
+                   return true;
+                 },
+                 [this](const journal::Held& one) {
+                   held_ = one.on ? std::optional(one.reason) : std::nullopt;
+                   return true;
+                 },
+                 [this](const journal::Finishing& one) {
+                   is_finishing_ = one.on;
+                   return true;
+                 }},
+      record);
 }
 
 bool CellRecord::apply(const journal::CarriedOut& record) {

@@ -19,6 +19,7 @@ class CellRecord {
     std::uint64_t acknowledged = 0;
     std::deque<NumberedEvent> recent;  ///< the last ones that were acknowledged in the session
     bool is_out = false;
+    std::uint32_t joins = 0;  ///< how often it was let in, by itself or by a person
   };
 
   CellRecord(const Rules& rules, journal::Append append);
@@ -33,6 +34,9 @@ class CellRecord {
   [[nodiscard]] bool carryOut(RobotIndex robot, const NumberedEvent& event);
   [[nodiscard]] bool recover(RobotIndex robot, automata::StateIndex place, const std::string& person);
   [[nodiscard]] bool takeOut(RobotIndex robot, const std::string& person);
+  /// Here and below: what is so already is not written again.
+  [[nodiscard]] bool hold(bool on, const std::string& reason);
+  [[nodiscard]] bool finish(bool on);
 
   /// With that robot at that place, and what it holds there; nothing, where another robot holds some of that.
   [[nodiscard]] std::optional<automata::Tuple> placed(RobotIndex robot, automata::StateIndex place) const;
@@ -43,6 +47,9 @@ class CellRecord {
   [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
   [[nodiscard]] std::uint64_t events() const { return events_; }
   [[nodiscard]] bool isBroken() const { return is_broken_; }
+  /// Why nothing is granted; nothing: it is.
+  [[nodiscard]] const std::optional<std::string>& held() const { return held_; }
+  [[nodiscard]] bool isFinishing() const { return is_finishing_; }
 
  private:
   bool write(const journal::Record& record);
@@ -61,6 +68,8 @@ class CellRecord {
   std::uint64_t epoch_ = 0;
   std::uint64_t events_ = 0;
   bool is_broken_ = false;
+  std::optional<std::string> held_;
+  bool is_finishing_ = false;
 };
 
 }  // namespace cobot_command::cell

@@ -28,9 +28,25 @@ std::optional<Hindrance> Granting::hindranceOf(RobotIndex robot, Instant now) co
   if (!conditions_.grants || !conditions_.is_able(robot)) return Hindrance{WaitReason::Holding, {}};
   auto own = ownHindrance(robot);
   if (own) return own;
+  if (const auto turn = whoseTurn(robot, now)) return Hindrance{WaitReason::Scheduled, {*turn}};
   const auto aged = agedBefore(robot, now);
   if (aged) return Hindrance{WaitReason::Aged, {*aged}};
   return std::nullopt;
+}
+
+std::optional<RobotIndex> Granting::whoseTurn(RobotIndex robot, Instant now) const {
+  const Request& request = *robots_[robot].request;
+  const auto first =
+      conditions_.turns->before(robot, zonesBookedBy(rules_.model().events[request.event.event]));
+  if (!first) return std::nullopt;
+  // One that has done its cycles is passed over.
+  const bool is_idle = record_.tuple()[*first] == rules_.initial()[*first] && !robots_[*first].request;
+  return is_idle && now - request.since >= kTurnPatience ? std::nullopt : first;
+}
+
+bool Granting::isKeptBackForLong(RobotIndex robot, Instant now) const {
+  const auto& request = robots_[robot].request;
+  return request && now - request->since >= conditions_.aging && whoseTurn(robot, now).has_value();
 }
 
 std::optional<Hindrance> Granting::ownHindrance(RobotIndex robot) const {
@@ -43,6 +59,8 @@ std::optional<Hindrance> Granting::ownHindrance(RobotIndex robot) const {
   const automata::Decision decision = rules_.decide(record_.tuple(), wanted);
   if (decision.verdict == Verdict::Granted) return std::nullopt;
   if (decision.verdict == Verdict::WouldBlock) {
+    const auto intrusion = rules_.intrusionIn(decision.next);
+    if (intrusion) return Hindrance{WaitReason::WouldBlock, {intrusion->mechanism, intrusion->holder}};
     return Hindrance{WaitReason::WouldBlock, rules_.stuckIn(decision.next)};
   }
   return Hindrance{WaitReason::Holding, {}};

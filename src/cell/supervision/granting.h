@@ -8,6 +8,7 @@
 
 #include "supervision/cell_record.h"
 #include "supervision/robot_watch.h"
+#include "supervision/zone_turns.h"
 
 #include "cobot_command/cell/model/rules.h"
 #include "cobot_command/cell/supervision/cell_state.h"
@@ -28,7 +29,11 @@ struct GrantingConditions {
   std::function<bool(RobotIndex)> is_able;
   /// Who stands in a zone that is not its own; nobody, mostly.
   std::function<std::optional<RobotIndex>(ZoneIndex)> intruder;
+  const ZoneTurns* turns = nullptr;  ///< lives longer
 };
+
+/// So long a robot that stands at home and asks for nothing may still come for its turn.
+inline constexpr Duration kTurnPatience = std::chrono::seconds(1);
 
 class Granting {
  public:
@@ -40,10 +45,14 @@ class Granting {
   [[nodiscard]] std::optional<RobotIndex> next(Instant now) const;
   /// Of one that waits.
   [[nodiscard]] std::optional<Hindrance> hindranceOf(RobotIndex robot, Instant now) const;
+  /// For the sake of the schedule alone.
+  [[nodiscard]] bool isKeptBackForLong(RobotIndex robot, Instant now) const;
   /// The robots that wait, the one that waits for longest first.
   [[nodiscard]] std::vector<RobotIndex> queue() const;
 
  private:
+  /// Another one's than that of a robot that waits, by the schedule.
+  [[nodiscard]] std::optional<RobotIndex> whoseTurn(RobotIndex robot, Instant now) const;
   /// What is in its way besides those who have waited for longer.
   [[nodiscard]] std::optional<Hindrance> ownHindrance(RobotIndex robot) const;
   [[nodiscard]] std::optional<Hindrance> hindranceByZones(const CellEvent& event) const;

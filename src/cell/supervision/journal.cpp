@@ -45,6 +45,12 @@ json toJson(const Record& record) {
           },
           [](const TakenOut& one) -> json {
             return {{"is", "out"}, {"robot", one.robot}, {"by", one.person}};
+          },
+          [](const Held& one) -> json {
+            return {{"is", "held"}, {"on", one.on}, {"why", one.reason}};
+          },
+          [](const Finishing& one) -> json {
+            return {{"is", "finishing"}, {"on", one.on}};
           }},
       record);
 }
@@ -55,6 +61,8 @@ Record fromJson(const json& line) {
   if (is == "joined") return Joined{line.at("robot"), line.at("session"), line.at("behind")};
   if (is == "recovered") return Recovered{line.at("robot"), line.at("place"), line.at("by")};
   if (is == "out") return TakenOut{line.at("robot"), line.at("by")};
+  if (is == "held") return Held{line.at("on"), line.at("why")};
+  if (is == "finishing") return Finishing{line.at("on")};
   if (is != "event") throw json::other_error::create(501, "no record is \"" + is + "\"", &line);
   const int kind = line.at("kind");
   if (kind < 0 || kind > static_cast<int>(NumberedEvent::Kind::Withdrawn)) {

@@ -1,7 +1,9 @@
 // The supervisor behind its façade.
 #pragma once
 
+#include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "supervision/cell_record.h"
 #include "supervision/granting.h"
 #include "supervision/robot_watch.h"
+#include "supervision/zone_turns.h"
 
 #include "cobot_command/cell/supervision/supervision.h"
 
@@ -19,7 +22,7 @@ class Supervision::Parts {
   Parts(Rules rules, std::string hash, std::uint64_t instance, const std::vector<journal::Record>& records,
         SupervisionSettings settings, SupervisionPorts ports);
 
-  void take(const RobotReport& report, Instant now);
+  bool take(const RobotReport& report, Instant now);
   /// Looks at all that time alone changes, and grants what can be granted.
   void settle(Instant now);
 
@@ -51,7 +54,7 @@ class Supervision::Parts {
   void findIntruders();
 
   [[nodiscard]] std::optional<std::string> objectionToRecovery(RobotIndex robot, automata::StateIndex place,
-                                                               Instant now) const;
+                                                               const std::string& person, Instant now) const;
 
   // --- What follows.
   void grant(Instant now);
@@ -80,16 +83,16 @@ class Supervision::Parts {
   SupervisionSettings settings_;
   SupervisionPorts ports_;
   CellRecord record_;
+  ZoneTurns turns_;
   std::vector<RobotWatch> robots_;
   std::vector<std::optional<RobotIndex>> zone_holders_;  ///< by zone
   std::vector<std::optional<RobotIndex>> intruders_;     ///< by zone: who is in it, though it is not its own
+  std::set<std::array<std::size_t, 3>> intrusions_;      ///< zone, robot, other: that last, and were stopped
   std::vector<Instant> zone_since_;                      ///< by zone: since when its holder is the same
+  Instant settled_at_{};                                 ///< what was due until then has been done
   bool is_restarted_ = false;                            ///< with a journal that has robots in it
   std::vector<bool> is_confirmed_;  ///< by robot: it has told where it is since the start
-  bool holds_ = false;
-  std::string hold_reason_;
-  bool is_finishing_ = false;
-  std::string start_fault_;  ///< why the journal cannot be gone on with
+  std::string start_fault_;         ///< why the journal cannot be gone on with
   SupervisionCounts counts_;
   std::vector<StopOrder> stop_orders_;
 };

@@ -15,9 +15,17 @@ PersonsAnswer refused(std::string why) {
 
 PersonsAnswer noSuchRobot(const std::string& name, const std::vector<RobotProgram>& robots) {
   std::vector<std::string> names;
+  names.reserve(robots.size());
   for (const RobotProgram& robot : robots) names.push_back(robot.name);
   return refused(fmt::format("there is no robot \"{}\": the cell has {}", foreignText(name, kQuoteLimit),
                              fmt::join(names, ", ")));
+}
+
+std::string placeNames(const std::vector<CellPlace>& places) {
+  std::vector<std::string> names;
+  names.reserve(places.size());
+  for (const CellPlace& place : places) names.push_back(place.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 constexpr const char* kNotWritten = "the journal cannot be written, so that nothing was done";
@@ -25,26 +33,27 @@ constexpr const char* kNotWritten = "the journal cannot be written, so that noth
 }  // namespace
 
 PersonsAnswer Supervision::Parts::hold(bool on, Instant now) {
-  holds_ = on;
-  hold_reason_ = on ? "hold was asked for" : "";
+  if (!record_.hold(on, "hold was asked for")) return refused(kNotWritten);
   settle(now);
+  if (!on && record_.held()) return refused("nothing is granted still: " + *record_.held());
   return {true, on ? "nothing new is granted; what was sent goes to its end" : "bookings are granted again"};
 }
 
 PersonsAnswer Supervision::Parts::finish(bool on, Instant now) {
-  is_finishing_ = on;
+  if (!record_.finish(on)) return refused(kNotWritten);
   settle(now);
   return {true, on ? "no robot sets out from home any more" : "robots set out from home again"};
 }
 
 PersonsAnswer Supervision::Parts::stop(Instant now) {
-  holds_ = true;
-  hold_reason_ = "stop was asked for";
+  const std::string why = "stop was asked for";
+  const bool is_written = record_.hold(true, why);
   for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
-    if (!record_.robot(robot).is_out) stop_orders_.push_back({robot, hold_reason_});
+    if (!record_.robot(robot).is_out) stop_orders_.push_back({robot, why});
   }
   settle(now);
-  return {true, "all robots are told to stop; their zones stay"};
+  return {true, is_written ? "all robots are told to stop; their zones stay"
+                           : "all robots are told to stop, but the journal cannot be written"};
 }
 
 PersonsAnswer Supervision::Parts::recover(const std::string& name, const std::string& place_name,
@@ -55,11 +64,11 @@ PersonsAnswer Supervision::Parts::recover(const std::string& name, const std::st
   const auto place = std::find_if(places.begin(), places.end(),
                                   [&](const CellPlace& one) { return one.name == place_name; });
   if (place == places.end()) {
-    return refused(
-        fmt::format("{} has no place \"{}\" in its program", name, foreignText(place_name, kQuoteLimit)));
+    return refused(fmt::format("{} has no place \"{}\" in its program, but {}", name,
+                               foreignText(place_name, kQuoteLimit), placeNames(places)));
   }
   const auto state = static_cast<automata::StateIndex>(place - places.begin());
-  if (const auto objection = objectionToRecovery(*robot, state, now)) return refused(*objection);
+  if (const auto objection = objectionToRecovery(*robot, state, person, now)) return refused(*objection);
   const std::uint64_t session = robots_[*robot].session();
   const std::uint64_t number = robots_[*robot].highestNumber();
   if (!record_.recover(*robot, state, person) || !record_.join(*robot, session, number)) {
@@ -73,10 +82,12 @@ PersonsAnswer Supervision::Parts::recover(const std::string& name, const std::st
 
 std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex robot,
                                                                    automata::StateIndex place,
+                                                                   const std::string& person,
                                                                    Instant now) const {
   const RobotWatch& watch = robots_[robot];
   const CellPlace& where = rules_.model().places[robot][place];
   if (!start_fault_.empty()) return start_fault_;
+  if (person.empty()) return "it has to be said who recovers it";
   if (!watch.wasHeard() || watch.isSilent(now, settings_.lease)) {
     return nameOf(robot) + " does not report: start its node";
   }
@@ -87,9 +98,22 @@ std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex ro
     return fmt::format("{} is {}: end that at its pendant first", nameOf(robot),
                        toString(watch.report().condition));
   }
+  if (watch.report().instance != 0 && watch.report().instance != record_.instance()) {
+    return nameOf(robot) + " keeps to a supervisor whose journal is gone: start its node anew";
+  }
+  if (!watch.isFresh(settings_.lease)) {
+    return fmt::format("the joints of {} were measured {:.1f} s ago: see to its status stream first",
+                       nameOf(robot), watch.report().status_age);
+  }
   if (!ports_.fits(robot, place, watch.report().joints)) {
-    return fmt::format("{} does not stand at {}: bring it there by hand, or name where it is", nameOf(robot),
-                       where.name);
+    std::vector<CellPlace> fitting;
+    for (automata::StateIndex other = 0; other < rules_.model().places[robot].size(); ++other) {
+      const bool fits = ports_.fits(robot, other, watch.report().joints);
+      if (fits) fitting.push_back(rules_.model().places[robot][other]);
+    }
+    return fmt::format("{} does not stand at {}: {}", nameOf(robot), where.name,
+                       fitting.empty() ? "bring it to a place of its program by hand"
+                                       : "by its joints it may be at " + placeNames(fitting));
   }
   for (const std::uint32_t zone : watch.report().touched_zones) {
     if (zone < rules_.model().program.zones.size() &&
@@ -100,6 +124,10 @@ std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex ro
   }
   const auto tuple = record_.placed(robot, place);
   if (!tuple) return fmt::format("another robot holds a zone that {} has at {}", nameOf(robot), where.name);
+  if (const auto intrusion = rules_.intrusionIn(*tuple)) {
+    return fmt::format("{} was let go, and enters {} by itself: wait until it has left it",
+                       nameOf(intrusion->mechanism), rules_.model().program.zones[intrusion->zone]);
+  }
   const auto stuck = rules_.stuckIn(*tuple);
   if (!stuck.empty()) {
     return fmt::format("from there {} could not come home any more: bring it to another place",
@@ -117,6 +145,13 @@ PersonsAnswer Supervision::Parts::confirmClear(const std::string& name, const st
     return refused(fmt::format("{} is not lost: stop it first, or take it out at home", name));
   }
   if (person.empty()) return refused("it has to be said who confirms");
+  if (watch.wasHeard() && !watch.isSilent(now, settings_.lease) && watch.report().moving) {
+    return refused(fmt::format("{} moves: wait until it stands", name));
+  }
+  if (watch.wasHeard() && !watch.isSilent(now, settings_.lease) && !watch.report().touched_zones.empty()) {
+    return refused(fmt::format("{} is measured in {} now: bring it out, or end its node first", name,
+                               rules_.model().program.zones.at(watch.report().touched_zones.front())));
+  }
   if (!was_moved && watch.wasHeard() && !watch.report().touched_zones.empty()) {
     return refused(
         fmt::format("{} was measured in {} when it was heard last: say that it was moved, once it was", name,
@@ -136,6 +171,10 @@ PersonsAnswer Supervision::Parts::takeOut(const std::string& name, const std::st
   if (!is_home) {
     return refused(
         fmt::format("{} is not at home: let it finish, or confirm that its zones are clear", name));
+  }
+  if (!rules_.model().places[*robot][record_.tuple()[*robot]].holds.empty()) {
+    return refused(fmt::format(
+        "{} holds a zone at home, which would be free with the robot in it: leave it in the cell", name));
   }
   if (!record_.takeOut(*robot, person)) return refused(kNotWritten);
   settle(now);

@@ -36,9 +36,9 @@ const char* toString(RobotCondition condition) {
 }
 
 std::optional<std::string> malformed(const RobotReport& report) {
-  const auto isText = [](const std::string& text) { return text.size() <= kMaxText && isUtf8(text); };
+  const auto is_text = [](const std::string& text) { return text.size() <= kMaxText && isUtf8(text); };
   const bool are_texts =
-      isText(report.robot) && isText(report.hash) && isText(report.place) && isText(report.text);
+      is_text(report.robot) && is_text(report.hash) && is_text(report.place) && is_text(report.text);
   if (!are_texts || report.robot.empty()) return "a text is too long, or not UTF-8";
   if (report.events.size() > kMaxEvents) return "there are too many events";
   if (report.touched_zones.size() > kMaxZones) return "there are too many zones";

@@ -59,44 +59,50 @@ void Supervision::Parts::fail(RobotIndex robot, const std::string& why) {
   if (robots_[robot].fault().empty()) robots_[robot].fail(why);
 }
 
-void Supervision::Parts::take(const RobotReport& report, Instant now) {
-  if (malformed(report)) {
+bool Supervision::Parts::take(const RobotReport& report, Instant now) {
+  const bool is_of_zones = report.touched_zones.empty() || report.hash != hash_ ||
+                           report.touched_zones.back() < rules_.model().program.zones.size();
+  if (malformed(report) || !is_of_zones) {
     ++counts_.malformed;
-    return;
+    return false;
   }
   const auto robot = robotNamed(report.robot);
   if (!robot) {
     ++counts_.unknown_robots;
-    return;
+    return false;
   }
   RobotWatch& watch = robots_[*robot];
   if (watch.judge(report.session, record_.robot(*robot).session, now, settings_.lease) ==
       RobotWatch::Session::Foreign) {
     ++counts_.wrong_sessions;
-    return;
+    return false;
   }
   if (!watch.hear(report, now)) {
     ++counts_.old_reports;
-    return;
+    return false;
   }
   if (report.hash != hash_) {
+    watch.forgetPlace();  // by the zones of another artifact
     fail(*robot, fmt::format("its artifact is another one ({}, and this is {}): load the same on both",
                              foreignText(report.hash.substr(0, 8)), hash_.substr(0, 8)));
   } else if (report.instance != 0 && report.instance != record_.instance()) {
     ++counts_.other_supervisors;
     fail(*robot, "it keeps to another supervisor, or to one whose journal is gone");
   } else if (mode() != SupervisorMode::Fault && !record_.robot(*robot).is_out) {
-    if (record_.robot(*robot).session == 0) join(*robot);
+    // A node that was started anew while its robot stands at home is as one that is heard for the first time.
+    const bool is_at_home = record_.tuple()[*robot] == rules_.initial()[*robot];
+    if (record_.robot(*robot).session == 0 || (isStrange(*robot) && is_at_home)) join(*robot);
     if (record_.robot(*robot).session == report.session) takeEvents(*robot, now);
   }
   settle(now);
+  return true;
 }
 
-/// For the first time: it has to stand where all begin.
+/// It has to stand where all begin.
 void Supervision::Parts::join(RobotIndex robot) {
   RobotWatch& watch = robots_[robot];
-  const bool stands =
-      !watch.report().moving && ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
+  const bool stands = !watch.report().moving && watch.isFresh(settings_.lease) &&
+                      ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
   if (stands && watch.fault().empty()) (void)record_.join(robot, watch.session(), 0);
 }
 
@@ -105,11 +111,13 @@ void Supervision::Parts::takeEvents(RobotIndex robot, Instant now) {
   for (const NumberedEvent& event : watch.report().events) {
     if (!watch.fault().empty() || !takeEvent(robot, event, now)) break;
   }
+  watch.waits_since.reset();
   if (!is_confirmed_[robot] && watch.fault().empty()) {
-    is_confirmed_[robot] = ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
+    is_confirmed_[robot] =
+        watch.isFresh(settings_.lease) && ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
   }
   const char* end = endedBy(watch.report().condition);
-  if (end != nullptr) fail(robot, end);
+  if (end != nullptr && !watch.isExcused()) fail(robot, end);
 }
 
 bool Supervision::Parts::takeEvent(RobotIndex robot, const NumberedEvent& event, Instant now) {
@@ -134,14 +142,16 @@ bool Supervision::Parts::takeEvent(RobotIndex robot, const NumberedEvent& event,
         fmt::format("SEQUENCE: its event {} came, and {} is the next", event.number, known.acknowledged + 1));
   }
   if (event.kind == Kind::Wanted) {
-    watch.request = Request{event, now};
+    watch.request = Request{event, watch.waits_since.value_or(now)};
     return true;
   }
   if (rules_.decide(record_.tuple(), event.event).verdict != automata::Decision::Verdict::Granted) {
     return failed(fmt::format("it tells of {}, which cannot have happened where its program is",
                               rules_.model().problem.events[event.event].name));
   }
-  return record_.carryOut(robot, event);
+  if (!record_.carryOut(robot, event)) return false;
+  turns_.booked(robot, zonesBookedBy(rules_.model().events[event.event]));
+  return true;
 }
 
 bool Supervision::Parts::takeWithdrawal(RobotIndex robot, const NumberedEvent& event) {
@@ -156,7 +166,10 @@ bool Supervision::Parts::takeWithdrawal(RobotIndex robot, const NumberedEvent& e
                             event.number));
     return false;
   }
+  // Where it wants another thing at once, it has waited for that as long.
+  if (was_waiting) watch.waits_since = watch.request->since;
   watch.request.reset();
+  if (was_granted) turns_.takenBack(robot, zonesBookedBy(rules_.model().events[event.event]));
   return record_.carryOut(robot, event);
 }
 

@@ -24,6 +24,7 @@ bool RobotWatch::hear(const RobotReport& report, Instant now) {
     request.reset();
   }
   report_ = report;
+  if (!isExcused()) excused_.reset();
   heard_ = now;
   if (!report.events.empty()) highest_number_ = std::max(highest_number_, report.events.back().number);
   return true;
@@ -31,6 +32,7 @@ bool RobotWatch::hear(const RobotReport& report, Instant now) {
 
 void RobotWatch::joined() {
   fault_.clear();
+  excused_ = report_.condition;
   request.reset();
 }
 

@@ -41,6 +41,8 @@ class RobotWatch {
   [[nodiscard]] bool wasHeard() const { return heard_.has_value(); }
   [[nodiscard]] Duration age(Instant now) const { return heard_ ? now - *heard_ : Duration{}; }
   [[nodiscard]] bool isSilent(Instant now, Duration lease) const { return heard_ && now - *heard_ > lease; }
+  /// Its joints were measured no longer ago, when it told them.
+  [[nodiscard]] bool isFresh(Duration oldest) const { return report_.status_age <= toSeconds(oldest); }
   [[nodiscard]] std::optional<Instant> heard() const { return heard_; }
   /// Of the last report.
   [[nodiscard]] std::uint64_t session() const { return session_; }
@@ -52,8 +54,12 @@ class RobotWatch {
   // --- What a person has to look at.
   void fail(std::string why) { fault_ = std::move(why); }
   [[nodiscard]] const std::string& fault() const { return fault_; }
+  /// A person knew of the condition that it still tells when they let it go on.
+  [[nodiscard]] bool isExcused() const { return excused_ && *excused_ == report_.condition; }
 
   std::optional<Request> request;
+  /// Of a request that was taken back, until the end of the report that did so.
+  std::optional<Instant> waits_since;
 
  private:
   RobotReport report_;
@@ -62,6 +68,7 @@ class RobotWatch {
   std::uint64_t session_ = 0;  ///< of the last report
   std::uint64_t highest_number_ = 0;
   std::string fault_;
+  std::optional<RobotCondition> excused_;
 };
 
 }  // namespace cobot_command::cell

@@ -18,7 +18,8 @@ const char* toString(RobotState state) {
 }
 
 const char* toString(WaitReason reason) {
-  constexpr const char* kNames[] = {"", "ZONE_HELD", "WOULD_BLOCK", "AGED", "QUARANTINED", "HOLDING"};
+  constexpr const char* kNames[] = {"",        "ZONE_HELD", "WOULD_BLOCK", "AGED", "QUARANTINED",
+                                    "HOLDING", "SCHEDULED"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 
@@ -68,6 +69,7 @@ RobotStatus Supervision::Parts::statusOf(RobotIndex robot, Instant now) const {
   status.state = stateOf(robot, now);
   status.session = record_.robot(robot).session;
   status.acknowledged = record_.robot(robot).acknowledged;
+  status.joins = record_.robot(robot).joins;
   status.place = rules_.model().places[robot][record_.tuple()[robot]].name;
   status.report_age = robots_[robot].age(now);
   status.text = textOf(robot, now);
@@ -122,8 +124,8 @@ std::string Supervision::Parts::diagnosis() const {
                        is_restarted_ ? "to be recovered, or to report where they were:" : "not there yet:",
                        fmt::join(namesOf(waits_for), ", "));
   }
-  if (holds_) return hold_reason_;
-  return is_finishing_ ? "no robot sets out from home any more" : "";
+  if (record_.held()) return *record_.held();
+  return record_.isFinishing() ? "no robot sets out from home any more" : "";
 }
 
 CellStatus Supervision::Parts::status(Instant now) const {
@@ -134,7 +136,8 @@ CellStatus Supervision::Parts::status(Instant now) const {
   status.epoch = record_.epoch();
   status.events = record_.events();
   status.mode = mode();
-  status.policy = toString(rules_.policy());
+  status.policy = turns_.isUsed() ? "schedule" : toString(rules_.policy());
+  status.is_finishing = record_.isFinishing();
   for (RobotIndex robot = 0; robot < robots_.size(); ++robot) status.robots.push_back(statusOf(robot, now));
   for (ZoneIndex zone = 0; zone < zone_holders_.size(); ++zone) {
     status.zones.push_back(statusOfZone(zone, now));

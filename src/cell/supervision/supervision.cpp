@@ -6,16 +6,15 @@
 #include <fmt/format.h>
 
 namespace cobot_command::cell {
-
 Supervision::Supervision(Rules rules, std::string hash, std::uint64_t instance,
                          const std::vector<journal::Record>& records, SupervisionSettings settings,
                          SupervisionPorts ports)
-    : parts_(std::make_unique<Parts>(std::move(rules), std::move(hash), instance, records, settings,
-                                     std::move(ports))) {}
+    : parts_(std::make_unique<Parts>(std::move(rules), std::move(hash), instance, records,
+                                     std::move(settings), std::move(ports))) {}
 Supervision::~Supervision() = default;
 
-void Supervision::take(const RobotReport& report, Instant now) {
-  parts_->take(report, now);
+bool Supervision::take(const RobotReport& report, Instant now) {
+  return parts_->take(report, now);
 }
 void Supervision::tick(Instant now) {
   parts_->settle(now);
@@ -63,9 +62,10 @@ Supervision::Parts::Parts(Rules rules, std::string hash, std::uint64_t instance,
                           SupervisionPorts ports)
     : rules_(std::move(rules)),
       hash_(std::move(hash)),
-      settings_(settings),
+      settings_(std::move(settings)),
       ports_(std::move(ports)),
       record_(rules_, ports_.append),
+      turns_(settings_.turns),
       robots_(rules_.model().robots()),
       zone_holders_(rules_.model().program.zones.size()),
       intruders_(zone_holders_.size()),
@@ -92,7 +92,7 @@ Supervision::Parts::Parts(Rules rules, std::string hash, std::uint64_t instance,
 SupervisorMode Supervision::Parts::mode() const {
   if (!start_fault_.empty() || record_.isBroken()) return SupervisorMode::Fault;
   if (!unconfirmed().empty()) return is_restarted_ ? SupervisorMode::Recovery : SupervisorMode::Starting;
-  if (holds_) return SupervisorMode::Holding;
+  if (record_.held()) return SupervisorMode::Holding;
   const bool is_idle =
       std::none_of(robots_.begin(), robots_.end(), [](const auto& robot) { return robot.request; });
   return is_idle && rules_.isHome(record_.tuple()) ? SupervisorMode::Ready : SupervisorMode::Running;
@@ -126,16 +126,19 @@ Granting Supervision::Parts::granting(Instant now) const {
   const SupervisorMode mode = this->mode();
   GrantingConditions conditions;
   conditions.grants = mode == SupervisorMode::Ready || mode == SupervisorMode::Running;
-  conditions.is_finishing = is_finishing_;
+  conditions.is_finishing = record_.isFinishing();
   conditions.aging = settings_.aging;
   conditions.is_able = [this, now](RobotIndex robot) { return isAble(robot, now); };
   conditions.intruder = [this](ZoneIndex zone) { return intruders_[zone]; };
+  conditions.turns = &turns_;
   return {rules_, record_, robots_, std::move(conditions)};
 }
 
 void Supervision::Parts::settle(Instant now) {
+  if (settled_at_ == Instant{}) std::fill(zone_since_.begin(), zone_since_.end(), now);
+  settled_at_ = now;
+  if (start_fault_.empty()) findIntruders();
   if (mode() != SupervisorMode::Fault) {
-    findIntruders();
     grant(now);
   }
   for (ZoneIndex zone = 0; zone < zone_holders_.size(); ++zone) {
@@ -148,15 +151,24 @@ void Supervision::Parts::settle(Instant now) {
 
 void Supervision::Parts::grant(Instant now) {
   const Granting granting = this->granting(now);
+  // Behind a fault, and where somebody is kept back for too long, the supervisor alone rules until all are
+  // home.
+  if (rules_.isHome(record_.tuple())) turns_.beginAnew();
+  for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
+    const bool fails = !record_.robot(robot).is_out && !isAble(robot, now);
+    if (fails || granting.isKeptBackForLong(robot, now)) turns_.suspend();
+  }
   while (const auto robot = granting.next(now)) {
     const NumberedEvent event = robots_[*robot].request->event;
     if (!record_.carryOut(*robot, event)) return;
+    turns_.booked(*robot, zonesBookedBy(rules_.model().events[event.event]));
     robots_[*robot].request.reset();
   }
 }
 
 /// Bodies in a zone that is not theirs: it is kept from the others; two robots in one zone are stopped.
 void Supervision::Parts::findIntruders() {
+  std::set<std::array<std::size_t, 3>> lasting;
   for (ZoneIndex zone = 0; zone < intruders_.size(); ++zone) {
     const auto holder = record_.holderOf(zone);
     intruders_[zone].reset();
@@ -166,25 +178,30 @@ void Supervision::Parts::findIntruders() {
       const bool is_alone = !holder && !intruders_[zone];
       const RobotIndex other = holder ? *holder : intruders_[zone].value_or(robot);
       intruders_[zone] = robot;
-      if (is_alone || holds_) continue;
-      holds_ = true;
-      hold_reason_ = fmt::format(
+      if (is_alone) continue;
+      lasting.insert({zone, robot, other});
+      if (intrusions_.count({zone, robot, other}) != 0 && record_.held()) continue;
+      const std::string why = fmt::format(
           "INTRUSION: {} is in {}, which {} {}: bring it out, and let the cell go on by hold with false",
           nameOf(robot), rules_.model().program.zones[zone], nameOf(other), holder ? "holds" : "is in too");
-      stop_orders_.push_back({robot, hold_reason_});
-      stop_orders_.push_back({other, hold_reason_});
+      (void)record_.hold(true, why);
+      stop_orders_.push_back({robot, why});
+      stop_orders_.push_back({other, why});
     }
   }
+  intrusions_ = std::move(lasting);
 }
 
 std::optional<Instant> Supervision::Parts::nextDeadline() const {
   std::optional<Instant> first;
   const auto take = [&](Instant when) {
-    if (!first || when < *first) first = when;
+    const bool is_over = when <= settled_at_;
+    if (!is_over && (!first || when < *first)) first = when;
   };
   for (const RobotWatch& robot : robots_) {
     if (robot.heard()) take(*robot.heard() + settings_.lease + Duration(1));
     if (robot.request) take(robot.request->since + settings_.aging);
+    if (robot.request && turns_.isUsed()) take(robot.request->since + kTurnPatience);
   }
   return first;
 }

@@ -16,7 +16,8 @@ struct PlacedStep {
 
 /// Bookings of one frame are one step, all or nothing; what is released comes before what is booked at the
 /// same place.
-std::vector<PlacedStep> stepsOf(const std::vector<Hold>& holds, const PathClaim& claim) {
+std::vector<PlacedStep> stepsOf(const std::vector<Hold>& holds, const PathClaim& claim,
+                                bool enters_by_itself) {
   std::vector<PlacedStep> steps;
   for (const Hold& hold : holds) {
     if (hold.last_piece) {
@@ -30,7 +31,7 @@ std::vector<PlacedStep> stepsOf(const std::vector<Hold>& holds, const PathClaim&
     if (same != steps.end()) {
       same->step.zones.push_back(hold.zone);
     } else {
-      steps.push_back({{true, {hold.zone}, false}, {*hold.first_frame, hold.first_piece}});
+      steps.push_back({{true, {hold.zone}, enters_by_itself}, {*hold.first_frame, hold.first_piece}});
     }
   }
   std::stable_sort(steps.begin(), steps.end(), [](const PlacedStep& one, const PlacedStep& other) {
@@ -42,16 +43,52 @@ std::vector<PlacedStep> stepsOf(const std::vector<Hold>& holds, const PathClaim&
   return steps;
 }
 
+/// What holds have to know of a robot or a mechanism besides its claims.
+struct Course {
+  struct Way {
+    std::string name;
+    std::size_t from = 0;
+    std::size_t to = 0;
+    const PlannedPath* planned = nullptr;  ///< none: of a mechanism
+    bool goes_by_itself = false;
+    bool enters_by_itself = false;
+  };
+  std::string name;
+  std::vector<std::string> stations;
+  std::size_t home = 0;
+  bool holds = false;
+  std::vector<Way> ways;
+};
+
+Course courseOf(const Robot& robot, const PlannedRobot& planned) {
+  Course course{planned.name, {}, planned.home, robot.holds, {}};
+  for (const PlannedStation& station : planned.stations) course.stations.push_back(station.name);
+  for (const PlannedPath& path : planned.paths) {
+    course.ways.push_back({path.name, path.from, path.to, &path, false, false});
+  }
+  return course;
+}
+
+Course courseOf(const Mechanism& mechanism) {
+  Course course{mechanism.name, {}, 0, mechanism.holds, {}};
+  for (const MechanismPosition& station : stationsOf(mechanism)) course.stations.push_back(station.name);
+  const auto station = [&](const std::string& name) {
+    const auto at = std::find(course.stations.begin(), course.stations.end(), name);
+    return static_cast<std::size_t>(at - course.stations.begin());
+  };
+  course.home = station(mechanism.home);
+  for (const MechanismPath& path : mechanism.program) {
+    course.ways.push_back({path.name, station(path.from), station(path.to), nullptr, !path.controllable_go,
+                           !path.controllable_book});
+  }
+  return course;
+}
+
 class Holder {
  public:
-  Holder(const Cell& cell, RobotIndex robot, const PlannedRobot& planned, const RobotClaim& claim,
+  Holder(const Cell& cell, const Course& course, RobotIndex robot, const std::vector<RobotClaim>& claims,
          const std::vector<Zone>& zones, std::vector<std::string>& faults)
-      : cell_(cell),
-        robot_(cell.robots[robot]),
-        planned_(planned),
-        claim_(claim),
-        zones_(zones),
-        faults_(faults) {
+      : cell_(cell), course_(course), claims_(claims), claim_(claims[robot]), zones_(zones), faults_(faults) {
     // A zone of others is nothing to it, wherever it may be: what keeps it apart from each of them is a zone
     // of its own.
     for (ZoneIndex zone = 0; zone < zones.size(); ++zone) {
@@ -65,14 +102,12 @@ class Holder {
   RobotProgram program;
 
   void find() {
-    program.name = planned_.name;
-    program.home = planned_.home;
-    for (std::size_t station = 0; station < planned_.stations.size(); ++station) {
-      program.stations.push_back(planned_.stations[station].name);
-      held.at_stations.push_back(touchedBy(claim_.stations[station]));
-    }
+    program.name = course_.name;
+    program.home = course_.home;
+    program.stations = course_.stations;
+    for (const Piece& rest : claim_.stations) held.at_stations.push_back(touchedBy(rest));
     checkHome();
-    for (std::size_t path = 0; path < planned_.paths.size(); ++path) findOnPath(path);
+    for (std::size_t path = 0; path < course_.ways.size(); ++path) findOnPath(path);
     checkLeaving();
   }
 
@@ -86,8 +121,8 @@ class Holder {
   }
 
   void checkHome() {
-    const auto& at_home = held.at_stations[planned_.home];
-    if (robot_.holds) {
+    const auto& at_home = held.at_stations[course_.home];
+    if (course_.holds) {
       program.held_at_home = at_home;
       return;
     }
@@ -95,13 +130,13 @@ class Holder {
       faults_.push_back(fmt::format(
           "{} is in {} at its home {}, which {} share ({}): choose another home, or let it hold the "
           "zone from the start (holds: true)",
-          planned_.name, zones_[zone].name, robot_.home, usersOf(zone),
+          course_.name, zones_[zone].name, course_.stations[course_.home], usersOf(zone),
           boxOf(zones_[zone], cell_.parameters.voxel)));
     }
   }
 
   void findOnPath(std::size_t index) {
-    const PlannedPath& path = planned_.paths[index];
+    const Course::Way& way = course_.ways[index];
     HeldPath on_path;
     for (const ZoneIndex zone : used_) {
       const auto has = [&](std::size_t station) {
@@ -109,13 +144,13 @@ class Holder {
         return std::binary_search(touched.begin(), touched.end(), zone);
       };
       for (Hold& hold :
-           holdsOnPath({path, claim_.paths[index], zones_[zone].voxels, has(path.from), has(path.to)})) {
+           holdsOnPath({way.planned, claim_.paths[index], zones_[zone].voxels, has(way.from), has(way.to)})) {
         hold.zone = zone;
         on_path.holds.push_back(hold);
       }
     }
-    PathProgram of_path{path.name, path.from, path.to, {}};
-    for (PlacedStep& placed : stepsOf(on_path.holds, claim_.paths[index])) {
+    PathProgram of_path{way.name, way.from, way.to, {}, way.goes_by_itself};
+    for (PlacedStep& placed : stepsOf(on_path.holds, claim_.paths[index], way.enters_by_itself)) {
       of_path.steps.push_back(std::move(placed.step));
       on_path.places.push_back(placed.place);
     }
@@ -135,19 +170,19 @@ class Holder {
       faults_.push_back(fmt::format(
           "{} never leaves {}, which {} share ({}): with this margin, its base or its program keeps "
           "it inside all the time",
-          planned_.name, zones_[zone].name, usersOf(zone), boxOf(zones_[zone], cell_.parameters.voxel)));
+          course_.name, zones_[zone].name, usersOf(zone), boxOf(zones_[zone], cell_.parameters.voxel)));
     }
   }
 
   [[nodiscard]] std::string usersOf(ZoneIndex zone) const {
     std::vector<std::string> names;
-    for (const RobotIndex user : zones_[zone].users) names.push_back(cell_.robots[user].name);
+    for (const RobotIndex user : zones_[zone].users) names.push_back(claims_[user].name);
     return fmt::format("{}", fmt::join(names, " and "));
   }
 
   const Cell& cell_;
-  const Robot& robot_;
-  const PlannedRobot& planned_;
+  const Course& course_;
+  const std::vector<RobotClaim>& claims_;
   const RobotClaim& claim_;
   const std::vector<Zone>& zones_;
   std::vector<ZoneIndex> used_;  ///< zones that are its own, too
@@ -164,8 +199,13 @@ Result<HeldCell, std::vector<std::string>> holdZones(const Cell& cell,
   HeldCell held;
   held.program.name = cell.name;
   for (const Zone& zone : zones) held.program.zones.push_back(zone.name);
+  std::vector<Course> courses;
   for (RobotIndex robot = 0; robot < planned.size(); ++robot) {
-    Holder holder(cell, robot, planned[robot], claims[robot], zones, faults);
+    courses.push_back(courseOf(cell.robots[robot], planned[robot]));
+  }
+  for (const Mechanism& mechanism : cell.mechanisms) courses.push_back(courseOf(mechanism));
+  for (RobotIndex robot = 0; robot < courses.size(); ++robot) {
+    Holder holder(cell, courses[robot], robot, claims, zones, faults);
     holder.find();
     held.robots.push_back(std::move(holder.held));
     held.program.robots.push_back(std::move(holder.program));

@@ -36,7 +36,7 @@ std::vector<Hold> holdsOnPath(const PathInZone& in_zone) {
       const Piece& last = pieces[*holds.back().last_piece];
       // Within a frame nothing can be booked, so that what it enters again it keeps.
       const bool goes_on =
-          last.frame == frame || in_zone.path.frames[frame].begin - endOf(last, in_zone.path) < kLeastRest;
+          last.frame == frame || in_zone.path->frames[frame].begin - endOf(last, *in_zone.path) < kLeastRest;
       if (goes_on) {
         holds.back().last_piece = index;
         continue;

@@ -13,7 +13,7 @@ namespace cobot_command::cell {
 inline constexpr Duration kLeastRest = std::chrono::milliseconds(300);
 
 struct PathInZone {
-  const PlannedPath& path;
+  const PlannedPath* path;  ///< none: of a mechanism, which makes one frame of it
   const PathClaim& claim;
   const VoxelSet& voxels;
   bool at_begin = false;  ///< the station that the path comes from is in the zone

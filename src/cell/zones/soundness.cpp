@@ -58,14 +58,19 @@ class Check {
         }
         const Piece& of_path = claim.paths[path].pieces[piece];
         add(robot, of_path, std::move(holds),
-            fmt::format("{} on {}, step {}", program.name, program.paths[path].name, of_path.frame + 1));
+            nameOn(program.name + " on " + program.paths[path].name, of_path));
       }
     }
   }
 
+  [[nodiscard]] static std::string nameOn(std::string path, const Piece& piece) {
+    if (piece.isOfMechanism()) return path;
+    return fmt::format("{}, step {}", path, piece.frame + 1);
+  }
+
   void add(RobotIndex robot, const Piece& piece, std::vector<bool> holds, std::string name) {
-    postures_[robot].push_back({piece.bodies->at(piece.range.centre()).capsules, piece.displacement,
-                                std::move(holds), std::move(name)});
+    postures_[robot].push_back(
+        {piece.capsulesAtCentre(), piece.displacement, std::move(holds), std::move(name)});
   }
 
   void comparePair(RobotIndex one, RobotIndex other) {

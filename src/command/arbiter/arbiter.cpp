@@ -25,8 +25,10 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
       window_({parts.settings, parts.script, parts.tags, parts.robot, stop_, parts.forecast.arm()},
               parts.forecast, std::move(ports.gate)),
       stops_(parts, stop_, window_),
-      plans_(parts, desk_, queue_,
-             [this](Ticket ticket, Instant now) { return turns_.occupancy().originBehind(ticket, now); }),
+      plans_(
+          parts, desk_, queue_,
+          [this](Ticket ticket, Instant now) { return turns_.occupancy().originBehind(ticket, now); },
+          std::move(ports.program)),
       paths_(parts.paths, desk_, parts.actions),
       aside_(parts.board, parts.actions),
       turns_(parts, {desk_, queue_, plans_, stops_, window_, paths_, aside_}, std::move(ports.frames)),

@@ -47,6 +47,7 @@ void GoalPlans::tellDifferences(const blocks::Goal& goal) {
 /// But for what the forecast knows.
 blocks::PlanningScene GoalPlans::sceneOf(const blocks::Goal& goal) const {
   blocks::PlanningScene scene;
+  scene.program = program_;
   scene.number = parts_.board.accepted(blockOf(goal)) + 1;
   scene.feedrate = parts_.paths.served().feedrate;
   scene.is_pvt_refused = parts_.paths.isPvtRefused();

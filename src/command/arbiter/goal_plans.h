@@ -18,9 +18,14 @@ class GoalPlans {
   /// Where the goal with that ticket starts: behind all that is on the wire, and waits with an earlier one;
   /// nothing when nobody knows.
   using OriginBehind = std::function<std::optional<Origin>(Ticket ticket, Instant now)>;
-  /// All have to live longer.
-  GoalPlans(const CoreParts& parts, PlanDesk& desk, GoalQueue& queue, OriginBehind origin_behind)
-      : parts_(parts), desk_(desk), queue_(queue), origin_behind_(std::move(origin_behind)) {}
+  /// All have to live longer. `program`: of the robot in its cell; may be nullptr.
+  GoalPlans(const CoreParts& parts, PlanDesk& desk, GoalQueue& queue, OriginBehind origin_behind,
+            blocks::ProgramGuidePtr program)
+      : parts_(parts),
+        desk_(desk),
+        queue_(queue),
+        origin_behind_(std::move(origin_behind)),
+        program_(std::move(program)) {}
 
   /// Answers the goal that came last with its plan. `chain`: as with planTheNext().
   void check(blocks::GoalId id, const blocks::Goal& goal, const blocks::Detail& chain, Instant now);
@@ -50,6 +55,7 @@ class GoalPlans {
   PlanDesk& desk_;
   GoalQueue& queue_;
   OriginBehind origin_behind_;
+  blocks::ProgramGuidePtr program_;
 };
 
 }  // namespace cobot_command::command

@@ -328,7 +328,9 @@ void Turns::robotChanged(Instant now) {
 void Turns::advance(Instant now) {
   desks_.window.advance(now);
   parts_.jog.serve(under_way_.run ? under_way_.run->jog() : nullptr, now);
-  if (under_way_.run) under_way_.run->advance(now);
+  if (!under_way_.run) return;
+  under_way_.run->advance(now);
+  if (const auto why = under_way_.run->stopsFor()) cancelWindow(*why, now);
 }
 
 std::optional<Instant> Turns::nextDeadline() const {

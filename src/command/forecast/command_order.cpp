@@ -16,6 +16,7 @@ std::string lineOfTag(int tag) {
 /// Behind a motion the robot gets it later than it was planned for, by as much as its plan took to make.
 void takePlan(CommandOrder& order, PlannedCommand& planned, const Origin& now) {
   order.plan = std::move(*planned.plan);
+  order.start = now.start.joints;
   order.tool_path = std::move(planned.tool_path);
   if (!order.plan) {
     order.target = robot::jointTargetOf(*order.commands);

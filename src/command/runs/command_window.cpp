@@ -41,7 +41,7 @@ std::optional<blocks::Failure> CommandWindow::prepare(CommandOrder& order, const
                                                       Instant now) {
   order.exits_node = traits.exits_node && !traits.awaits_motion;
   order.exits_afterwards = traits.exits_node && traits.awaits_motion;
-  if (auto closed = objectionTo(order, now)) return closed;
+  if (auto closed = objectionTo(order, traits, now)) return closed;
   // A tag is opened last, for what will be sent.
   if (traits.awaits_motion && !openTags(order, traits.command_id)) {
     return blocks::Failure{blocks::own_error::kNoFreeTag, "", ""};
@@ -64,16 +64,21 @@ bool CommandWindow::openTags(CommandOrder& order, int command_id) {
   return false;
 }
 
-std::optional<blocks::Failure> CommandWindow::objectionTo(const CommandOrder& order, Instant now) const {
-  if (!gate_ || !(mayMoveBy(order) || leavesNodeBy(order))) return std::nullopt;
+std::optional<blocks::Failure> CommandWindow::objectionTo(const CommandOrder& order,
+                                                          const blocks::GoalTraits& traits,
+                                                          Instant now) const {
+  if (!gate_ || !(mayMoveBy(order) || leavesNodeBy(order) || traits.asks_permit)) return std::nullopt;
   Departure departure;
   departure.block = order.block;
   departure.lines = order.lines;
+  departure.asks_permit = traits.asks_permit;
   departure.planned = (order.plan.has_value() && !order.is_open_ended) || !mayMoveBy(order);
   departure.leaves_node = leavesNodeBy(order);
   if (order.plan) {
     departure.motions = order.plan->motions;
+    departure.start = order.start;
     departure.tcp = order.plan->tcp;
+    departure.base = order.plan->end.start.base;
   }
   return gate_(departure, now);
 }

@@ -108,7 +108,9 @@ class CommandWindow {
   void takeAlong(std::list<Sent>::iterator failed, Instant now);
 
   /// By the gate.
-  [[nodiscard]] std::optional<blocks::Failure> objectionTo(const CommandOrder& order, Instant now) const;
+  [[nodiscard]] std::optional<blocks::Failure> objectionTo(const CommandOrder& order,
+                                                           const blocks::GoalTraits& traits,
+                                                           Instant now) const;
 
   RunContext context_;
   Forecast& forecast_;

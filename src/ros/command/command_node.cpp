@@ -23,6 +23,7 @@
 
 #include "cobot_command/common/overloaded.h"
 #include "cobot_command/link/tag_ledger.h"
+#include "cobot_command/ros/cell/cell_seat.h"
 #include "cobot_command/ros/shared/node_end.h"
 
 namespace cobot_command::ros_adapter {
@@ -69,8 +70,9 @@ link::LinkSettings withAnyFirstTag(link::LinkSettings settings) {
 }  // namespace
 
 CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
-                         CommandParameters parameters)
-    : default_host_(parameters.robot_ip),
+                         CommandParameters parameters, std::unique_ptr<CellSeat> seat)
+    : seat_(std::move(seat)),
+      default_host_(parameters.robot_ip),
       default_port_(parameters.script_port),
       arm_(std::make_unique<ArmOfNow>(parameters.arm)),
       publisher_(node, jointNames(parameters.prefix), parameters.prefix),
@@ -108,11 +110,10 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
-      [this](const command::Action& action, Instant now) { onAction(action, now); },
-      command::CorePorts{[this](const std::string& frame) { return frames_.whereNow(frame); },
-                         [this] { return last_goal_.load(); },
-                         {},
-                         [this](link::Channel channel) { return publisher_.isHeard(channel); }});
+      [this](const command::Action& action, Instant now) { onAction(action, now); }, ports());
+  if (seat_) {
+    seat_->start(node, [this](std::function<void(Instant)> what) { runtime_->inCore(std::move(what)); });
+  }
   runtime_->useTables(parameters.tables.tables);
   runtime_->useExchangeRules(parameters.exchange);
   if (parameters.limits) static_cast<void>(runtime_->writeLimits(*parameters.limits));  // they were tried
@@ -124,6 +125,15 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
     target.port = default_port_;
     runtime_->keepConnected(std::move(target));
   }
+}
+
+command::CorePorts CommandNode::ports() {
+  command::CorePorts ports;
+  ports.frames = [this](const std::string& frame) { return frames_.whereNow(frame); };
+  ports.newest = [this] { return last_goal_.load(); };
+  ports.traced = [this](link::Channel channel) { return publisher_.isHeard(channel); };
+  if (seat_) seat_->fill(ports);
+  return ports;
 }
 
 std::unique_ptr<PathServices> CommandNode::pathServices(const ros::NodeHandle& node) {
@@ -176,6 +186,7 @@ void CommandNode::retire(const std::function<void()>& begun) {
 
 void CommandNode::stop() {
   if (std::exchange(stopped_, true)) return;
+  if (seat_) seat_->stop();
   runtime_->retire();
   intake_.advance(Instant::max());  // so that the core ends those too
   runtime_->stop();
@@ -290,6 +301,7 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                    fell_.push_back(a);
                  },
                  [&](const command::RobotStatusReceived& a) {
+                   if (seat_) seat_->observe(a.status, now);
                    publisher_.publish(a.status);
                    diagnostics_.take(a.status);
                    robot_data_->take(a.status);

@@ -49,6 +49,7 @@ std::optional<SettingFault> faultIn(const CommandParameters& p) {
                                     toSeconds(p.link.retry_min), toSeconds(p.link.retry_max)),
                         "at most retry_max"};
   }
+  if (const auto fault = faultIn(p.cell)) return fault;
   if (!p.auto_connect) return std::nullopt;
   if (p.robot_ip.empty()) {
     return SettingFault{"robot_ip", "is empty", "the controller's address, as auto_connect is set"};
@@ -217,6 +218,7 @@ SettingTable settingsTable(CommandParameters& parameters) {
                  jogTable(parameters.link),
                  behaviourTable(parameters),
                  exchangeTable(parameters.exchange),
+                 cellRows(parameters.cell),
                  tableRows(parameters.tables),
                  {limitsRow(parameters.limit_texts)}});
 }

@@ -323,6 +323,13 @@ void CommandRuntime::keepJogging() {
   impl_->post([](auto& core, Instant now) { core.keepJogging(now); });
 }
 
+void CommandRuntime::inCore(std::function<void(Instant now)> what) {
+  impl_->post([what = std::move(what)](auto& core, Instant now) {
+    what(now);
+    core.advance(now);
+  });
+}
+
 void CommandRuntime::tellEnd(blocks::Block block, blocks::Outcome outcome) {
   impl_->post(
       [block, outcome = std::move(outcome)](auto& core, Instant now) { core.tellEnd(block, outcome, now); });

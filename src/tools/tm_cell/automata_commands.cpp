@@ -4,7 +4,6 @@
 #include <chrono>
 #include <iostream>
 
-#include "cell_files.h"
 #include <fmt/format.h>
 
 #include "cobot_command/automata/canonical.h"
@@ -13,8 +12,13 @@
 #include "cobot_command/automata/supervisor.h"
 #include "cobot_command/automata/verification.h"
 #include "cobot_command/cell/schedule/oracle.h"
+#include "cobot_command/runtime/cell/cell_files.h"
 
 namespace cobot_command::tools {
+
+using runtime::readArtifact;
+using runtime::readFile;
+using runtime::writeFile;
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -2,12 +2,16 @@
 
 #include <chrono>
 
-#include "cell_files.h"
 #include <fmt/format.h>
 
 #include "cobot_command/cell/program/canonical.h"
+#include "cobot_command/runtime/cell/cell_files.h"
 
 namespace cobot_command::tools {
+
+using runtime::readArtifact;
+using runtime::readCellFile;
+using runtime::writeFile;
 namespace {
 
 using cell::BuildStage;

@@ -4,19 +4,21 @@
 #include <optional>
 #include <sstream>
 
-#include "cell_files.h"
 #include <fmt/format.h>
 
 #include "cobot_command/automata/safe_order.h"
-#include "cobot_command/cell/artifact/cycle_times.h"
+#include "cobot_command/cell/artifact/artifact_schedule.h"
 #include "cobot_command/cell/model/rules.h"
 #include "cobot_command/cell/schedule/gantt.h"
 #include "cobot_command/cell/schedule/period.h"
 #include "cobot_command/cell/schedule/schedule.h"
 #include "cobot_command/cell/schedule/zone_orders.h"
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/runtime/cell/cell_files.h"
 
 namespace cobot_command::tools {
+
+using runtime::readArtifact;
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -53,6 +55,12 @@ std::string reasonOf(const cell::Rules& rules, const automata::Tuple& state,
                          holder ? model.program.robots[*holder].name : "nobody");
     }
     case Verdict::WouldBlock: {
+      if (const auto intrusion = rules.intrusionIn(decision.next)) {
+        return fmt::format("WOULD_BLOCK: nobody could keep {} out of {}, which {} would hold",
+                           model.program.robots[intrusion->mechanism].name,
+                           model.program.zones[intrusion->zone],
+                           model.program.robots[intrusion->holder].name);
+      }
       std::vector<std::string> names;
       for (const auto robot : rules.stuckIn(decision.next)) names.push_back(model.program.robots[robot].name);
       return fmt::format("WOULD_BLOCK: {} could not all come home from there", fmt::join(names, ", "));
@@ -101,33 +109,23 @@ Answer scheduleCell(const std::string& artifact_file, double seconds) {
   if (!artifact) return {{{"schedule", 0.0, {}, artifact.error()}}};
   const auto model = cell::modelOf(artifact->program);
   if (!model) return {{{"schedule", 0.0, {}, model.error()}}};
-  std::vector<cell::RobotCycle> cycles;
-  for (cell::RobotIndex robot = 0; robot < model->robots(); ++robot) {
-    auto cycle = cell::cycleOf(*artifact, *model, robot);
-    if (!cycle) return wrong("schedule", cycle.error());
-    cycles.push_back(std::move(*cycle));
-  }
+  const auto cycles = cell::cyclesOf(*artifact, *model);
+  if (!cycles) return wrong("schedule", cycles.error());
   const cell::ScheduleLimits limits{2000000, [&] { return secondsSince(begin) > seconds; }};
-  const auto& parts = artifact->supervisors;
-  const bool has_table =
-      parts.size() == 1 && parts.front().policy == cell::Policy::Supervisor && !parts.front().is_compressed;
-  const auto found =
-      has_table ? findSchedule(automata::Supervisor({model->problem, parts.front().frontier}), cycles, limits)
-                : findSchedule(automata::SafeOrder(model->problem), cycles, limits);
+  const auto found = cell::scheduleOf(*artifact, *model, *cycles, limits);
   if (!found) return wrong("schedule", found.error());
-  if (!found->best) return wrong("schedule", "none was found in that time: allow more");
   AnswerStage stage{"schedule", secondsSince(begin), {}, {}};
   stage.report.push_back(
       fmt::format("{:.3f} s for one cycle of all; one after the other {:.3f} s; no schedule is shorter than "
                   "{:.3f} s{}",
                   toSeconds(found->best->makespan), toSeconds(found->one_after_the_other),
                   toSeconds(found->bound), found->isOptimal() ? ": it is the shortest" : ""));
-  const auto orders = countZoneOrders(model->problem, cycles);
+  const auto orders = countZoneOrders(model->problem, *cycles);
   if (orders.circular) {
     stage.report.push_back(
         fmt::format("{} orders on the zones, {} of them circular", orders.orders, *orders.circular));
   }
-  if (const auto period = leastPeriod(model->problem, cycles)) {
+  if (const auto period = leastPeriod(model->problem, *cycles)) {
     stage.report.push_back(fmt::format("{:.3f} s from cycle to cycle at the least", toSeconds(*period)));
   }
   std::istringstream gantt(ganttOf(*found->best, model->problem));

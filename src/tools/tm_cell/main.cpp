@@ -9,16 +9,18 @@
 #include "../command_line.h"
 #include "../written_output.h"
 #include "answer.h"
+#include "ask_command.h"
 #include "automata_commands.h"
 #include "build_commands.h"
+#include "cover_command.h"
 #include "decision_commands.h"
+#include "simulate_command.h"
 #include <CLI/CLI.hpp>
 
 namespace {
 
 using namespace cobot_command::tools;
 using cobot_command::cell::BuildStage;
-using cobot_command::cell::Policy;
 
 /// What the words of the command line set.
 struct Given {
@@ -26,10 +28,13 @@ struct Given {
   BuildOptions build;
   std::string policy = "supervisor";
   std::string artifact;
+  SimulateOptions simulate;
   std::string cell_file;
   std::string event;
   std::vector<std::string> happened;
   double seconds = 10.0;
+  CoverOptions cover;
+  AskOptions ask;
   std::string file;
   std::string format;
   std::string output;
@@ -54,10 +59,11 @@ class Commands {
     build->add_option("-o,--output", given_.build.output, "The artifact")->required();
     addArtifactCommands();
     addAutomataCommands();
+    addCover();
   }
 
   Answer run() {
-    given_.build.policy = *cobot_command::cell::policyNamed(given_.policy);
+    given_.build.policy = cobot_command::cell::policyNamed(given_.policy).value_or(given_.build.policy);
     for (const Command& command : commands_) {
       if (command.app->parsed()) return command.run();
     }
@@ -112,6 +118,8 @@ class Commands {
                                      [this] { return scheduleCell(given_.artifact, given_.seconds); });
     schedule->add_option("--seconds", given_.seconds, "So long it is searched for")
         ->check(CLI::Range(0.001, 86400.0));
+    addSimulate();
+    addAsk();
     CLI::App* exported = addArtifact("export", "The automata, for other programs", [this] {
       return exportAutomata(given_.artifact, given_.format, given_.output);
     });
@@ -119,6 +127,39 @@ class Commands {
         ->required()
         ->check(CLI::IsMember({"wmod", "cif", "dot", "json"}));
     exported->add_option("-o,--output", given_.output, "A file; without it standard output");
+  }
+
+  void addSimulate() {
+    SimulateOptions& options = given_.simulate;
+    CLI::App* simulate = addArtifact(
+        "simulate", "Run all robots, simulated controllers and the supervisor in invented time", [this] {
+          given_.simulate.artifact = given_.artifact;
+          given_.simulate.policy = given_.policy;
+          return simulateCell(given_.simulate);
+        });
+    simulate
+        ->add_option("--policy", given_.policy,
+                     "supervisor, safe_order, schedule; or, to see what goes wrong without: mutex, none")
+        ->check(CLI::IsMember({"supervisor", "safe_order", "schedule", "mutex", "none"}));
+    simulate->add_option("--cycles", options.cycles, "Of each robot")->check(CLI::Range(1, 1000000));
+    simulate->add_option("--seed", options.seed, "The same gives the same run");
+    simulate->add_flag("--random", options.is_random, "Project speeds, pauses, and delays of messages");
+    simulate->add_option("--loss", options.loss, "So many of the messages are lost, in %")
+        ->check(CLI::Range(0.0, 90.0));
+    simulate->add_flag("--quiet", options.is_quiet, "Only how it ended");
+  }
+
+  void addAsk() {
+    CLI::App* ask =
+        addArtifact("ask", "One thing of an artifact, as launch files and scripts want it", [this] {
+          given_.ask.artifact = given_.artifact;
+          return askArtifact(given_.ask);
+        });
+    ask->add_option("WHAT", given_.ask.what,
+                    "robots, mechanisms; or of one of them: model, home [deg; m or rad], places")
+        ->required()
+        ->check(CLI::IsMember({"robots", "mechanisms", "model", "home", "places"}));
+    ask->add_option("ROBOT", given_.ask.robot, "Its name, or that of a mechanism");
   }
 
   void addAutomataCommands() {
@@ -130,6 +171,17 @@ class Commands {
         [this] { return compareOracles(given_.file); })
         ->add_option("FILE", given_.file, "As test/data/cell-oracles.json")
         ->required();
+  }
+
+  void addCover() {
+    CLI::App* cover = add("cover", "Boxes that cover a mesh, as shapes of a cell file",
+                          [this] { return coverMesh(given_.cover); });
+    cover->add_option("FILE", given_.cover.mesh, "An STL file, text or binary")->required();
+    cover->add_option("--cell", given_.cover.cell, "The boxes consist of cells with this edge [mm]")
+        ->check(CLI::Range(1.0, 1000.0));
+    cover->add_option("--scale", given_.cover.scale, "So many mm are one unit of the file: 1000 for metres")
+        ->check(CLI::Range(1e-6, 1e6));
+    cover->add_option("-o,--output", given_.cover.output, "A file; without it standard output");
   }
 
   CLI::App& app_;

@@ -60,7 +60,7 @@ class TmCell : public testing::Test {
 };
 
 TEST_F(TmCell, buildsTheCellsOfTheDemosAndVerifiesThem) {
-  for (const char* cell : {"handover", "head_on", "iris"}) {
+  for (const char* cell : {"handover", "head_on", "iris", "corridor", "pallet"}) {
     const std::string artifact = built(cell);
     const Outcome verified = tmCell("verify " + artifact + " --cell " + cellFile(cell));
     EXPECT_EQ(verified.exit_code, 0) << verified.output;
@@ -107,8 +107,96 @@ TEST_F(TmCell, saysWhatIsWrongWithAFile) {
   EXPECT_THAT(outcome.output, HasSubstr("wrong.yaml:2:"));
   EXPECT_THAT(outcome.output, HasSubstr("tm5-901"));
   EXPECT_EQ(tmCell("check " + in("nowhere.yaml")).exit_code, 1);
-  EXPECT_THAT(tmCell("build " + cellFile("pallet") + " -o " + in("pallet")).output,
-              HasSubstr("cannot be swept yet"));
+}
+
+TEST_F(TmCell, keepsAPalletBackThatWouldEnterByItself) {
+  const std::string artifact = built("pallet");
+  const Outcome refused = tmCell("explain " + artifact + " PALLET_g_FEED --behind RA_g_FETCH,RA_b_Z1");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output,
+              HasSubstr("WOULD_BLOCK: nobody could keep PALLET out of Z1, which RA would hold"));
+  const Outcome safe_order = tmCell("build " + cellFile("pallet") + " --policy safe_order -o " + in("other"));
+  EXPECT_EQ(safe_order.exit_code, 1);
+  EXPECT_THAT(safe_order.output, HasSubstr("it could not be kept waiting"));
+  EXPECT_EQ(tmCell("schedule " + artifact).exit_code, 0);
+}
+
+TEST_F(TmCell, coversAMeshByBoxesThatACellFileTakes) {
+  std::ofstream(in("plate.stl")) << "solid plate\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                                    "vertex 300 0 0\nvertex 0 200 0\nendloop\nendfacet\nendsolid\n";
+  const Outcome shapes = tmCell("cover " + in("plate.stl") + " --cell 100");
+  EXPECT_EQ(shapes.exit_code, 0) << shapes.output;
+  EXPECT_THAT(shapes.output, HasSubstr("shapes:\n  - box: {size: ["));
+  std::ifstream handover(cellFile("handover"));
+  std::string cell((std::istreambuf_iterator<char>(handover)), std::istreambuf_iterator<char>());
+  std::string parts = shapes.output;
+  for (std::size_t at = parts.find('\n'); at != std::string::npos && at + 1 < parts.size();
+       at = parts.find('\n', at + 5)) {
+    parts.insert(at + 1, "    ");
+  }
+  std::ofstream(in("cell.yaml")) << cell << "\nparts:\n  plate:\n    on: flange\n" << parts;
+  const Outcome checked = tmCell("check " + in("cell.yaml"));
+  EXPECT_EQ(checked.exit_code, 0) << checked.output;
+  EXPECT_THAT(checked.output, HasSubstr("1 parts"));
+  std::ofstream(in("no.stl")) << "shapes: []";
+  EXPECT_THAT(tmCell("cover " + in("no.stl")).output, HasSubstr("no.stl: it is no STL file"));
+  EXPECT_EQ(tmCell("cover " + in("plate.stl") + " --cell 0").exit_code, 2);
+}
+
+TEST_F(TmCell, runsTheCellsOfTheDemosUnderTheirSupervisorsWithoutATouch) {
+  for (const char* cell : {"handover", "head_on", "iris", "corridor"}) {
+    const std::string artifact = built(cell);
+    for (const char* policy : {"supervisor", "safe_order", "schedule"}) {
+      const Outcome outcome = tmCell("simulate " + artifact + " --quiet --policy " + policy);
+      EXPECT_EQ(outcome.exit_code, 0) << cell << " " << policy << ": " << outcome.output;
+    }
+  }
+}
+
+TEST_F(TmCell, runsARobotBesideAPalletThatComesInByItselfAndCollidesWithoutASupervisor) {
+  const std::string artifact = built("pallet");
+  const Outcome outcome = tmCell("simulate " + artifact);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("PALLET: OUT, waits: WOULD_BLOCK by PALLET, RA"));
+  const Outcome touched = tmCell("simulate " + artifact + " --quiet --policy none");
+  EXPECT_EQ(touched.exit_code, 1);
+  EXPECT_THAT(touched.output, HasSubstr("COLLISION: RA and PALLET"));
+  const Outcome refused = tmCell("simulate " + artifact + " --policy safe_order");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("safe_order"));
+}
+
+TEST_F(TmCell, tellsLaunchFilesWhatTheyWantToKnowOfAnArtifact) {
+  const std::string artifact = built("pallet");
+  EXPECT_EQ(tmCell("ask " + artifact + " robots").output, "RA\n");
+  EXPECT_EQ(tmCell("ask " + artifact + " mechanisms").output, "PALLET\n");
+  EXPECT_EQ(tmCell("ask " + artifact + " model RA").output, "tm5-900\n");
+  EXPECT_EQ(tmCell("ask " + artifact + " home RA").output, "[0, -30, 120, 0, 90, 0]\n");
+  EXPECT_EQ(tmCell("ask " + artifact + " home PALLET").output, "0\n");
+  EXPECT_EQ(tmCell("ask " + artifact + " places RA").output, "HOME T1 FETCH> FETCH>1 BRING> BRING>1\n");
+  const Outcome none = tmCell("ask " + artifact + " model PALLET");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.output, HasSubstr("there is no \"PALLET\" with a model: the artifact has RA"));
+}
+
+TEST_F(TmCell, showsThatMutualExclusionAloneBlocksAndThatNothingAtAllCollides) {
+  for (const char* cell : {"head_on", "iris", "corridor"}) {
+    const std::string artifact = built(cell);
+    const Outcome blocked = tmCell("simulate " + artifact + " --quiet --policy mutex");
+    EXPECT_EQ(blocked.exit_code, 1) << cell;
+    EXPECT_THAT(blocked.output, HasSubstr("DEADLOCK")) << cell;
+    const Outcome touched = tmCell("simulate " + artifact + " --quiet --policy none");
+    EXPECT_EQ(touched.exit_code, 1) << cell;
+    EXPECT_THAT(touched.output, HasSubstr("COLLISION")) << cell;
+  }
+}
+
+TEST_F(TmCell, keepsTheDistanceWhateverIsLateOrLost) {
+  const std::string artifact = built("head_on");
+  const Outcome late = tmCell("simulate " + artifact + " --quiet --random --seed 7 --cycles 2");
+  EXPECT_EQ(late.exit_code, 0) << late.output;
+  const Outcome lossy = tmCell("simulate " + artifact + " --quiet --loss 30 --seed 7 --cycles 3");
+  EXPECT_EQ(lossy.exit_code, 0) << lossy.output;
 }
 
 TEST_F(TmCell, leavesNoArtifactWhereItCannotBeWritten) {

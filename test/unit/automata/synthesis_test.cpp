@@ -146,6 +146,7 @@ TEST(StateSpace, isRefusedBeyondTheLimit) {
 TEST(StateSpace, holdsTuplesOfMoreThanOneWord) {
   // 24 robots of 3 bits each and a zone of 5: of the robots only one is ever away from the beginning.
   std::vector<std::pair<std::string, test_support::Cycle>> robots;
+  robots.reserve(24);
   for (int robot = 0; robot < 24; ++robot) {
     robots.push_back({fmt::format("R{:02}", robot), {"b Z", "g W", "r W", "g HOME", "u Z"}});
   }

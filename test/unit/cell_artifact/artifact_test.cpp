@@ -128,11 +128,6 @@ TEST(ABuild, endsWithWhatIsWrong) {
   EXPECT_THAT(build.run(BuildStage::Plan), Contains(HasSubstr("programs.RA[0].steps[0]")));
 }
 
-TEST(ABuild, refusesMechanismsByName) {
-  CellBuild build(cellOf("pallet"), Policy::Supervisor, 1);
-  EXPECT_THAT(build.run(BuildStage::Plan), Contains(HasSubstr("cannot be swept yet")));
-}
-
 TEST(ACycle, hasTheTimesOfItsFrames) {
   const Artifact artifact = *fromBytes(headOn());
   const CellModel model = *modelOf(artifact.program);

@@ -23,8 +23,11 @@ std::string nameOf(int robot) {
 Hall hallOf(int count, double apart) {
   std::vector<WatchedRobot> robots;
   std::vector<RobotBodies> bodies;
+  robots.reserve(static_cast<std::size_t>(count));
+  bodies.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    bodies.push_back(robotAt({apart * (i % 8), apart * (i / 8), 0, 0, 0, 45.0 * i}));
+    const int row = i / 8;
+    bodies.push_back(robotAt({apart * (i % 8), apart * row, 0, 0, 0, 45.0 * i}));
     robots.push_back({nameOf(i), bodies.back(), {}});
   }
   MonitorSettings settings;

@@ -16,6 +16,7 @@ using ::testing::HasSubstr;
 template <class Thing>
 std::vector<std::string> namesIn(const std::vector<Thing>& things) {
   std::vector<std::string> names;
+  names.reserve(things.size());
   for (const Thing& thing : things) names.push_back(thing.name);
   return names;
 }

@@ -15,7 +15,7 @@ std::string hashOfText(const std::string& text) {
 TEST(CellHash, doesNotDependOnHowTheFileIsWritten) {
   const std::string hash = hashOf(cellOf(kExample));
   EXPECT_EQ(hash.size(), 64U);
-  const std::pair<const char*, const char*> kSame[] = {
+  const std::pair<const char*, const char*> same[] = {
       {"# demo A1; complete", "# another comment"},
       {"{voxel: 20, step_bound: 10, margin: 20}", "{margin: 20.0, step_bound: 1e1, voxel: 20}"},
       {"parameters: {voxel: 20, step_bound: 10, margin: 20}", ""},  // they are the defaults
@@ -31,12 +31,12 @@ TEST(CellHash, doesNotDependOnHowTheFileIsWritten) {
       {"speed: 30", "dwell: false, speed: 30"},
       {"cell: handover", "\"cell\": 'handover'"},
       {"stations:\n", "stations:\n\n\n"}};
-  for (const auto& [from, to] : kSame) EXPECT_EQ(hashOfText(with(kExample, from, to)), hash) << to;
+  for (const auto& [from, to] : same) EXPECT_EQ(hashOfText(with(kExample, from, to)), hash) << to;
 }
 
 TEST(CellHash, dependsOnAllThatItMeans) {
   const std::string hash = hashOf(cellOf(kFull));
-  const std::pair<const char*, const char*> kOthers[] = {
+  const std::pair<const char*, const char*> others[] = {
       {"cell: full", "cell: ful"},
       {"voxel: 10", "voxel: 10.5"},
       {"aging: 5", "aging: 6"},
@@ -71,7 +71,7 @@ TEST(CellHash, dependsOnAllThatItMeans) {
       {"dwell: 0.5", "dwell: 0.6"},
       {",30,300,0,true)", ",31,300,0,true)"},
       {"at: [0, 0, 125", "at: [0, 0, 126"}};
-  for (const auto& [from, to] : kOthers) {
+  for (const auto& [from, to] : others) {
     const std::string text = with(kFull, from, to);
     EXPECT_NE(hashOf(cellOf(text)), hash) << to;
   }
@@ -178,11 +178,11 @@ TEST(CellHash, knowsBytesThatAreOthers) {
   const Cell example = cellOf(kExample);
   const std::string hash = hashOf(example);
   std::mt19937 random(11);
-  const std::string kMarks = "{}[]:,&*#-?|>!%@`'\" \n\t0123456789abc~<.\x04\xff";
+  const std::string marks = "{}[]:,&*#-?|>!%@`'\" \n\t0123456789abc~<.\x04\xff";
   for (int i = 0; i < 3000; ++i) {
     std::string text = kExample;
     for (auto changes = 1 + random() % 3; changes > 0; --changes) {
-      text[random() % text.size()] = kMarks[random() % kMarks.size()];
+      text[random() % text.size()] = marks[random() % marks.size()];
     }
     expectNotSilent(text, example, hash);
   }

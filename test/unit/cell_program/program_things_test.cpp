@@ -51,11 +51,11 @@ TEST(CellPoses, thatAreNoRotationAreRefused) {
   EXPECT_THAT(faultsWith("quaternion: [0, 0, 1, 0]", "quaternion: [0, 0, 1, 1]"),
               HasSubstr("robots.RA.base.quaternion is no rotation: its length is 1.4"));
   EXPECT_THAT(faultsWith("quaternion: [0, 0, 1, 0]", "quaternion: [0, 0, 0, 0]"), HasSubstr("no rotation"));
-  const char* const kTurned = "rotation: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]";
-  EXPECT_THAT(faultsWith(kTurned, "rotation: [[0, 1, 0], [1, 0, 0], [0, 0, 1]]"), HasSubstr("it mirrors"));
-  EXPECT_THAT(faultsWith(kTurned, "rotation: [[0, -1, 0], [1, 0.1, 0], [0, 0, 1]]"),
+  const char* const turned = "rotation: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]";
+  EXPECT_THAT(faultsWith(turned, "rotation: [[0, 1, 0], [1, 0, 0], [0, 0, 1]]"), HasSubstr("it mirrors"));
+  EXPECT_THAT(faultsWith(turned, "rotation: [[0, -1, 0], [1, 0.1, 0], [0, 0, 1]]"),
               HasSubstr("from orthonormal"));
-  EXPECT_THAT(faultsWith(kTurned, "rotation: [[0, -1, 0], [1, 0, 0]]"), HasSubstr("a list of 3"));
+  EXPECT_THAT(faultsWith(turned, "rotation: [[0, -1, 0], [1, 0, 0]]"), HasSubstr("a list of 3"));
   EXPECT_THAT(faultsWith(", quaternion: [0, 0, 1, 0]", ""), HasSubstr("robots.RA.base has no rotation"));
   EXPECT_THAT(faultsWith("base: {position", "base: {rotation: [[1,0,0],[0,1,0],[0,0,1]], position"),
               HasSubstr("has quaternion and rotation"));

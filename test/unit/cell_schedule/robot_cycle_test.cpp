@@ -18,14 +18,14 @@ using testing::IsEmpty;
 
 class Cycles : public testing::Test {
  protected:
-  std::vector<std::string> faults() { return faultsOfCycles(problem_, cycles_); }
+  std::vector<std::string> faults() { return faultsOfCycles(problem, cycles); }
   std::string faultOfGaps(const std::vector<double>& gaps) {
-    const auto cycle = cycleWithGaps(problem_, 0, gaps);
+    const auto cycle = cycleWithGaps(problem, 0, gaps);
     return cycle ? "" : cycle.error();
   }
 
-  automata::Problem problem_ = test_support::a1();
-  std::vector<RobotCycle> cycles_ = cyclesWithGaps(problem_, kGapsOfA1);
+  automata::Problem problem = test_support::a1();
+  std::vector<RobotCycle> cycles = cyclesWithGaps(problem, kGapsOfA1);
 };
 
 TEST_F(Cycles, ofA1HaveNoFaults) {
@@ -34,66 +34,66 @@ TEST_F(Cycles, ofA1HaveNoFaults) {
 
 TEST_F(Cycles, haveTheGapsBetweenTheirEvents) {
   std::vector<Duration> after;
-  for (const TimedEvent& event : cycles_.front().events) after.push_back(event.after);
+  for (const TimedEvent& event : cycles.front().events) after.push_back(event.after);
   EXPECT_THAT(after, ElementsAre(0s, 2s, 3s, 0s, 3s, 2s));
 }
 
 TEST_F(Cycles, haveToBeThere) {
-  EXPECT_THAT(faultsOfCycles(problem_, {}), ElementsAre(HasSubstr("nothing to schedule")));
+  EXPECT_THAT(faultsOfCycles(problem, {}), ElementsAre(HasSubstr("nothing to schedule")));
 }
 
 TEST_F(Cycles, areOfRobots) {
-  cycles_ = {{17, {}}, {2, {}}, {0, {}}};
+  cycles = {{17, {}}, {2, {}}, {0, {}}};
   EXPECT_THAT(faults(), ElementsAre(HasSubstr("there is no robot 17"), HasSubstr("Z is a spec"),
                                     HasSubstr("the cycle of RA has no events")));
 }
 
 TEST_F(Cycles, areOnePerRobot) {
-  cycles_[1] = cycles_[0];
+  cycles[1] = cycles[0];
   EXPECT_THAT(faults(), ElementsAre("RA has two cycles"));
 }
 
 TEST_F(Cycles, haveEventsOfTheirRobotOnly) {
-  cycles_[0].events[1].event = cycles_[1].events[1].event;
+  cycles[0].events[1].event = cycles[1].events[1].event;
   EXPECT_THAT(faults(), ElementsAre("event 2 of the cycle of RA: \"RB_b_Z\" is no event of RA"));
-  cycles_[0].events[1].event = 99;
+  cycles[0].events[1].event = 99;
   EXPECT_THAT(faults(), ElementsAre(HasSubstr("event 2 of the cycle of RA does not exist")));
 }
 
 TEST_F(Cycles, goAsThePlantGoes) {
-  cycles_[0].events[1] = cycles_[0].events[2];
+  cycles[0].events[1] = cycles[0].events[2];
   EXPECT_THAT(faults(), ElementsAre("event 2 of the cycle of RA: RA cannot make \"RA_r_T1\" at RA.1"));
 }
 
 TEST_F(Cycles, endAtHome) {
-  cycles_[0].events.pop_back();
+  cycles[0].events.pop_back();
   EXPECT_THAT(faults(), ElementsAre("the cycle of RA ends at RA.5, and not at its home RA.0"));
 }
 
 TEST_F(Cycles, takeNoNegativeTimes) {
-  cycles_[1].events[4].after = -1ns;
+  cycles[1].events[4].after = -1ns;
   EXPECT_THAT(faults(), ElementsAre(HasSubstr("event 5 of the cycle of RB, \"RB_u_Z\"")));
 }
 
 TEST_F(Cycles, areShortEnoughForTheirSums) {
-  cycles_[0].events[2].after = 600000s;
+  cycles[0].events[2].after = 600000s;
   EXPECT_THAT(faults(), IsEmpty());
-  cycles_[1].events[2].after = 600000s;
+  cycles[1].events[2].after = 600000s;
   EXPECT_THAT(faults(), ElementsAre(HasSubstr("all cycles together take")));
-  cycles_[1].events[2].after = Duration::max();
+  cycles[1].events[2].after = Duration::max();
   EXPECT_THAT(faults(), ElementsAre(HasSubstr("all cycles together take")));
 }
 
 TEST_F(Cycles, haveNoMoreEventsThanFit) {
-  const RobotCycle once = cycles_[0];
+  const RobotCycle once = cycles[0];
   for (int cycle = 0; cycle < 1000; ++cycle) {
-    cycles_[0].events.insert(cycles_[0].events.end(), once.events.begin(), once.events.end());
+    cycles[0].events.insert(cycles[0].events.end(), once.events.begin(), once.events.end());
   }
   EXPECT_THAT(faults(), ElementsAre(HasSubstr("at most 4000 can be scheduled")));
 }
 
 TEST_F(Cycles, shareNoEvents) {
-  problem_.automata[1].alphabet.push_back(cycles_[0].events[0].event);
+  problem.automata[1].alphabet.push_back(cycles[0].events[0].event);
   EXPECT_THAT(faults(), ElementsAre(HasSubstr("is of several plants")));
 }
 
@@ -104,20 +104,20 @@ TEST_F(Cycles, haveReportsThatTakeNothingFromOthers) {
   spec.kind = automata::Automaton::Kind::Spec;
   spec.states = {"start", "RB first", "both", "RA first"};
   spec.marked = {0, 1, 2, 3};
-  const auto release = cycles_[0].events[4].event;
-  const auto booking = cycles_[1].events[1].event;
+  const auto release = cycles[0].events[4].event;
+  const auto booking = cycles[1].events[1].event;
   spec.alphabet = {release, booking};
   spec.transitions = {{0, booking, 1}, {1, release, 2}, {0, release, 3}};
-  problem_.automata.push_back(spec);
+  problem.automata.push_back(spec);
   EXPECT_THAT(faults(),
               ElementsAre(HasSubstr("the report \"RA_u_Z\" is not the same before and behind \"RB_b_Z\"")));
 }
 
 TEST_F(Cycles, areRefusedByTheSearchInTheSameWords) {
-  const auto supervisor = supervisorOf(problem_);
-  cycles_[0].events.pop_back();
-  cycles_[1].events.pop_back();
-  const auto schedule = findSchedule(*supervisor, cycles_);
+  const auto supervisor = supervisorOf(problem);
+  cycles[0].events.pop_back();
+  cycles[1].events.pop_back();
+  const auto schedule = findSchedule(*supervisor, cycles);
   ASSERT_FALSE(schedule);
   EXPECT_EQ(schedule.error(),
             "the cycle of RA ends at RA.5, and not at its home RA.0\n"
@@ -135,11 +135,11 @@ TEST_F(Cycles, refuseGapsThatAreNoTimes) {
 }
 
 TEST_F(Cycles, refuseGapsOfWhatDoesNotComeHome) {
-  EXPECT_FALSE(cycleWithGaps(problem_, 2, kGapsOfA1));
-  EXPECT_FALSE(cycleWithGaps(problem_, 20, kGapsOfA1));
-  problem_.automata[0].transitions.pop_back();
+  EXPECT_FALSE(cycleWithGaps(problem, 2, kGapsOfA1));
+  EXPECT_FALSE(cycleWithGaps(problem, 20, kGapsOfA1));
+  problem.automata[0].transitions.pop_back();
   EXPECT_THAT(faultOfGaps(kGapsOfA1), HasSubstr("RA has no way home from RA.5"));
-  problem_.automata[0].transitions.push_back({5, cycles_[0].events[5].event, 3});
+  problem.automata[0].transitions.push_back({5, cycles[0].events[5].event, 3});
   EXPECT_THAT(faultOfGaps(kGapsOfA1), HasSubstr("RA has no way home"));
 }
 

@@ -148,66 +148,66 @@ TEST(ScheduleOrder, givesABookingThatCannotWaitItsTurnWithWhatItFollows) {
 
 class OrderOfA1 : public testing::Test {
  protected:
-  const automata::Problem problem_ = a1();
-  const std::vector<RobotCycle> cycles_ = cyclesWithGaps(problem_, kGapsOfA1);
-  const FoundSchedule found_ = found(problem_, cycles_);
-  const std::vector<ScheduledHold>& holds_ = found_.best->zones.front().holds;
-  const EventIndex first_ = *holds_[0].booking;
-  const EventIndex second_ = *holds_[1].booking;
-  ScheduleOrder order_ = ScheduleOrder(found_.best->zones);
+  const automata::Problem problem = a1();
+  const std::vector<RobotCycle> cycles = cyclesWithGaps(problem, kGapsOfA1);
+  const FoundSchedule schedule = found(problem, cycles);
+  const std::vector<ScheduledHold>& holds = schedule.best->zones.front().holds;
+  const EventIndex first = *holds[0].booking;
+  const EventIndex second = *holds[1].booking;
+  ScheduleOrder order = ScheduleOrder(schedule.best->zones);
 };
 
 TEST_F(OrderOfA1, letsOneBookAfterTheOther) {
   for (int cycle = 0; cycle < 3; ++cycle) {
-    EXPECT_TRUE(order_.allows(first_));
-    EXPECT_FALSE(order_.allows(second_));
-    EXPECT_EQ(order_.awaits(second_), holds_[0].robot);
-    order_.granted(first_);
-    EXPECT_FALSE(order_.allows(first_));
-    EXPECT_TRUE(order_.allows(second_));
-    order_.granted(second_);
+    EXPECT_TRUE(order.allows(first));
+    EXPECT_FALSE(order.allows(second));
+    EXPECT_EQ(order.awaits(second), holds[0].robot);
+    order.granted(first);
+    EXPECT_FALSE(order.allows(first));
+    EXPECT_TRUE(order.allows(second));
+    order.granted(second);
   }
 }
 
 TEST_F(OrderOfA1, hasNothingAgainstWhatBooksNothing) {
-  for (const RobotCycle& cycle : cycles_) {
+  for (const RobotCycle& cycle : cycles) {
     for (const TimedEvent& event : cycle.events) {
-      if (event.event == second_) continue;
-      EXPECT_TRUE(order_.allows(event.event));
-      if (event.event != first_) order_.granted(event.event);
+      if (event.event == second) continue;
+      EXPECT_TRUE(order.allows(event.event));
+      if (event.event != first) order.granted(event.event);
     }
   }
-  EXPECT_TRUE(order_.allows(4711));
+  EXPECT_TRUE(order.allows(4711));
 }
 
 TEST_F(OrderOfA1, takesATurnBack) {
-  order_.granted(first_);
-  order_.withdrawn(first_);
-  EXPECT_TRUE(order_.allows(first_));
-  EXPECT_FALSE(order_.allows(second_));
-  order_.granted(first_);
-  order_.granted(second_);
-  order_.withdrawn(second_);
-  EXPECT_TRUE(order_.allows(second_));
+  order.granted(first);
+  order.withdrawn(first);
+  EXPECT_TRUE(order.allows(first));
+  EXPECT_FALSE(order.allows(second));
+  order.granted(first);
+  order.granted(second);
+  order.withdrawn(second);
+  EXPECT_TRUE(order.allows(second));
 }
 
 TEST_F(OrderOfA1, isOffBehindAFaultUntilAllAreHome) {
-  order_.granted(first_);
-  order_.switchOff();
-  EXPECT_FALSE(order_.isOn());
-  EXPECT_TRUE(order_.allows(first_));
-  EXPECT_TRUE(order_.allows(second_));
-  order_.granted(second_);
-  order_.allHome();
-  EXPECT_TRUE(order_.isOn());
-  EXPECT_TRUE(order_.allows(first_));
-  EXPECT_FALSE(order_.allows(second_));
+  order.granted(first);
+  order.switchOff();
+  EXPECT_FALSE(order.isOn());
+  EXPECT_TRUE(order.allows(first));
+  EXPECT_TRUE(order.allows(second));
+  order.granted(second);
+  order.allHome();
+  EXPECT_TRUE(order.isOn());
+  EXPECT_TRUE(order.allows(first));
+  EXPECT_FALSE(order.allows(second));
 }
 
 TEST_F(OrderOfA1, goesOnWhenAllAreHomeInTheMiddleOfIt) {
-  order_.granted(first_);
-  order_.allHome();
-  EXPECT_TRUE(order_.allows(second_));
+  order.granted(first);
+  order.allHome();
+  EXPECT_TRUE(order.allows(second));
 }
 
 TEST(LeastPeriod, ofA1IsTwelveSeconds) {

@@ -47,12 +47,12 @@ TEST(ACellOnABadNetwork, neverHasTwoHoldersAndEndsAllCycles) {
   std::mt19937 chance(35);
   Network<RobotReport> reports(chance);
   Network<CellStatus> states(chance);
-  const auto isDone = [&] {
+  const auto is_done = [&] {
     return std::all_of(cell.robots.begin(), cell.robots.end(),
                        [&](const auto& robot) { return robot.cycles() >= cycles; });
   };
   int ticks = 0;
-  for (; !isDone() && ticks < 4000 * cycles; ++ticks) {
+  for (; !is_done() && ticks < 4000 * cycles; ++ticks) {
     cell.now += 50ms;
     for (EventRobot& robot : cell.robots) {
       // Behind a booking it goes on at once, or not at all for a while.
@@ -67,7 +67,7 @@ TEST(ACellOnABadNetwork, neverHasTwoHoldersAndEndsAllCycles) {
     }
     ASSERT_FALSE(cell.hasTwoHolders());
   }
-  EXPECT_TRUE(isDone()) << ticks << " ticks";
+  EXPECT_TRUE(is_done()) << ticks << " ticks";
   cell.exchange();
   for (RobotIndex robot = 0; robot < 3; ++robot) EXPECT_EQ(cell.robot(robot).state, RobotState::Ready);
 }
@@ -115,6 +115,27 @@ TEST(ASupervisorThatWasKilled, knowsWhatItKnewAtEachRecord) {
     EXPECT_NE(cell.mode(), SupervisorMode::Recovery);
   });
   EXPECT_FALSE(cell.hasTwoHolders());
+}
+
+TEST(ASupervisorThatWasKilledAtAnyByte, goesOnFromWhatItHadTold) {
+  SupervisedCell whole(handover());
+  runCycles(whole, 1, [] {});
+  for (std::size_t limit = 0; limit < whole.journal.size(); ++limit) {
+    SupervisedCell cell(handover());
+    cell.journal_limit = std::max(limit, cell.journal.size());
+    for (int tick = 0; tick < 100 && cell.mode() != SupervisorMode::Fault; ++tick) {
+      for (EventRobot& robot : cell.robots) robot.goOn();
+      cell.exchange();
+    }
+    ASSERT_EQ(cell.mode(), SupervisorMode::Fault) << limit;
+    const automata::Tuple tuple = cell.supervision->tuple();
+    cell.journal_limit = std::numeric_limits<std::size_t>::max();
+    cell.start();
+    ASSERT_EQ(cell.supervision->tuple(), tuple) << limit;
+    const int cycles = cell.robots[0].cycles() + 1;
+    runCycles(cell, cycles, [&] { ASSERT_FALSE(cell.hasTwoHolders()) << limit; });
+    ASSERT_NE(cell.mode(), SupervisorMode::Recovery) << limit;
+  }
 }
 
 TEST(ASupervisorThatWasKilledWithinARecord, dropsItAsNobodyWasTold) {
@@ -183,6 +204,14 @@ TEST(ASupervisorWithoutItsJournal, isAnotherOneToTheRobots) {
   EXPECT_EQ(cell.robot(0).state, RobotState::Fault);
   EXPECT_THAT(cell.robot(0).text, ::testing::HasSubstr("another supervisor"));
   EXPECT_NE(cell.mode(), SupervisorMode::Running);
+  EXPECT_THAT(cell.supervision->recover("RA", "T1>1", "me", cell.now).message,
+              ::testing::HasSubstr("start its node anew"));
+  cell.now += std::chrono::seconds(1);
+  cell.robots.clear();
+  for (RobotIndex robot = 0; robot < 2; ++robot) cell.robots.emplace_back(cell.model(), robot, 200 + robot);
+  cell.fits = false;  // one of them is not at home
+  cell.exchange();
+  cell.fits = true;
   EXPECT_TRUE(cell.supervision->recover("RA", "T1>1", "me", cell.now).success);
   EXPECT_TRUE(cell.supervision->recover("RB", "HOME", "me", cell.now).success);
   EXPECT_EQ(cell.zone(0).owner, "RA");
@@ -196,64 +225,6 @@ TEST(AJournalOfAnotherArtifact, isAFault) {
   cell.start();
   EXPECT_EQ(cell.mode(), SupervisorMode::Fault);
   EXPECT_THAT(cell.supervision->status(cell.now).diagnosis, ::testing::HasSubstr("another artifact"));
-}
-
-/// Grant, cancel, undo and loss at each point of one booking, in every order up to a depth.
-class Interleavings {
- public:
-  void explore(const std::vector<int>& done, int depth) {
-    ++count;
-    if (depth == 0 || ::testing::Test::HasFailure()) return;
-    for (int step = 0; step < kSteps; ++step) {
-      std::vector<int> next = done;
-      next.push_back(step);
-      if (run(next)) explore(next, depth - 1);
-    }
-  }
-  int count = 0;
-
- private:
-  static constexpr int kSteps = 6;
-
-  /// False: the last step is none that can be done there.
-  static bool run(const std::vector<int>& steps) {
-    SupervisedCell cell(handover());
-    cell.exchange();
-    cell.bring(0, "T1>");
-    cell.bring(1, "T1>");
-    bool can = true;
-    for (const int step : steps) {
-      can = carryOut(cell, step);
-      EXPECT_FALSE(cell.hasTwoHolders());
-    }
-    return can;
-  }
-
-  static bool carryOut(SupervisedCell& cell, int step) {
-    EventRobot& robot = cell.robots[static_cast<std::size_t>(step) % 2];
-    switch (step / 2) {
-      case 0:  // asks, or takes back what it has asked for
-        if (robot.waits()) {
-          robot.withdraw();
-        } else if (robot.cycles() == 0) {
-          robot.goOn();
-        }
-        return true;
-      case 1:  // is heard
-        cell.now += 10ms;
-        cell.supervision->take(robot.report(), cell.now);
-        return true;
-      default:  // hears
-        robot.hear(cell.supervision->status(cell.now));
-        return true;
-    }
-  }
-};
-
-TEST(AllInterleavingsOfABooking, neverHaveTwoHolders) {
-  Interleavings all;
-  all.explore({}, testing::quickOrThorough(5, 7));
-  EXPECT_GT(all.count, 7000);
 }
 
 TEST(RandomInterleavingsOfABooking, neverHaveTwoHolders) {
@@ -283,6 +254,79 @@ TEST(RandomInterleavingsOfABooking, neverHaveTwoHolders) {
       ASSERT_NE(cell.robot(robot.index()).state, RobotState::Fault) << cell.robot(robot.index()).text;
     }
   }
+}
+
+TEST(ARobotStartedAnew, isLetInWhereItStandsAtHome) {
+  SupervisedCell cell(handover());
+  cell.exchange();
+  cell.now += std::chrono::seconds(1);
+  cell.robots.clear();
+  for (RobotIndex robot = 0; robot < 2; ++robot) cell.robots.emplace_back(cell.model(), robot, 200 + robot);
+  cell.exchange();
+  EXPECT_EQ(cell.mode(), SupervisorMode::Ready);
+  cell.bring(0, "T1>1");
+}
+
+TEST(WhatPeopleHaveAskedFor, holdsBehindARestart) {
+  SupervisedCell cell(handover());
+  cell.exchange();
+  EXPECT_TRUE(cell.supervision->hold(true, cell.now).success);
+  EXPECT_TRUE(cell.supervision->finish(true, cell.now).success);
+  cell.start();
+  cell.exchange();
+  EXPECT_EQ(cell.mode(), SupervisorMode::Holding);
+  EXPECT_TRUE(cell.supervision->hold(false, cell.now).success);
+  EXPECT_TRUE(cell.supervision->status(cell.now).is_finishing);
+}
+
+TEST(ARobotWhoseJointsAreOld, isNotRecovered) {
+  SupervisedCell cell(handover());
+  cell.exchange();
+  cell.bring(0, "T1>1");
+  cell.robots[0].condition = RobotCondition::Stopped;
+  cell.exchange();
+  RobotReport report = cell.robots[0].report();
+  report.status_age = 3.0;
+  cell.supervision->take(report, cell.now);
+  EXPECT_THAT(cell.supervision->recover("RA", "T1>1", "me", cell.now).message,
+              ::testing::HasSubstr("measured 3.0 s ago"));
+}
+
+TEST(AnIntrusion, stopsBothAlsoWhileTheCellIsHeld) {
+  SupervisedCell cell(handover());
+  cell.exchange();
+  cell.bring(0, "T1>1");
+  EXPECT_TRUE(cell.supervision->hold(true, cell.now).success);
+  RobotReport report = cell.robots[1].report();
+  report.touched_zones = {0};
+  cell.supervision->take(report, cell.now);
+  EXPECT_EQ(cell.supervision->takeStopOrders().size(), 2U);
+  report.number += 1;
+  cell.supervision->take(report, cell.now);
+  EXPECT_EQ(cell.supervision->takeStopOrders().size(), 0U) << "once";
+  EXPECT_THAT(cell.supervision->hold(false, cell.now).message, ::testing::HasSubstr("INTRUSION"));
+  EXPECT_EQ(cell.supervision->takeStopOrders().size(), 2U) << "and again where it lasts";
+}
+
+TEST(AMechanismThatWasLetGo, keepsRobotsFromBeingRecoveredInItsWay) {
+  SupervisedCell cell(test_support::pallet());
+  cell.exchange();
+  cell.bring(1, "IN>");
+  cell.exchange();
+  const auto answer = cell.supervision->recover("RA", "T1>1", "me", cell.now);
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, ::testing::HasSubstr("PALLET was let go"));
+}
+
+TEST(ZonesOfALostRobot, areNotFreedWhileItMoves) {
+  SupervisedCell cell(handover());
+  cell.exchange();
+  cell.bring(0, "T1>1");
+  cell.robots[0].condition = RobotCondition::Stopped;
+  cell.robots[0].moving = true;
+  cell.exchange();
+  EXPECT_THAT(cell.supervision->confirmClear("RA", "me", true, cell.now).message,
+              ::testing::HasSubstr("wait until it stands"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -176,6 +177,8 @@ class SupervisedCell {
   Instant now = Instant(std::chrono::hours(1));
   std::string journal;
   bool journal_is_full = false;
+  /// Of a record that goes beyond so many bytes, only that is written which does not.
+  std::size_t journal_limit = std::numeric_limits<std::size_t>::max();
   bool fits = true;
   std::unique_ptr<Supervision> supervision;
   std::vector<EventRobot> robots;
@@ -183,8 +186,10 @@ class SupervisedCell {
  private:
   [[nodiscard]] SupervisionPorts ports() {
     return {[this](const std::string& line) {
-              if (!journal_is_full) journal += line;
-              return !journal_is_full;
+              if (journal_is_full) return false;
+              const std::size_t room = std::max(journal_limit, journal.size()) - journal.size();
+              journal += line.substr(0, room);
+              return line.size() <= room;
             },
             [this](RobotIndex, automata::StateIndex, const std::array<double, 6>&) { return fits; }};
   }

@@ -13,6 +13,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+constexpr const char* kDemos[] = {"handover", "head_on", "iris", "corridor"};
+
 MATCHER_P2(isWithin, lower, upper, "") {
   return arg >= lower && arg <= upper;
 }
@@ -83,6 +85,19 @@ TEST(TheIris, hasTheZonesOfOracle26) {
   }
 }
 
+TEST(TheCorridor, isARowOfFourZones) {
+  const ZonedCell cell(cellOf("corridor"));
+  ASSERT_EQ(cell.zones.size(), 4U);
+  for (ZoneIndex zone = 0; zone < 4; ++zone) {
+    EXPECT_THAT(cell.zones[zone].users, ElementsAre(0, 1));
+    EXPECT_THAT(cell.volume(cell.zones[zone].voxels), isWithin(3.0, 5.0));
+    if (zone > 0) {
+      EXPECT_EQ(cell.zones[zone].voxels.bounds()->lower[1],
+                cell.zones[zone - 1].voxels.bounds()->upper[1] + 1);
+    }
+  }
+}
+
 struct Counts {
   std::size_t states;
   std::size_t transitions;
@@ -117,6 +132,27 @@ std::vector<std::string> eventsOf(const CellProgram& program) {
   return events;
 }
 
+TEST(TheCorridor, isBookedZoneByZoneInOppositeDirections) {
+  EXPECT_THAT(eventsOf(ZonedCell(cellOf("corridor")).held.program),
+              ElementsAre("RA S1 b Z1", "RA S2 b Z2 Z3", "RA S2 u Z1", "RA S3 b Z4", "RA S3 u Z2",
+                          "RA S3 u Z3", "RA HOME u Z4", "RB S1 b Z4", "RB S2 b Z2 Z3", "RB S2 u Z4",
+                          "RB S3 b Z1", "RB S3 u Z3", "RB S3 u Z2", "RB HOME u Z1"));
+}
+
+TEST(TheCorridor, needsMoreThanMutualExclusion) {
+  const CellModel model = orThrow(modelOf(ZonedCell(cellOf("corridor")).held.program));
+  const auto parts = orThrow(synthesizeParts(model, Policy::Supervisor, 100000));
+  const automata::Verification found = verifyParts(model, parts, 100000).front();
+  EXPECT_THAT(found.faults, IsEmpty());
+  EXPECT_EQ(found.counts.plant_and_spec, 114U);
+  EXPECT_EQ(found.counts.dead, 2U) << "who only looks at zones stands there for ever";
+  EXPECT_EQ(found.counts.blocking, 33U);
+  EXPECT_EQ(found.counts.states, 81U);
+  EXPECT_EQ(found.counts.transitions, 138U);
+  EXPECT_EQ(found.counts.refused_by_spec, 10U);
+  EXPECT_EQ(found.counts.refused_beyond_spec, 14U);
+}
+
 TEST(TheZonesOfTheDemos, areTheSameWithOtherParameters) {
   for (const char* name : {"handover", "head_on", "iris"}) {
     const auto usual = eventsOf(ZonedCell(cellOf(name)).held.program);
@@ -131,7 +167,7 @@ TEST(TheZonesOfTheDemos, areTheSameWithOtherParameters) {
 }
 
 TEST(TheDemos, areSound) {
-  for (const char* name : {"handover", "head_on", "iris"}) {
+  for (const char* name : kDemos) {
     const ZonedCell cell(cellOf(name));
     const Soundness found = checkSoundness(cell.cell, cell.claims, cell.held);
     EXPECT_THAT(found.faults, IsEmpty()) << name;
@@ -141,7 +177,7 @@ TEST(TheDemos, areSound) {
 }
 
 TEST(TheSoundnessOfTheDemos, isLostWithAnyZone) {
-  for (const char* name : {"handover", "head_on", "iris"}) {
+  for (const char* name : kDemos) {
     const ZonedCell cell(cellOf(name));
     for (ZoneIndex zone = 0; zone < cell.zones.size(); ++zone) {
       HeldCell held = cell.held;

@@ -1,6 +1,7 @@
 #include "random_program.h"
 
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 

@@ -59,6 +59,15 @@ Scenarios allScenarios() {
         Goal(good<JogGoal>()), Goal(good<ReturnToPrimaryGoal>()), Goal(good<RetraceGoal>())}) {
     all.merge(interfaceScenarios(goal));
   }
+  all.merge(programScenarios());
+  const auto exits = [](auto& g) { g.exit_node = true; };
+  for (const Goal& goal :
+       {Goal(good<MoveAbsoluteGoal>()), Goal(good<MoveRelativeGoal>()), Goal(good<MoveCircleGoal>()),
+        Goal(with<ChangeBaseGoal>(exits)), Goal(with<ChangeTcpGoal>(exits)), Goal(good<ExitListenNodeGoal>()),
+        Goal(script), Goal(good<LoadPathGoal>()), Goal(good<FollowJointTrajectoryGoal>()),
+        Goal(good<JogGoal>()), Goal(good<ReturnToPrimaryGoal>()), Goal(good<RetraceGoal>())}) {
+    all.merge(cellScenarios(goal));
+  }
   all.merge(resumeScenarios());
   all.merge(triedScenarios(StopGoal{}));
   all.merge(stopScenarios(StopGoal{}));

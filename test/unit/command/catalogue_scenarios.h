@@ -55,6 +55,10 @@ using Scenarios = std::map<Row, Scenario>;
 [[nodiscard]] Scenarios returnScenarios();
 /// Ways back along a path: their goals and plans, and how they end on the wire.
 [[nodiscard]] Scenarios retraceScenarios();
+/// Programs in a cell: their goals, permits and frames.
+[[nodiscard]] Scenarios programScenarios();
+/// What moves a robot in a cell, and is no program of that.
+[[nodiscard]] Scenarios cellScenarios(const blocks::Goal& goal);
 /// Sequences and cycles of them.
 [[nodiscard]] Scenarios sequenceScenarios();
 

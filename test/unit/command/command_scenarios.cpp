@@ -27,11 +27,11 @@ Row rowOf(const Goal& goal, int general) {
 }
 
 Goal inMode(BufferMode mode, Goal goal) {
-  std::visit(
-      Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {}, [](CheckSequenceGoal&) {},
-                 [](ExchangeConfigurationGoal&) {}, [](JogGoal&) {}, [](ReturnToPrimaryGoal&) {},
-                 [mode](auto& command) { command.buffer_mode = static_cast<int>(mode); }},
-      goal);
+  std::visit(Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {},
+                        [](CheckSequenceGoal&) {}, [](ExchangeConfigurationGoal&) {}, [](JogGoal&) {},
+                        [](ReturnToPrimaryGoal&) {}, [](RunProgramGoal&) {},
+                        [mode](auto& command) { command.buffer_mode = static_cast<int>(mode); }},
+             goal);
   return goal;
 }
 

@@ -27,11 +27,11 @@ bool halts(const Goal& goal) {
 }
 
 Goal buffered(Goal goal) {
-  std::visit(
-      Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {}, [](CheckSequenceGoal&) {},
-                 [](ExchangeConfigurationGoal&) {}, [](JogGoal&) {}, [](ReturnToPrimaryGoal&) {},
-                 [](auto& command) { command.buffer_mode = static_cast<int>(BufferMode::Buffered); }},
-      goal);
+  std::visit(Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {},
+                        [](CheckSequenceGoal&) {}, [](ExchangeConfigurationGoal&) {}, [](JogGoal&) {},
+                        [](ReturnToPrimaryGoal&) {}, [](RunProgramGoal&) {},
+                        [](auto& command) { command.buffer_mode = static_cast<int>(BufferMode::Buffered); }},
+             goal);
   return goal;
 }
 

@@ -9,7 +9,9 @@
 #include "cobot_command/arm/urdf_prefix.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/ros/command/command_parameters.h"
+#include "cobot_command/ros/mechanism/mechanism_node.h"
 #include "cobot_command/ros/simulation/simulator_parameters.h"
+#include "cobot_command/ros/supervision/supervisor_parameters.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -347,6 +349,35 @@ TEST(ParametersOfTheCommandNode, areTheTableOfThePage) {
   EXPECT_NE(test_support::pageAt("README.md").find("\n\n" + table + '\n'), std::string::npos)
       << "README.md has to have this table:\n"
       << table;
+}
+
+TEST(ParametersOfTheSupervisor, areTheTableOfThePage) {
+  SupervisorParameters parameters;
+  const std::string table = test_support::tableOf(settingsTable(parameters), false);
+  EXPECT_NE(test_support::pageAt("doc/cell.md").find("\n\n" + table + '\n'), std::string::npos)
+      << "doc/cell.md has to have this table:\n"
+      << table;
+}
+
+TEST(ParametersOfAMechanism, areTheTableOfThePage) {
+  MechanismParameters parameters;
+  const std::string table = test_support::tableOf(settingsTable(parameters), false);
+  EXPECT_NE(test_support::pageAt("doc/cell.md").find("\n\n" + table + '\n'), std::string::npos)
+      << "doc/cell.md has to have this table:\n"
+      << table;
+}
+
+TEST(ParametersOfTheSupervisor, haveToNameArtifactAndJournal) {
+  const auto refusal = [](const GivenValues& values) {
+    const auto parameters = readSupervisorParameters(ofNode(values));
+    return parameters ? "" : parameters.error().message;
+  };
+  EXPECT_THAT(refusal({}), HasSubstr("parameter /robot/node/artifact is empty; allowed: an absolute path"));
+  EXPECT_THAT(refusal({{"artifact", {"/a"}}}), HasSubstr("/robot/node/journal is empty"));
+  EXPECT_THAT(refusal({{"artifact", {"a"}}, {"journal", {"/j"}}}), HasSubstr("an absolute path"));
+  EXPECT_THAT(refusal({{"artifact", {"/a"}}, {"journal", {"/j"}}, {"policy", {"mutex"}}}),
+              HasSubstr("artifact, supervisor, safe_order or schedule"));
+  EXPECT_EQ(refusal({{"artifact", {"/a"}}, {"journal", {"/j"}}, {"policy", {"safe_order"}}}), "");
 }
 
 }  // namespace

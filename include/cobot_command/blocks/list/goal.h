@@ -22,6 +22,7 @@
 #include "cobot_command/blocks/move_relative.h"
 #include "cobot_command/blocks/pick_and_place.h"
 #include "cobot_command/blocks/program_control.h"
+#include "cobot_command/blocks/run_program.h"
 #include "cobot_command/blocks/run_script.h"
 #include "cobot_command/blocks/set_output.h"
 #include "cobot_command/blocks/shared/block.h"
@@ -56,7 +57,8 @@ using Goal = std::variant<
     ExchangeConfigurationGoal,
     JogGoal,
     ReturnToPrimaryGoal,
-    RetraceGoal
+    RetraceGoal,
+    RunProgramGoal
     >;
 // clang-format on
 

@@ -147,6 +147,18 @@ inline constexpr int kPoseTemplate = 0x27A;
 inline constexpr int kNothingDriven = 0x27B;
 inline constexpr int kPointNotDriven = 0x27C;
 inline constexpr int kNotOnTheWay = 0x27D;
+// Cells.
+inline constexpr int kNotPermitted = 0x280;
+inline constexpr int kPermitLate = 0x281;
+inline constexpr int kNotInArtifact = 0x282;
+inline constexpr int kNotAtStepStart = 0x283;
+inline constexpr int kSettingDiffers = 0x284;
+inline constexpr int kSupervisorSilent = 0x285;
+inline constexpr int kOffPath = 0x286;
+inline constexpr int kOnlyPrograms = 0x287;
+inline constexpr int kProgramUnknown = 0x288;
+inline constexpr int kRecoveryNeeded = 0x289;
+// 0x28A and 0x28B are of the supervisor's actions: ros/supervision/supervisor_errors.h.
 // Trajectories.
 inline constexpr int kTrajectoryInvalid = 0x2A0;
 inline constexpr int kJointNames = 0x2A1;

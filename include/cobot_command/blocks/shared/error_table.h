@@ -60,6 +60,8 @@ class ErrorTable {
   ErrorTable& turn();
   /// What may move the arm, while exchange_configuration rules.
   ErrorTable& underInterface();
+  /// What may move the arm, or leave the Listen node, while a cell rules.
+  ErrorTable& inCell();
   /// What moves the arm: its plan, and its way from the acceptance to the tag, or to a stop.
   ErrorTable& motion();
   /// That, and the parameters of a move.

@@ -35,6 +35,7 @@ struct GoalTraits {
   bool chains = false;         ///< behind another one of its block it waits, whatever its buffer_mode
   bool needs_base = false;     ///< a target in a tf frame: the active base has to be known
   bool needs_plan = false;     ///< it is made of its plan: without one it is refused when its turn comes
+  bool asks_permit = false;    ///< a frame of a program in a cell, which is to leave only with a permit
   bool needs_standstill = false;             ///< refused, as by another that is Busy, while the robot moves
   bool needs_automatic = false;              ///< refused while the status stream shows the manual mode
   std::optional<Duration> reply_timeout;     ///< other than that of the link

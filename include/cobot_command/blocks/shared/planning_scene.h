@@ -16,6 +16,8 @@
 
 namespace cobot_command::blocks {
 
+class ProgramGuide;
+
 /// Asked between two steps: true, when nobody waits for the plan any more; then any answer will do.
 using GiveUp = std::function<bool()>;
 
@@ -33,8 +35,9 @@ struct PlanningScene {
   bool is_pvt_refused = false;       ///< the controller has refused to enter one
   bool is_velocity_refused = false;  ///< the controller has refused to take velocities
   Duration jog_stop_time = std::chrono::milliseconds(200);  ///< that it needs to bring the arm to rest
-  double angle_tolerance = 0.0017453;  ///< within this of a target a joint is there [rad]
-  int number = 1;                      ///< the goal would be so many-th of its block that is accepted
+  double angle_tolerance = 0.0017453;          ///< within this of a target a joint is there [rad]
+  std::shared_ptr<ProgramGuide> program = {};  ///< of the robot in its cell; nullptr: it is in none
+  int number = 1;                              ///< the goal would be so many-th of its block that is accepted
 };
 
 }  // namespace cobot_command::blocks

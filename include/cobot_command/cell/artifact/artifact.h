@@ -10,6 +10,10 @@
 #include <vector>
 
 #include "cobot_command/arm/types.h"
+#include "cobot_command/blocks/set_output.h"
+#include "cobot_command/blocks/waits/wait_for_input.h"
+#include "cobot_command/cell/bodies/mechanism_bodies.h"
+#include "cobot_command/cell/bodies/robot_bodies.h"
 #include "cobot_command/cell/claims/claims.h"
 #include "cobot_command/cell/model/cell_program.h"
 #include "cobot_command/cell/model/supervisors.h"
@@ -39,8 +43,11 @@ struct ArtifactFrame {
   arm::Pose base = arm::Pose::Identity();
   arm::Pose tcp = arm::Pose::Identity();
   bool stands = true;
-  double dwell = 0.0;
-  Duration begin{};  ///< since the path began, when nothing waits
+  std::vector<std::string> carried;               ///< parts, while it moves; ascending
+  std::optional<blocks::SetOutputGoal> output;    ///< is set once the robot stands at its end
+  std::optional<blocks::WaitForInputGoal> input;  ///< then it is waited for
+  double dwell = 0.0;                             ///< then [s]
+  Duration begin{};                               ///< since the path began, when nothing waits
   Duration end{};
 };
 
@@ -55,13 +62,42 @@ struct ArtifactPath {
 struct ArtifactStation {
   arm::JointVector joints = arm::JointVector::Zero();
   std::vector<ZoneIndex> zones;
+  std::vector<std::string> carried;  ///< parts; ascending
 };
 
 struct ArtifactRobot {
   std::string model;
   std::string name_space;
-  std::vector<ArtifactStation> stations;  ///< as in the program
+  arm::Pose base = arm::Pose::Identity();  ///< in the world
+  std::vector<FlangeCapsules> tool;        ///< always there
+  std::vector<FlangeCapsules> parts;       ///< that it carries somewhere
+  std::vector<ArtifactStation> stations;   ///< as in the program
   std::vector<ArtifactPath> paths;
+};
+
+/// A piece of a mechanism: between which values of its axis [m or rad] it is, as it passes them.
+struct ArtifactAxisPiece {
+  double from = 0.0;
+  double to = 0.0;
+  std::vector<ZoneIndex> zones;  ///< ascending
+};
+
+struct ArtifactMechanismPath {
+  std::vector<ArtifactAxisPiece> pieces;  ///< the last one is its rest at the end
+  std::vector<Hold> holds;
+  std::vector<ZonePlace> places;  ///< by step of the path's program; the frame is always 0
+  std::optional<Duration> duration;
+};
+
+struct ArtifactPosition {
+  double value = 0.0;  ///< [m or rad]
+  std::vector<ZoneIndex> zones;
+};
+
+struct ArtifactMechanism {
+  MechanismBodies bodies{MotionAxis{}, Capsules{}};
+  std::vector<ArtifactPosition> stations;  ///< as in the program
+  std::vector<ArtifactMechanismPath> paths;
 };
 
 struct Artifact {
@@ -69,7 +105,8 @@ struct Artifact {
   Parameters parameters;
   CellProgram program;
   std::vector<Zone> zones;
-  std::vector<ArtifactRobot> robots;
+  std::vector<ArtifactRobot> robots;          ///< the first ones of the program
+  std::vector<ArtifactMechanism> mechanisms;  ///< those behind them
   Policy policy = Policy::Supervisor;
   std::vector<PartSupervisor> supervisors;
   double least_distance = 0.0;  ///< of the soundness check [m]

@@ -54,7 +54,13 @@ class CellBuild {
   [[nodiscard]] std::vector<std::string> synthesize();
   [[nodiscard]] std::vector<std::string> verify();
   [[nodiscard]] Artifact artifact() const;
+  [[nodiscard]] ArtifactRobot robotOf(RobotIndex robot) const;
   [[nodiscard]] ArtifactPath pathOf(RobotIndex robot, std::size_t index) const;
+  /// `user`: of the program, behind the robots.
+  [[nodiscard]] ArtifactMechanism mechanismOf(const Mechanism& mechanism, RobotIndex user) const;
+  [[nodiscard]] std::vector<ZoneIndex> touchedBy(const Piece& piece, RobotIndex user) const;
+  [[nodiscard]] std::vector<std::string> reportPlan() const;
+  [[nodiscard]] std::vector<std::string> reportSweep() const;
   [[nodiscard]] std::vector<std::string> reportZones() const;
   [[nodiscard]] std::vector<std::string> reportSupervisors() const;
 

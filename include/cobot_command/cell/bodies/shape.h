@@ -3,6 +3,7 @@
 // In SI [m, rad]; the files of cells have mm and degrees.
 #pragma once
 
+#include <cstddef>
 #include <variant>
 
 #include <Eigen/Core>
@@ -32,6 +33,9 @@ struct CylinderShape {
 struct BoxShape {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
 };
+
+/// Of one thing in the file of a cell.
+inline constexpr std::size_t kMostShapes = 200;
 
 struct Shape {
   std::variant<CapsuleShape, SphereShape, CylinderShape, BoxShape> kind;

@@ -1,5 +1,5 @@
-// Where each robot of a cell can be, piece by piece of its programs: voxels that contain every body of it,
-// whenever and however late its frames are sent (cell.md, section 3).
+// Where each robot and mechanism of a cell can be, piece by piece of its programs: voxels that contain every
+// body of it, whenever and however late its frames are sent (cell.md, section 3).
 //
 // SI [m, rad].
 #pragma once
@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "cobot_command/cell/bodies/mechanism_bodies.h"
 #include "cobot_command/cell/bodies/robot_bodies.h"
 #include "cobot_command/cell/plan/planned_cell.h"
 #include "cobot_command/cell/program/cell.h"
@@ -19,6 +21,21 @@
 
 namespace cobot_command::cell {
 
+/// An arm while its joints are in a box.
+struct ArmPosture {
+  motion::JointRange range;                   ///< contains the joints at every moment of the piece
+  std::shared_ptr<const RobotBodies> bodies;  ///< with what is carried
+};
+
+/// A mechanism while it is between two values of its axis [m or rad].
+struct AxisPosture {
+  double from = 0.0;  ///< in the order in which they are passed; both the same where it rests
+  double to = 0.0;
+  std::shared_ptr<const MechanismBodies> bodies;
+
+  [[nodiscard]] double centre() const { return 0.5 * (from + to); }
+};
+
 /// A part of a motion, or a rest, short enough that no body moves farther than `step_bound`.
 struct Piece {
   enum class Kind {
@@ -27,15 +44,18 @@ struct Piece {
     Rest  ///< at the end of the frame
   };
   Kind kind = Kind::Motion;
-  std::size_t frame = 0;   ///< of the path
+  std::size_t frame = 0;   ///< of the path; a mechanism makes one of each path
   std::size_t motion = 0;  ///< of the frame
-  Duration from{};         ///< since that motion began
+  Duration from{};         ///< since that motion began; of a mechanism nobody knows
   Duration to{};
-  motion::JointRange range;  ///< contains the joints at every moment of it
-  double displacement =
-      0.0;  ///< no point of a body is farther than this from where it is at the centre of the range [m]
-  std::shared_ptr<const RobotBodies> bodies;  ///< with what is carried
+  std::variant<ArmPosture, AxisPosture> posture;
+  /// No point of a body is farther than this from where it is at the centre of the posture [m].
+  double displacement = 0.0;
   VoxelSet claim;
+
+  [[nodiscard]] bool isOfMechanism() const { return std::holds_alternative<AxisPosture>(posture); }
+  /// Where the bodies are at the centre of the posture, in the world [m].
+  [[nodiscard]] Capsules capsulesAtCentre() const;
 };
 
 struct PathClaim {
@@ -45,15 +65,16 @@ struct PathClaim {
 
 struct RobotClaim {
   std::string name;
-  std::vector<PathClaim> paths;  ///< as planned
-  std::vector<Piece> stations;   ///< the rest at each
+  std::vector<PathClaim> paths;  ///< as planned; of a mechanism, as in the cell
+  std::vector<Piece> stations;   ///< the rest at each; of a mechanism, at stationsOf() it
   VoxelSet all;                  ///< of all pieces
 
   [[nodiscard]] std::size_t pieces() const;
 };
 
-/// Of all robots of a cell, in its order; robots side by side on `threads` threads, with the same result.
-/// Faults: a motion of which nothing can be proved (UNBOUNDED), bodies that cannot be made of capsules.
+/// Of all robots of a cell, and then of its mechanisms, in its order; side by side on `threads` threads, with
+/// the same result. Faults: a motion of which nothing can be proved (UNBOUNDED), bodies that cannot be made
+/// of capsules.
 [[nodiscard]] Result<std::vector<RobotClaim>, std::vector<Fault>> claimCell(
     const Cell& cell, const std::vector<PlannedRobot>& robots, unsigned threads = 1);
 

@@ -30,6 +30,7 @@ struct PathProgram {
   std::size_t from = 0;  ///< station
   std::size_t to = 0;    ///< station
   std::vector<ZoneStep> steps;
+  bool uncontrollable_go = false;  ///< a mechanism that begins it by itself
 };
 
 struct RobotProgram {

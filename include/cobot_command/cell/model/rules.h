@@ -38,6 +38,13 @@ class Rules {
   }
   /// The robots that could not come home from there, one after the other; empty: all could.
   [[nodiscard]] std::vector<RobotIndex> stuckIn(const automata::Tuple& state) const;
+  /// A zone that another holds there, and the mechanism that could enter it by itself; none: nobody could.
+  struct Intrusion {
+    RobotIndex mechanism = 0;
+    ZoneIndex zone = 0;
+    RobotIndex holder = 0;
+  };
+  [[nodiscard]] std::optional<Intrusion> intrusionIn(const automata::Tuple& state) const;
   /// The robots that have to go on before `robot` can come home, in the order in which they do.
   [[nodiscard]] std::vector<RobotIndex> aheadOf(const automata::Tuple& state, RobotIndex robot) const;
 
@@ -46,6 +53,8 @@ class Rules {
 
  private:
   struct Part;
+
+  [[nodiscard]] std::optional<Intrusion> intrusionOf(RobotIndex robot, const automata::Tuple& state) const;
 
   CellModel model_;
   Policy policy_;

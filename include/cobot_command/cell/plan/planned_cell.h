@@ -64,9 +64,9 @@ struct PlannedRobot {
   std::vector<PlannedPath> paths;        ///< in the order of the cell
 };
 
-/// In the order of the cell's robots. Faults: a step that breaks the rules of its block, or cannot be
-/// planned; a motion of which nobody can say more; a path that does not end at the joints of its station
-/// (1e-6 rad).
+/// In the order of the cell's robots; mechanisms need no plan. Faults: a step that breaks the rules of its
+/// block, or cannot be planned; a motion of which nobody can say more; a path that does not end at the joints
+/// of its station (1e-6 rad).
 [[nodiscard]] Result<std::vector<PlannedRobot>, std::vector<Fault>> planCell(const Cell& cell);
 
 }  // namespace cobot_command::cell

@@ -144,6 +144,9 @@ template <class Thing>
   return nullptr;
 }
 
+/// Where a mechanism may rest: at home, and where its paths lead from and to; in the order of its positions.
+[[nodiscard]] std::vector<MechanismPosition> stationsOf(const Mechanism& mechanism);
+
 /// Does it go over into the next motion, so that the robot never stands at its target?
 [[nodiscard]] bool blends(const Step& step);
 /// Does it have a motion?

@@ -41,7 +41,8 @@ enum class WaitReason : std::uint8_t {
   WouldBlock,   ///< not all could come home behind it
   Aged,         ///< one that has waited for long goes first
   Quarantined,  ///< the zone is that of a robot that is lost, or stands in it unasked
-  Holding       ///< nothing is granted now
+  Holding,      ///< nothing is granted now
+  Scheduled     ///< it is another's turn on the zone, by the schedule
 };
 [[nodiscard]] const char* toString(WaitReason reason);
 
@@ -50,6 +51,8 @@ struct RobotStatus {
   RobotState state = RobotState::Absent;
   std::uint64_t session = 0;       ///< that is listened to
   std::uint64_t acknowledged = 0;  ///< the highest number that was carried out
+  /// How often it was let in, or recovered: once more, and it goes on from `place`, whatever it was before.
+  std::uint32_t joins = 0;
   std::string place;
   WaitReason reason = WaitReason::None;
   std::vector<std::string> blocked_by;  ///< robots
@@ -79,6 +82,7 @@ struct CellStatus {
   std::uint64_t events = 0;    ///< carried out since the journal began
   SupervisorMode mode = SupervisorMode::Starting;
   std::string policy;
+  bool is_finishing = false;  ///< no robot begins another cycle
   std::vector<RobotStatus> robots;
   std::vector<ZoneStatus> zones;
   std::string diagnosis;  ///< a sentence, where something keeps the cell

@@ -44,7 +44,16 @@ struct TakenOut {
   std::string robot;
   std::string person;
 };
-using Record = std::variant<Started, Joined, CarriedOut, Recovered, TakenOut>;
+/// Nothing is granted from now on, for that reason; or everything again.
+struct Held {
+  bool on = false;
+  std::string reason;
+};
+/// No robot sets out from home from now on; or all again.
+struct Finishing {
+  bool on = false;
+};
+using Record = std::variant<Started, Joined, CarriedOut, Recovered, TakenOut, Held, Finishing>;
 
 [[nodiscard]] std::string toLine(const Record& record);
 

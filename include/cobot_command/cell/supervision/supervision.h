@@ -22,9 +22,14 @@
 
 namespace cobot_command::cell {
 
+/// By zone: the robots that book it in one cycle of all, in their order; empty: whoever comes first.
+using ZoneOrders = std::vector<std::vector<RobotIndex>>;
+
 struct SupervisionSettings {
   Duration lease = std::chrono::milliseconds(500);  ///< silent for longer, a robot is lost
   Duration aging = std::chrono::seconds(10);        ///< a request that is older goes first
+  /// Robots take turns on the zones, as long as nobody fails; empty: they do not.
+  ZoneOrders turns = {};
 };
 
 /// What a supervisor asks about the robots that it knows only by number.
@@ -65,7 +70,8 @@ class Supervision {
   ~Supervision();
 
   // --- What happens.
-  void take(const RobotReport& report, Instant now);
+  /// False: it tells nothing, as it is malformed, old, or of nobody who is listened to.
+  bool take(const RobotReport& report, Instant now);
   void tick(Instant now);
 
   // --- What people ask for.

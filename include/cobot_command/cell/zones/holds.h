@@ -1,5 +1,5 @@
-// From where to where on its paths a robot holds each zone, and the program that follows of that (cell.md,
-// M13 to M16).
+// From where to where on its paths a robot or mechanism holds each zone, and the program that follows of that
+// (cell.md, M13 to M16).
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,7 @@ struct HeldRobot {
 };
 
 struct HeldCell {
-  std::vector<HeldRobot> robots;
+  std::vector<HeldRobot> robots;  ///< then mechanisms
   CellProgram program;
 };
 

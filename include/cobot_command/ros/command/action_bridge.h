@@ -19,8 +19,8 @@
 #include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/ros/command/goal_intake.h"
-#include "cobot_command/ros/command/tidy_action_server.h"
 #include "cobot_command/ros/shared/conversions.h"
+#include "cobot_command/ros/shared/tidy_action_server.h"
 
 namespace cobot_command::ros_adapter {
 

@@ -29,6 +29,7 @@
 namespace cobot_command::ros_adapter {
 
 class ArmOfNow;
+class CellSeat;
 class DynamicsServices;
 class ExchangeServices;
 class InterruptionServices;
@@ -42,7 +43,9 @@ class TableServices;
 class CommandNode {
  public:
   /// `self`: the node's private namespace.
-  CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self, CommandParameters parameters);
+  /// `seat`: in its cell; nullptr: it is in none.
+  CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self, CommandParameters parameters,
+              std::unique_ptr<CellSeat> seat = nullptr);
   ~CommandNode();  ///< stop()
   CommandNode(const CommandNode&) = delete;
   CommandNode& operator=(const CommandNode&) = delete;
@@ -57,6 +60,7 @@ class CommandNode {
 
  private:
   void onAction(const command::Action& action, Instant now);  // on the core's thread
+  [[nodiscard]] command::CorePorts ports();
   [[nodiscard]] GoalSink sink();
   [[nodiscard]] GoalIntake::Core intakeCore();
   [[nodiscard]] FileSource fileSource();
@@ -76,6 +80,7 @@ class CommandNode {
   [[nodiscard]] ros::Subscriber keepAlives(const ros::NodeHandle& node);
   bool finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response);
 
+  std::unique_ptr<CellSeat> seat_;
   std::string default_host_;
   int default_port_;
   std::atomic<blocks::GoalId> last_goal_{0};  ///< counted by the spinner, asked for by the core's thread

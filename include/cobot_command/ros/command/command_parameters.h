@@ -13,6 +13,7 @@
 #include "cobot_command/command/exchange_rules.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/link/connection.h"
+#include "cobot_command/ros/cell/cell_parameters.h"
 #include "cobot_command/ros/shared/given_parameters.h"
 #include "cobot_command/ros/shared/robot_parameters.h"
 #include "cobot_command/ros/tables/table_parameters.h"
@@ -33,6 +34,7 @@ struct CommandParameters {
   link::LinkSettings link;
   TableParameters tables;
   command::ExchangeRules exchange;
+  CellParameters cell;
   std::vector<std::string> limit_texts;           ///< ~software_limits
   std::optional<command::SoftwareLimits> limits;  ///< what these come to; nothing: those of the model
 

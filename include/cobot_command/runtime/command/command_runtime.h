@@ -76,6 +76,9 @@ class CommandRuntime {
   std::optional<std::future<command::InterruptAnswer>> goOn();
   /// See CommandCore; counts from when the core's thread comes to it.
   void keepJogging();
+  /// Has the core's thread call that, with the present on the clock of its Instants, and look at its goals
+  /// then.
+  void inCore(std::function<void(Instant now)> what);
   /// See CommandCore.
   void tellEnd(blocks::Block block, blocks::Outcome outcome);
   void keepConnected(blocks::ConnectGoal target);

@@ -42,10 +42,10 @@ Capsule randomCapsule(RandomNumbers& random, int kind, double edge) {
   }
   if (kind == 3) capsule.to.y() = capsule.from.y();
   if (kind == 4) {
-    const auto onGrid = [edge](const Vector3d& point) {
+    const auto on_grid = [edge](const Vector3d& point) {
       return (edge * (point / edge).array().round()).matrix().eval();
     };
-    capsule = {onGrid(capsule.from), onGrid(capsule.to), edge * std::round(capsule.radius / edge)};
+    capsule = {on_grid(capsule.from), on_grid(capsule.to), edge * std::round(capsule.radius / edge)};
   }
   if (kind == 5) capsule.radius = 0;
   if (kind == 6) capsule.to = capsule.from + 1e-9 * random.point(1);

@@ -1,25 +1,29 @@
-#include "cell_files.h"
+#include "cobot_command/runtime/cell/cell_files.h"
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "cobot_command/cell/program/cell_file.h"
 #include "cobot_command/common/foreign_text.h"
 
-namespace cobot_command::tools {
+namespace cobot_command::runtime {
 
 Result<std::string, std::string> readFile(const std::string& name) {
+  std::error_code error;
+  if (std::filesystem::is_directory(name, error)) {
+    return refuse(fmt::format("{} cannot be read: it is a folder", foreignText(name)));
+  }
   std::ifstream file(name, std::ios::binary);
-  std::stringstream text;
-  if (!file || !(text << file.rdbuf())) {
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file.is_open() || file.bad()) {
     return refuse(fmt::format("{} cannot be read: {}", foreignText(name), std::strerror(errno)));
   }
-  return text.str();
+  return text;
 }
 
 std::vector<std::string> writeFile(const std::string& name, const std::string& text) {
@@ -55,4 +59,4 @@ Result<cell::Artifact, std::vector<std::string>> readArtifact(const std::string&
   return std::move(*artifact);
 }
 
-}  // namespace cobot_command::tools
+}  // namespace cobot_command::runtime

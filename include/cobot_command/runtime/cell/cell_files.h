@@ -1,4 +1,4 @@
-// Files that tm_cell reads and writes.
+// The files of a cell: as people write them, and as they were built.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 #include "cobot_command/cell/program/cell.h"
 #include "cobot_command/common/result.h"
 
-namespace cobot_command::tools {
+namespace cobot_command::runtime {
 
 [[nodiscard]] Result<std::string, std::string> readFile(const std::string& name);
 /// Nothing: it was written wholly. Else why not.
@@ -18,4 +18,4 @@ namespace cobot_command::tools {
 [[nodiscard]] Result<cell::Cell, std::vector<std::string>> readCellFile(const std::string& name);
 [[nodiscard]] Result<cell::Artifact, std::vector<std::string>> readArtifact(const std::string& name);
 
-}  // namespace cobot_command::tools
+}  // namespace cobot_command::runtime

@@ -1,0 +1,68 @@
+// The node that supervises a cell: its robots' reports in, how things stand out, beside it what people ask
+// for.
+//
+// Everything it offers is relative to the node's namespace, that of the cell. To be spun by one thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <ros/message_event.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/steady_timer.h>
+#include <ros/subscriber.h>
+
+#include "cobot_command/CellDistances.h"
+#include "cobot_command/CellReport.h"
+#include "cobot_command/CellState.h"
+#include "cobot_command/cell/supervision/cell_state.h"
+#include "cobot_command/common/time.h"
+#include "cobot_command/runtime/cell/cell_supervisor.h"
+
+namespace cobot_command::ros_adapter {
+
+class CellBuilder;
+class PeopleServices;
+class ProgramRuns;
+class RobotContact;
+class SupervisorDiagnostics;
+
+class SupervisorNode {
+ public:
+  /// `self`: the node's private namespace.
+  SupervisorNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
+                 std::unique_ptr<runtime::CellSupervisor> supervisor);
+  ~SupervisorNode();
+  SupervisorNode(const SupervisorNode&) = delete;
+  SupervisorNode& operator=(const SupervisorNode&) = delete;
+
+ private:
+  using ReportEvent = ros::MessageEvent<const cobot_command::CellReport>;
+  using StateEvent = ros::MessageEvent<const cobot_command::CellState>;
+
+  void takeReport(const ReportEvent& event);
+  void takeState(const StateEvent& event);
+  void takeDistances(const cobot_command::CellDistances& message);
+  /// Decides what is due, stops whom it has to, and tells how things stand, if that is new or due.
+  void settle(Instant now);
+  void tell(const cell::CellStatus& status, Instant now);
+
+  std::unique_ptr<runtime::CellSupervisor> supervisor_;
+  std::vector<std::unique_ptr<RobotContact>> contacts_;  ///< by robot
+  std::unique_ptr<PeopleServices> people_;
+  std::unique_ptr<ProgramRuns> runs_;
+  std::unique_ptr<CellBuilder> builder_;
+  std::unique_ptr<SupervisorDiagnostics> diagnostics_;
+  std::optional<cell::CellStatus> told_;
+  Instant told_at_;
+  std::uint64_t number_ = 0;
+  ros::Publisher state_;
+  ros::Subscriber reports_;
+  ros::Subscriber states_;
+  ros::Subscriber distances_;
+  ros::SteadyTimer timer_;
+};
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,29 @@
+#include "cell_watch/base_frames.h"
+
+#include "cell_watch/cell_markers.h"
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/console.h>
+
+#include "cobot_command/ros/shared/conversions.h"
+
+namespace cobot_command::ros_adapter {
+
+void BaseFrames::tell(std::size_t robot, const std::string& prefix) {
+  const cell::Robot& known = robots_[robot];
+  const std::string frame = prefix + "base";
+  if (!told_.insert(frame).second) {
+    ROS_WARN_STREAM(
+        "the base of " << known.name << " is " << frame
+                       << ", as that of another robot: tf is not told where it is. Give the robots "
+                          "prefixes of their own.");
+    return;
+  }
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = ros::Time::now();
+  transform.header.frame_id = kWorldFrame;
+  transform.child_frame_id = frame;
+  transform.transform = toTransform(known.base);
+  broadcaster_.sendTransform(transform);
+}
+
+}  // namespace cobot_command::ros_adapter

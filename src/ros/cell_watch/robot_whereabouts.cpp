@@ -1,0 +1,70 @@
+#include "cell_watch/robot_whereabouts.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <ros/names.h>
+
+#include "cobot_command/common/given.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+/// Longer than any status stream is silent by itself.
+constexpr Duration kSilence = std::chrono::seconds(1);
+
+std::string absolute(const std::string& space) {
+  return space.empty() || space.front() == '/' ? space : '/' + space;
+}
+
+/// Of a node, "/RA/command_node": "/RA"; of "/command_node" "".
+std::string spaceOf(const std::string& node) {
+  const auto end = node.rfind('/');
+  return end == std::string::npos ? "" : node.substr(0, end);
+}
+
+}  // namespace
+
+Result<RobotWhereabouts, std::string> RobotWhereabouts::of(const cell::Cell& cell) {
+  std::vector<Robot> robots;
+  std::set<std::string> spaces;
+  for (const cell::Robot& robot : cell.robots) {
+    const std::string space = absolute(robot.name_space);
+    std::string reason;
+    if (!ros::names::validate(space, reason)) {
+      return refuse(
+          fmt::format("robots.{}.namespace is {}; allowed: a name of ROS, of letters, digits, _ "
+                      "and /, that begins with a letter or /",
+                      robot.name, quoted(robot.name_space)));
+    }
+    if (!spaces.insert(space).second) {
+      return refuse(
+          fmt::format("robots.{}.namespace is {}, as that of another robot; give each one of its own",
+                      robot.name, quoted(robot.name_space)));
+    }
+    robots.push_back({robot.name, space, std::nullopt});
+  }
+  return RobotWhereabouts(std::move(robots));
+}
+
+std::optional<std::size_t> RobotWhereabouts::reported(const std::string& robot, const std::string& node,
+                                                      Instant now) {
+  const std::string space = spaceOf(node);
+  // One of them would be taken for the other.
+  const auto is_there = [&](const Robot& one) { return one.name != robot && one.space == space; };
+  if (std::any_of(robots_.begin(), robots_.end(), is_there)) return std::nullopt;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Robot& known = robots_[i];
+    if (known.name != robot) continue;
+    const bool is_heard = known.heard && now - *known.heard < kSilence;
+    if (known.space == space || is_heard) return std::nullopt;
+    known.space = space;
+    known.heard.reset();
+    return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cobot_command::ros_adapter

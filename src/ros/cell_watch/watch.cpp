@@ -1,0 +1,197 @@
+#include "cell_watch/watch.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "cell_watch/distance_messages.h"
+#include "cell_watch/joint_reading.h"
+#include <ros/console.h>
+
+#include "cobot_command/CellDistances.h"
+#include "cobot_command/common/overloaded.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+/// Distances are not told more often.
+constexpr Duration kTellPeriod = std::chrono::milliseconds(50);
+/// The shortest that a timer is set to [s].
+constexpr double kAtOnce = 1e-4;
+/// A newer one says more than one that has to wait.
+constexpr std::uint32_t kJointStates = 1;
+constexpr std::uint32_t kReports = 100;
+
+Instant steadyNow() {
+  return Instant(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+/// The monitor drops and counts that.
+arm::JointVector malformedJoints() {
+  return arm::JointVector::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+Watch::Watch(const ros::NodeHandle& node, cell::Monitor monitor, RobotWhereabouts whereabouts,
+             PrefixTold prefix_told)
+    : node_(node),
+      monitor_(std::move(monitor)),
+      whereabouts_(std::move(whereabouts)),
+      prefix_told_(std::move(prefix_told)),
+      is_prefix_told_(whereabouts_.robots().size()),
+      joints_(whereabouts_.robots().size()),
+      joint_states_(whereabouts_.robots().size()) {
+  node_.setCallbackQueue(&queue_);
+}
+
+Watch::~Watch() {
+  stop();
+}
+
+void Watch::start() {
+  distances_ = node_.advertise<cobot_command::CellDistances>("distances", 10, true);
+  for (std::size_t robot = 0; robot < joints_.size(); ++robot) {
+    const RobotWhereabouts::Robot& known = whereabouts_.robots()[robot];
+    stop_lines_.push_back(std::make_unique<StopLine>(node_, known.name, known.space));
+    listenTo(robot);
+  }
+  reports_ = node_.subscribe("reports", kReports, &Watch::hear, this);
+  reset_ = node_.advertiseService("reset_monitor", &Watch::reset, this);
+  timer_ = node_.createSteadyTimer(
+      ros::WallDuration(kAtOnce),
+      [this](const ros::SteadyTimerEvent&) {
+        armed_.reset();
+        advance(steadyNow());
+      },
+      true, false);
+  tell(steadyNow());
+  spinner_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);
+  spinner_->start();
+}
+
+void Watch::stop() {
+  if (!spinner_) return;
+  timer_.stop();
+  for (ros::Subscriber& one : joint_states_) one.shutdown();
+  for (const auto& line : stop_lines_) line->end();
+  reports_.shutdown();
+  reset_.shutdown();
+  spinner_->stop();
+  spinner_.reset();
+}
+
+WatchView Watch::view() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return view_;
+}
+
+void Watch::listenTo(std::size_t robot) {
+  const boost::function<void(const sensor_msgs::JointStateConstPtr&)> take_joints =
+      [this, robot](const sensor_msgs::JointStateConstPtr& message) { take(robot, *message); };
+  joint_states_[robot] = node_.subscribe<sensor_msgs::JointState>(
+      whereabouts_.robots()[robot].space + "/joint_states", kJointStates, take_joints, ros::VoidConstPtr(),
+      ros::TransportHints().tcpNoDelay());
+}
+
+void Watch::take(std::size_t robot, const sensor_msgs::JointState& message) {
+  const Instant now = steadyNow();
+  const std::string& name = whereabouts_.robots()[robot].name;
+  const auto reading = readJoints(message);
+  if (reading) {
+    whereabouts_.heard(robot, now);
+    joints_[robot] = reading->joints;
+    // By the arrival here: what others write into a stamp is theirs.
+    monitor_.take(name, reading->joints, reading->velocities, Duration(0), now);
+    if (!is_prefix_told_[robot]) {
+      is_prefix_told_[robot] = true;
+      prefix_told_(robot, reading->prefix);
+    }
+  } else {
+    monitor_.take(name, malformedJoints(), std::nullopt, Duration(0), now);
+  }
+  advance(now);
+}
+
+void Watch::hear(const ros::MessageEvent<cobot_command::CellReport const>& event) {
+  const std::string& name = event.getConstMessage()->robot;
+  const auto robot = whereabouts_.reported(name, event.getPublisherName(), steadyNow());
+  if (!robot) return;
+  const std::string& space = whereabouts_.robots()[*robot].space;
+  ROS_WARN_STREAM(name << " reports from " << event.getPublisherName() << ", and nothing is heard where the "
+                       << "file of the cell has it: it is listened to in " << space << "/ now");
+  stop_lines_[*robot]->moveTo(space);
+  listenTo(*robot);
+}
+
+bool Watch::reset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
+  const Instant now = steadyNow();
+  const cell::ResetAnswer answer = monitor_.reset(now);
+  response.success = answer.success ? 1 : 0;
+  response.message = answer.message;
+  ROS_INFO_STREAM("reset_monitor: " << answer.message);
+  is_news_ = true;
+  advance(now);
+  return true;
+}
+
+void Watch::advance(Instant now) {
+  const auto due = monitor_.nextDeadline();
+  if (due && *due <= now) {
+    monitor_.tick(now);
+    is_news_ = true;
+  }
+  carryOut();
+  if (is_news_ && (now - told_at_ >= kTellPeriod || monitor_.latched() != view_.status.latched)) tell(now);
+  arm(now);
+}
+
+void Watch::carryOut() {
+  for (const cell::MonitorAction& action : monitor_.takeActions()) {
+    std::visit(Overloaded{[this](const cell::StopAll& known) { stopAll(known.why); },
+                          [](const cell::Warning& known) { ROS_WARN_STREAM(known.text); },
+                          [](const cell::BreachEnded& known) { ROS_WARN_STREAM(sentenceOf(known.breach)); }},
+               action);
+  }
+}
+
+void Watch::stopAll(const std::string& why) {
+  for (const auto& line : stop_lines_) line->stop();
+  ROS_ERROR_STREAM("All robots of the cell are told to stop. " << why);
+}
+
+void Watch::tell(Instant now) {
+  const bool is_first = told_at_ == Instant{};
+  is_news_ = false;
+  told_at_ = now;
+  WatchView view;
+  view.status = monitor_.status();
+  for (std::size_t robot = 0; robot < joints_.size(); ++robot) {
+    const RobotWhereabouts::Robot& known = whereabouts_.robots()[robot];
+    view.robots.push_back({known.name, known.space, joints_[robot], stop_lines_[robot]->isConnected()});
+  }
+  cobot_command::CellDistances message = toMessage(view.status);
+  // Its thread alone writes it, so that it reads it without the lock.
+  const bool is_changed = is_first || message != toMessage(view_.status);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    view_ = std::move(view);
+  }
+  if (!is_changed) return;
+  message.header.stamp = ros::Time::now();
+  distances_.publish(message);
+}
+
+void Watch::arm(Instant now) {
+  auto next = monitor_.nextDeadline();
+  if (is_news_) next = std::min(next.value_or(Instant::max()), told_at_ + kTellPeriod);
+  if (!next) return;
+  if (armed_ && *armed_ <= *next) return;  // it comes soon enough
+  timer_.stop();
+  timer_.setPeriod(ros::WallDuration(std::max(kAtOnce, toSeconds(*next - now))));
+  timer_.start();
+  armed_ = next;
+}
+
+}  // namespace cobot_command::ros_adapter

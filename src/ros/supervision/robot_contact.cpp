@@ -1,0 +1,47 @@
+#include "supervision/robot_contact.h"
+
+#include <ros/names.h>
+
+#include "cobot_command/StopActionGoal.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+constexpr Duration kTellAgain = std::chrono::milliseconds(250);
+
+}  // namespace
+
+void RobotContact::heardFrom(const std::string& publisher, bool moving, Instant now) {
+  std::string fault;
+  if (publisher != publisher_ && ros::names::validate(publisher, fault)) {
+    publisher_ = publisher;
+    const std::string space = ros::names::parentNamespace(publisher);
+    stops_ = node_.advertise<cobot_command::StopActionGoal>(ros::names::append(space, "stop/goal"), 10);
+    programs_ = std::make_shared<ProgramClient>(node_, ros::names::append(space, "run_program"));
+  }
+  if (stop_told_ && now > *stop_told_ && !moving) is_stopping_ = false;
+}
+
+void RobotContact::stop(Instant now) {
+  is_stopping_ = true;
+  stop_told_.reset();
+  settle(now);
+}
+
+void RobotContact::settle(Instant now) {
+  if (!is_stopping_ || (stop_told_ && now < *stop_told_ + kTellAgain)) return;
+  if (stops_ && stops_.getNumSubscribers() > 0) tellStop(now);
+}
+
+void RobotContact::tellStop(Instant now) {
+  stop_told_ = now;
+  cobot_command::StopActionGoal goal;
+  goal.header.stamp = ros::Time::now();
+  stops_.publish(goal);
+}
+
+std::shared_ptr<RobotContact::ProgramClient> RobotContact::programs() const {
+  return programs_ && programs_->isServerConnected() ? programs_ : nullptr;
+}
+
+}  // namespace cobot_command::ros_adapter

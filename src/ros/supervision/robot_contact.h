@@ -1,0 +1,49 @@
+// One robot's command node, as the supervisor finds it: by who sends its reports. Stops it, and has its
+// program run.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <actionlib/client/action_client.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include "cobot_command/RunProgramAction.h"
+#include "cobot_command/common/time.h"
+
+namespace cobot_command::ros_adapter {
+
+class RobotContact {
+ public:
+  using ProgramClient = actionlib::ActionClient<cobot_command::RunProgramAction>;
+  using ProgramHandle = ProgramClient::GoalHandle;
+
+  explicit RobotContact(const ros::NodeHandle& node) : node_(node) {}
+
+  /// A report of it came from that node ("/RA/command_node"), whose actions are in its namespace.
+  void heardFrom(const std::string& publisher, bool moving, Instant now);
+  [[nodiscard]] const std::string& publisher() const { return publisher_; }
+
+  /// It is told until it stands, as a message to a node that just came up can be lost.
+  void stop(Instant now);
+  /// Tells it again, if it has to.
+  void settle(Instant now);
+
+  /// nullptr: its node was not heard yet, or does not answer.
+  [[nodiscard]] std::shared_ptr<ProgramClient> programs() const;
+
+ private:
+  void tellStop(Instant now);
+
+  ros::NodeHandle node_;
+  std::string publisher_;
+  ros::Publisher stops_;
+  std::shared_ptr<ProgramClient> programs_;
+  bool is_stopping_ = false;
+  std::optional<Instant> stop_told_;
+};
+
+}  // namespace cobot_command::ros_adapter

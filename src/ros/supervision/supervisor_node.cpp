@@ -1,0 +1,149 @@
+#include "cobot_command/ros/supervision/supervisor_node.h"
+
+#include <algorithm>
+#include <chrono>
+#include <tuple>
+#include <utility>
+
+#include "cell/cell_messages.h"
+#include "supervision/cell_builder.h"
+#include "supervision/people_services.h"
+#include "supervision/program_runs.h"
+#include "supervision/robot_contact.h"
+#include "supervision/supervisor_diagnostics.h"
+#include <ros/console.h>
+#include <ros/this_node.h>
+
+#include "cobot_command/common/foreign_text.h"
+
+namespace cobot_command::ros_adapter {
+namespace {
+
+constexpr std::uint32_t kQueueSize = 1000;  // of robots that all report at once
+
+Instant present() {
+  return Instant(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+auto significant(const cell::RobotStatus& robot) {
+  return std::tie(robot.state, robot.session, robot.acknowledged, robot.joins, robot.place, robot.reason,
+                  robot.blocked_by, robot.place_in_queue, robot.text);
+}
+auto significant(const cell::ZoneStatus& zone) {
+  return std::tie(zone.state, zone.owner, zone.waiting);
+}
+
+template <class Status>
+bool areAlike(const std::vector<Status>& some, const std::vector<Status>& others) {
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(),
+                    [](const Status& a, const Status& b) { return significant(a) == significant(b); });
+}
+
+/// But for how long it has been so.
+bool areAlike(const cell::CellStatus& one, const cell::CellStatus& other) {
+  return one.mode == other.mode && one.events == other.events && one.is_finishing == other.is_finishing &&
+         one.diagnosis == other.diagnosis && areAlike(one.robots, other.robots) &&
+         areAlike(one.zones, other.zones);
+}
+
+std::vector<std::string> namesOf(const cell::Artifact& artifact) {
+  std::vector<std::string> names;
+  names.reserve(artifact.robots.size());
+  for (std::size_t robot = 0; robot < artifact.robots.size(); ++robot) {
+    names.push_back(artifact.program.robots[robot].name);
+  }
+  return names;
+}
+
+}  // namespace
+
+SupervisorNode::SupervisorNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
+                               std::unique_ptr<runtime::CellSupervisor> supervisor)
+    : supervisor_(std::move(supervisor)) {
+  const cell::Artifact& artifact = supervisor_->artifact();
+  for (std::size_t user = 0; user < artifact.program.robots.size(); ++user) {
+    contacts_.push_back(std::make_unique<RobotContact>(node));
+  }
+  people_ = std::make_unique<PeopleServices>(node, supervisor_->core(), present,
+                                             [this](Instant now) { settle(now); });
+  runs_ = std::make_unique<ProgramRuns>(node, namesOf(artifact), contacts_);
+  builder_ = std::make_unique<CellBuilder>(node, artifact.hash);
+  diagnostics_ = std::make_unique<SupervisorDiagnostics>(node, self, artifact.parameters.wait_timeout);
+  ros::NodeHandle handle(node);
+  const auto promptly = ros::TransportHints().tcpNoDelay();
+  state_ = handle.advertise<cobot_command::CellState>("state", 10, true);
+  const boost::function<void(const ReportEvent&)> report = [this](const auto& event) { takeReport(event); };
+  reports_ = handle.subscribe<cobot_command::CellReport>("reports", kQueueSize, report, ros::VoidConstPtr(),
+                                                         promptly);
+  const boost::function<void(const StateEvent&)> state = [this](const auto& event) { takeState(event); };
+  states_ = handle.subscribe<cobot_command::CellState>("state", 10, state, ros::VoidConstPtr(), promptly);
+  const boost::function<void(const cobot_command::CellDistancesConstPtr&)> distances =
+      [this](const auto& message) { takeDistances(*message); };
+  distances_ = handle.subscribe<cobot_command::CellDistances>("distances", 10, distances);
+  timer_ = handle.createSteadyTimer(ros::WallDuration(toSeconds(artifact.parameters.report_period)),
+                                    [this](const ros::SteadyTimerEvent&) { settle(present()); });
+  settle(present());
+}
+
+SupervisorNode::~SupervisorNode() = default;
+
+void SupervisorNode::takeReport(const ReportEvent& event) {
+  const Instant now = present();
+  const auto& message = event.getConstMessage();
+  const bool is_taken = supervisor_->core().take(toReport(*message), now);
+  const cell::CellStatus status = supervisor_->core().status(now);
+  for (std::size_t robot = 0; robot < status.robots.size(); ++robot) {
+    const cell::RobotStatus& known = status.robots[robot];
+    // A second node for the same robot is not whom stops and goals are sent to.
+    const bool is_its_own = known.session == 0 || known.session == message->session;
+    if (is_taken && known.name == message->robot && is_its_own) {
+      contacts_[robot]->heardFrom(event.getPublisherName(), message->moving != 0, now);
+    }
+  }
+  settle(now);
+  diagnostics_->answered(present() - now);
+}
+
+void SupervisorNode::takeState(const StateEvent& event) {
+  if (event.getPublisherName() == ros::this_node::getName()) return;
+  ROS_ERROR_STREAM_THROTTLE(10, event.getPublisherName()
+                                    << " tells the state of this cell, too: stop one of them");
+  diagnostics_->heardOther(event.getPublisherName());
+}
+
+void SupervisorNode::takeDistances(const cobot_command::CellDistances& message) {
+  runs_->heardAlarm(message.alarmed != 0 ? foreignText(message.text) : std::string());
+  const auto names = namesOf(supervisor_->artifact());
+  for (const cobot_command::CellDistance& pair : message.pairs) {
+    const bool is_of_robots = std::count(names.begin(), names.end(), pair.other) > 0;
+    if (pair.known != 0 && is_of_robots) runs_->heardDistance(pair.now);
+  }
+}
+
+void SupervisorNode::settle(Instant now) {
+  cell::Supervision& core = supervisor_->core();
+  core.tick(now);
+  for (const cell::StopOrder& order : core.takeStopOrders()) {
+    ROS_WARN_STREAM(core.status(now).robots[order.robot].name << " is told to stop: " << order.why);
+    contacts_[order.robot]->stop(now);
+  }
+  for (const auto& contact : contacts_) contact->settle(now);
+  const cell::CellStatus status = core.status(now);
+  const bool is_due = now >= told_at_ + supervisor_->artifact().parameters.report_period / 2;
+  if (!told_ || is_due || !areAlike(*told_, status)) tell(status, now);
+}
+
+void SupervisorNode::tell(const cell::CellStatus& status, Instant now) {
+  told_at_ = now;
+  const auto message = toMessage(status, ++number_);
+  state_.publish(message);
+  runs_->follow(status, message, now);
+  diagnostics_->take(status, supervisor_->core().counts());
+  if (!told_ || told_->mode != status.mode) {
+    ROS_INFO_STREAM("the cell is " << toString(status.mode) << (status.diagnosis.empty() ? "" : ": ")
+                                   << status.diagnosis);
+  }
+  told_ = status;
+}
+
+}  // namespace cobot_command::ros_adapter

@@ -1,0 +1,77 @@
+#include "cobot_command/runtime/cell/cell_watch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cobot_command/arm/arm_model.h"
+#include "cobot_command/cell/bodies/part_tree.h"
+#include "cobot_command/cell/bodies/shape_capsules.h"
+
+namespace cobot_command::runtime {
+namespace {
+
+/// Wherever in its program: who carries what at the moment, only others could tell.
+cell::Carried attachedBy(const cell::Robot& robot) {
+  cell::Carried attached;
+  for (const cell::Path& path : robot.program) {
+    for (const cell::Step& step : path.steps) {
+      if (!step.attach.empty()) attached.insert(step.attach);
+    }
+  }
+  return attached;
+}
+
+Result<cell::PartTree, std::string> partsOf(const cell::Cell& cell) {
+  std::vector<cell::CarriedPart> parts;
+  for (const cell::Part& part : cell.parts) {
+    parts.push_back({part.name, part.shapes, part.on.empty() ? cell::kOnFlange : part.on, part.at});
+  }
+  auto tree = cell::PartTree::of(parts, cell.parameters.body_cell);
+  if (!tree) return refuse("parts: " + tree.error().message);
+  return std::move(*tree);
+}
+
+Result<std::vector<cell::WatchedObstacle>, std::string> watchedObstacles(const cell::Cell& cell) {
+  std::vector<cell::WatchedObstacle> obstacles;
+  for (const cell::Obstacle& obstacle : cell.obstacles) {
+    auto capsules = cell::capsulesOf(obstacle.shapes, cell.parameters.body_cell);
+    if (!capsules) return refuse(fmt::format("obstacles.{}: {}", obstacle.name, capsules.error().message));
+    obstacles.push_back({obstacle.name, std::move(*capsules)});
+  }
+  return obstacles;
+}
+
+}  // namespace
+
+Result<std::vector<cell::WatchedRobot>, std::string> watchedRobots(const cell::Cell& cell) {
+  const auto parts = partsOf(cell);
+  if (!parts) return refuse(parts.error());
+  std::vector<cell::WatchedRobot> robots;
+  for (const cell::Robot& robot : cell.robots) {
+    auto bodies = cell::RobotBodies::fromUrdf(arm::ArmModel::urdfOf(robot.model), robot.base, robot.tool,
+                                              cell.parameters.body_cell);
+    if (!bodies) return refuse(fmt::format("robots.{}: {}", robot.name, bodies.error().message));
+    robots.push_back({robot.name, std::move(*bodies), parts->bodiesOf(attachedBy(robot))});
+  }
+  return robots;
+}
+
+Result<cell::Monitor, std::string> monitorOf(const cell::Cell& cell, cell::MonitorSettings::Mode mode,
+                                             std::optional<double> stop_distance) {
+  auto robots = watchedRobots(cell);
+  if (!robots) return refuse(robots.error());
+  const auto obstacles = watchedObstacles(cell);
+  if (!obstacles) return refuse(obstacles.error());
+  cell::MonitorSettings settings;
+  settings.margin = cell.parameters.margin;
+  settings.mode = mode;
+  settings.stop_distance = stop_distance;
+  settings.exact_within = std::max(settings.exact_within, settings.margin);
+  auto monitor = cell::Monitor::of(std::move(*robots), *obstacles, settings);
+  if (!monitor) return refuse(monitor.error().message);
+  return std::move(*monitor);
+}
+
+}  // namespace cobot_command::runtime
