@@ -12,6 +12,20 @@ start_robot() {
   trap end_robot EXIT
 }
 
+# start_cell <file of the cell> <artifact> [argument of cell.launch...]: its robots, its supervisor and its monitor, in the same way.
+start_cell() {
+  local cell=$1 artifact=$2
+  shift 2
+  export ROS_MASTER_URI="http://localhost:$(free_port)" ROS_HOSTNAME=localhost
+  log=$(mktemp)
+  say "Starting master, simulated controllers, command nodes, supervisor and monitor (log: $log)"
+  roslaunch -p "${ROS_MASTER_URI##*:}" cobot_command cell.launch cell_file:="$cell" artifact:="$artifact" \
+    robots:="$(rosrun cobot_command tm_cell ask "$artifact" robots)" \
+    mechanisms:="$(rosrun cobot_command tm_cell ask "$artifact" mechanisms)" "$@" >"$log" 2>&1 &
+  launch=$!
+  trap end_robot EXIT
+}
+
 # Ends it, and waits for that: then a recording is closed.
 end_robot() {
   kill -INT "$launch" 2>/dev/null || true
@@ -31,6 +45,10 @@ wait_for_robot() {
 
 nodes_are_up() {
   rosnode list 2>/dev/null | grep -q command_node
+}
+
+cell_is_up() {
+  rosnode list 2>/dev/null | grep -q cell_supervisor
 }
 
 show_log() {

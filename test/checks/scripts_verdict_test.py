@@ -45,7 +45,7 @@ class ArgumentsTest(unittest.TestCase):
         self.assertIn(words, done.stderr)
 
     def test_demo_names_what_it_can_show(self):
-        self.assert_refused("'dance' is not known. Allowed are: nothing (the pick-and-place), or path", "demo", "dance")
+        self.assert_refused("'dance' is not known. Allowed are: nothing (the pick-and-place), path, or cell NAME", "demo", "dance")
         self.assert_refused("'twice' is not an option of load_path.py", "demo", "path", "twice")
 
     def test_plot_profiles_takes_one_folder(self):

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Runs all robots of a cell by the action `run_cell`, and prints who goes where, who waits for whom, and for which zone.
+
+Ctrl-C, SIGTERM and a closed terminal cancel it, which stops the robots. Exit status: 0 when all cycles were done, and, where the cell has
+a monitor, no two robots came closer than --distance; 1 with the reason when not.
+"""
+import argparse
+import signal
+import sys
+import threading
+
+import actionlib
+import rospy
+from actionlib import CommState
+from actionlib_msgs.msg import GoalStatus
+
+from cobot_command.msg import CellRobot, CellState, CellZone, RunCellAction, RunCellGoal
+
+PATIENCE = 60.0  # [s]
+RUNS = (CellState.READY, CellState.RUNNING)
+END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+REASONS = {CellRobot.ZONE_HELD: "{} has the zone", CellRobot.WOULD_BLOCK: "behind it {} could not come home any more",
+           CellRobot.AGED: "{} has waited for longer", CellRobot.QUARANTINED: "{} is lost, or stands in the zone unasked",
+           CellRobot.HOLDING: "nothing is granted now", CellRobot.SCHEDULED: "it is the turn of {}"}
+
+
+class Teller:
+    """Prints what is new in the state of the cell."""
+
+    def __init__(self):
+        self.begun = None
+        self.robots = {}
+        self.owners = {}
+
+    def tell(self, state):
+        self.begun = self.begun or rospy.Time.now()
+        for zone in state.zones:
+            owner = zone.owner if zone.state != CellZone.FREE else ""
+            if self.owners.get(zone.name, "") != owner:
+                self.say(f"{zone.name}: {owner + ' has it' if owner else 'free'}")
+            self.owners[zone.name] = owner
+        for robot in state.robots:
+            words = self.words_of(robot)
+            if self.robots.get(robot.name) != words:
+                self.say(f"{robot.name}: {words}")
+            self.robots[robot.name] = words
+
+    def say(self, text):
+        print(f"{(rospy.Time.now() - self.begun).to_sec():7.2f} s  {text}", flush=True)
+
+    @staticmethod
+    def words_of(robot):
+        if robot.state == CellRobot.WAITING and robot.reason != CellRobot.NO_REASON:
+            return f"at {robot.place}, waits: {REASONS[robot.reason].format(' and '.join(robot.blocked_by))}"
+        return f"at {robot.place}" + (f": {robot.text}" if robot.text else "")
+
+
+def run(arguments):
+    client = actionlib.ActionClient(f"{arguments.cell}/run_cell", RunCellAction)
+    if not client.wait_for_server(rospy.Duration(PATIENCE)):
+        return f"nobody serves {arguments.cell}/run_cell: start cell.launch first"
+    if not ready(arguments.cell):
+        return f"the cell was not READY within {PATIENCE:.0f} s: see rostopic echo -n 1 {arguments.cell}/state"
+    teller, changed = Teller(), threading.Condition()
+
+    def note(_):
+        with changed:
+            changed.notify_all()
+
+    handle = client.send_goal(RunCellGoal(cycles=arguments.cycles), note, lambda _, feedback: teller.tell(feedback.state))
+    for number in END_SIGNALS:
+        signal.signal(number, lambda *_: handle.cancel())
+    with changed:
+        changed.wait_for(lambda: handle.get_comm_state() == CommState.DONE)
+    return verdict(handle, arguments.distance)
+
+
+def ready(cell):
+    found = threading.Event()
+    subscriber = rospy.Subscriber(f"{cell}/state", CellState, lambda m: m.mode in RUNS and found.set())
+    answer = found.wait(PATIENCE)
+    subscriber.unregister()
+    return answer
+
+
+def verdict(handle, distance):
+    """What is wrong; nothing when all is well."""
+    result = handle.get_result()
+    if handle.get_terminal_state() != GoalStatus.SUCCEEDED:
+        return f"16#{result.error_id:X} {result.error_description}. {result.remedy}" if result else "the goal was lost"
+    cycles = ", ".join(f"{name} {count}" for name, count in zip(result.robots, result.cycles_done))
+    print(f"cycles: {cycles}; {result.makespan.to_sec():.1f} s")
+    if result.least_distance < 0:
+        print("no monitor was heard: distances were not measured")
+        return ""
+    print(f"least distance: {result.least_distance * 1e3:.1f} mm")
+    if result.least_distance < distance / 1e3:
+        return f"two robots came as close as {result.least_distance * 1e3:.1f} mm: {distance:g} mm were to be kept"
+    return ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--cell", default="/cell", help="namespace of the cell (default: %(default)s)")
+    parser.add_argument("--cycles", type=int, default=3, help="of each robot, 1 to 1000000 (default: %(default)s)")
+    parser.add_argument("--distance", type=float, default=20.0, help="[mm] that has to be kept (default: %(default)s)")
+    arguments = parser.parse_args(rospy.myargv()[1:])
+    rospy.init_node("run_cell", anonymous=True, disable_signals=True)
+    fault = run(arguments)
+    if fault:
+        print(f"run_cell: {fault}", file=sys.stderr)
+    return 1 if fault else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
