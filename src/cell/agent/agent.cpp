@@ -5,6 +5,7 @@
 
 #include "agent/agent_parts.h"
 #include "agent/frame_gate.h"
+#include "agent/report_head.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
@@ -209,14 +210,8 @@ std::optional<blocks::Failure> Agent::Parts::objectionTo(const command::Departur
 
 std::optional<RobotReport> Agent::Parts::takeReport(Instant now) {
   if (!has_news_ && now < nextReport()) return std::nullopt;
-  RobotReport report;
-  report.robot = program().name;
-  report.hash = artifact_->hash;
-  report.session = session_;
-  report.instance = states_.instance();
+  RobotReport report = headOf(program().name, *artifact_, session_, states_, walk_);
   report.number = ++report_number_;
-  report.events = walk_.untold();
-  report.place = walk_.place().name;
   if (const auto joints = watch_.joints()) Eigen::Map<arm::JointVector>(report.joints.data()) = *joints;
   report.status_age = measured_at_ ? toSeconds(now - *measured_at_) : 0.0;
   report.condition = condition();

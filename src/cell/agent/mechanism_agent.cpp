@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "agent/program_walk.h"
+#include "agent/report_head.h"
 #include "agent/state_watch.h"
 #include <fmt/format.h>
 
@@ -299,14 +300,8 @@ std::optional<RobotReport> MechanismAgent::Parts::takeReport(Instant now) {
   if (!position_ || (!has_news_ && now < nextReport())) return std::nullopt;
   // Nobody knows where it is any more: it falls silent, as what it would tell may be wrong.
   if (now - *measured_at_ > artifact_->parameters.lease) return std::nullopt;
-  RobotReport report;
-  report.robot = program().name;
-  report.hash = artifact_->hash;
-  report.session = session_;
-  report.instance = states_.instance();
+  RobotReport report = headOf(program().name, *artifact_, session_, states_, walk_);
   report.number = ++report_number_;
-  report.events = walk_.untold();
-  report.place = walk_.place().name;
   report.joints[0] = *position_;
   report.status_age = toSeconds(now - *measured_at_);
   report.condition = condition();

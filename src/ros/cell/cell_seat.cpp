@@ -1,31 +1,22 @@
 #include "cobot_command/ros/cell/cell_seat.h"
 
-#include <random>
 #include <utility>
 
 #include "cell/cell_messages.h"
 #include <fmt/format.h>
 
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/runtime/cell/any_id.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
 namespace cobot_command::ros_adapter {
-namespace {
-
-/// Another one at each start.
-std::uint64_t anySession() {
-  std::random_device random;
-  return std::uniform_int_distribution<std::uint64_t>(1, std::uint64_t{1} << 62U)(random);
-}
-
-}  // namespace
 
 Result<std::unique_ptr<CellSeat>, std::string> CellSeat::of(const CellParameters& parameters,
                                                             const std::string& model) {
   auto artifact = runtime::readArtifact(parameters.artifact);
   if (!artifact) return refuse(artifact.error().front());
   const auto shared = std::make_shared<const cell::Artifact>(*std::move(artifact));
-  auto agent = cell::Agent::of(shared, parameters.robot, anySession());
+  auto agent = cell::Agent::of(shared, parameters.robot, runtime::anyId());
   if (!agent) return refuse(agent.error());
   for (std::size_t robot = 0; robot < shared->robots.size(); ++robot) {
     if (shared->program.robots[robot].name != parameters.robot) continue;

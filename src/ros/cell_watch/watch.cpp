@@ -7,6 +7,7 @@
 
 #include "cell_watch/distance_messages.h"
 #include "cell_watch/joint_reading.h"
+#include "shared/steady_now.h"
 #include <ros/console.h>
 
 #include "cobot_command/CellDistances.h"
@@ -22,10 +23,6 @@ constexpr double kAtOnce = 1e-4;
 /// A newer one says more than one that has to wait.
 constexpr std::uint32_t kJointStates = 1;
 constexpr std::uint32_t kReports = 100;
-
-Instant steadyNow() {
-  return Instant(std::chrono::steady_clock::now().time_since_epoch());
-}
 
 /// The monitor drops and counts that.
 arm::JointVector malformedJoints() {

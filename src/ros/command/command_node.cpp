@@ -15,6 +15,7 @@
 #include "paths/path_publisher.h"
 #include "paths/path_services.h"
 #include "robot_data/robot_data_publisher.h"
+#include "shared/steady_now.h"
 #include "tables/table_services.h"
 #include "tables/tables_file.h"
 #include <fmt/format.h>
@@ -35,10 +36,6 @@ constexpr Duration kFinishPatience = std::chrono::milliseconds(500);
 constexpr const char* kNotAnsweredYet =
     "asked for; the command layer is busy, planning say, and has not answered yet: it does so as soon as it "
     "has done, and the results tell what became of the goals";
-
-Instant steadyNow() {
-  return Instant(std::chrono::steady_clock::now().time_since_epoch());
-}
 
 void log(const command::LogMessage& message) {
   switch (message.severity) {

@@ -1,15 +1,15 @@
 #include "cobot_command/ros/mechanism/mechanism_node.h"
 
-#include <chrono>
 #include <cmath>
-#include <random>
 #include <utility>
 
 #include "cell/cell_messages.h"
+#include "shared/steady_now.h"
 #include <boost/function.hpp>
 #include <ros/console.h>
 
 #include "cobot_command/StopActionGoal.h"
+#include "cobot_command/runtime/cell/any_id.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
 namespace cobot_command::ros_adapter {
@@ -18,16 +18,6 @@ namespace {
 /// Less than that from one message to the next is noise [m or rad].
 constexpr double kStandsWithin = 1e-4;
 
-Instant present() {
-  return Instant(std::chrono::steady_clock::now().time_since_epoch());
-}
-
-/// Another one at each start.
-std::uint64_t anySession() {
-  std::random_device random;
-  return std::uniform_int_distribution<std::uint64_t>(1, std::uint64_t{1} << 62U)(random);
-}
-
 }  // namespace
 
 Result<std::unique_ptr<MechanismNode>, std::string> MechanismNode::of(const ros::NodeHandle& node,
@@ -35,7 +25,7 @@ Result<std::unique_ptr<MechanismNode>, std::string> MechanismNode::of(const ros:
   auto artifact = runtime::readArtifact(parameters.artifact);
   if (!artifact) return refuse(artifact.error().front());
   const auto shared = std::make_shared<const cell::Artifact>(*std::move(artifact));
-  auto agent = cell::MechanismAgent::of(shared, parameters.mechanism, anySession());
+  auto agent = cell::MechanismAgent::of(shared, parameters.mechanism, runtime::anyId());
   if (!agent) return refuse(agent.error());
   return std::unique_ptr<MechanismNode>(
       new MechanismNode(node, parameters, std::move(*agent), shared->parameters.report_period));
@@ -49,14 +39,14 @@ MechanismNode::MechanismNode(const ros::NodeHandle& node, const MechanismParamet
   reports_ = handle.advertise<cobot_command::CellReport>(parameters.cell + "/reports", 10);
   targets_ = handle.advertise<std_msgs::Float64>("target", 10, true);
   const boost::function<void(const cobot_command::CellStateConstPtr&)> hear = [this](const auto& message) {
-    const Instant now = present();
+    const Instant now = steadyNow();
     agent_->hear(toStatus(*message), message->number, now);
     tell(now);
   };
   states_ = handle.subscribe<cobot_command::CellState>(
       parameters.cell + "/state", 10, hear, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   const boost::function<void(const std_msgs::Float64ConstPtr&)> measured = [this](const auto& message) {
-    const Instant now = present();
+    const Instant now = steadyNow();
     measure(message->data, now);
     tell(now);
   };
@@ -64,13 +54,13 @@ MechanismNode::MechanismNode(const ros::NodeHandle& node, const MechanismParamet
                                                    ros::TransportHints().tcpNoDelay());
   const boost::function<void(const cobot_command::StopActionGoalConstPtr&)> stop = [this](const auto&) {
     agent_->stop();
-    tell(present());
+    tell(steadyNow());
   };
   stops_ = handle.subscribe<cobot_command::StopActionGoal>("stop/goal", 10, stop, ros::VoidConstPtr(),
                                                            ros::TransportHints().tcpNoDelay());
   run_ = handle.advertiseService("run", &MechanismNode::run, this);
   timer_ = handle.createSteadyTimer(ros::WallDuration(toSeconds(period)),
-                                    [this](const ros::SteadyTimerEvent&) { tell(present()); });
+                                    [this](const ros::SteadyTimerEvent&) { tell(steadyNow()); });
 }
 
 void MechanismNode::measure(double position, Instant now) {
@@ -95,7 +85,7 @@ void MechanismNode::tell(Instant now) {
 
 bool MechanismNode::run(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   agent_->run(request.data != 0);
-  tell(present());
+  tell(steadyNow());
   response.success = 1;
   response.message = request.data != 0 ? "it sets out on its paths, as it is let go"
                                        : "it sets out on no other path; one that it is on is gone to its end";

@@ -1,11 +1,11 @@
 #include "messages/message_services.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <utility>
 
 #include "shared/core_answer.h"
+#include "shared/steady_now.h"
 #include <fmt/format.h>
 
 #include "cobot_command/Message.h"
@@ -16,10 +16,6 @@ namespace {
 
 constexpr std::uint32_t kQueueSize = 100;
 constexpr int kSeverityRange = 0x8D51;
-
-Instant steadyNow() {
-  return Instant(std::chrono::steady_clock::now().time_since_epoch());
-}
 
 cobot_command::Message toMessage(const command::Message& one, const ClockPair& clocks) {
   cobot_command::Message message;

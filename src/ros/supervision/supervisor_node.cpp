@@ -1,11 +1,11 @@
 #include "cobot_command/ros/supervision/supervisor_node.h"
 
 #include <algorithm>
-#include <chrono>
 #include <tuple>
 #include <utility>
 
 #include "cell/cell_messages.h"
+#include "shared/steady_now.h"
 #include "supervision/cell_builder.h"
 #include "supervision/people_services.h"
 #include "supervision/program_runs.h"
@@ -20,10 +20,6 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 1000;  // of robots that all report at once
-
-Instant present() {
-  return Instant(std::chrono::steady_clock::now().time_since_epoch());
-}
 
 auto significant(const cell::RobotStatus& robot) {
   return std::tie(robot.state, robot.session, robot.acknowledged, robot.joins, robot.place, robot.reason,
@@ -64,7 +60,7 @@ SupervisorNode::SupervisorNode(const ros::NodeHandle& node, const ros::NodeHandl
   for (std::size_t user = 0; user < artifact.program.robots.size(); ++user) {
     contacts_.push_back(std::make_unique<RobotContact>(node));
   }
-  people_ = std::make_unique<PeopleServices>(node, supervisor_->core(), present,
+  people_ = std::make_unique<PeopleServices>(node, supervisor_->core(), steadyNow,
                                              [this](Instant now) { settle(now); });
   runs_ = std::make_unique<ProgramRuns>(node, namesOf(artifact), contacts_);
   builder_ = std::make_unique<CellBuilder>(node, artifact.hash);
@@ -81,14 +77,14 @@ SupervisorNode::SupervisorNode(const ros::NodeHandle& node, const ros::NodeHandl
       [this](const auto& message) { takeDistances(*message); };
   distances_ = handle.subscribe<cobot_command::CellDistances>("distances", 10, distances);
   timer_ = handle.createSteadyTimer(ros::WallDuration(toSeconds(artifact.parameters.report_period)),
-                                    [this](const ros::SteadyTimerEvent&) { settle(present()); });
-  settle(present());
+                                    [this](const ros::SteadyTimerEvent&) { settle(steadyNow()); });
+  settle(steadyNow());
 }
 
 SupervisorNode::~SupervisorNode() = default;
 
 void SupervisorNode::takeReport(const ReportEvent& event) {
-  const Instant now = present();
+  const Instant now = steadyNow();
   const auto& message = event.getConstMessage();
   const bool is_taken = supervisor_->core().take(toReport(*message), now);
   const cell::CellStatus status = supervisor_->core().status(now);
@@ -101,7 +97,7 @@ void SupervisorNode::takeReport(const ReportEvent& event) {
     }
   }
   settle(now);
-  diagnostics_->answered(present() - now);
+  diagnostics_->answered(steadyNow() - now);
 }
 
 void SupervisorNode::takeState(const StateEvent& event) {

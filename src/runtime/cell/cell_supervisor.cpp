@@ -1,7 +1,6 @@
 #include "cobot_command/runtime/cell/cell_supervisor.h"
 
 #include <chrono>
-#include <random>
 #include <utility>
 
 #include "cell/journal_file.h"
@@ -13,18 +12,13 @@
 #include "cobot_command/cell/artifact/place_fit.h"
 #include "cobot_command/cell/program/canonical.h"
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/runtime/cell/any_id.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
 namespace cobot_command::runtime {
 namespace {
 
 constexpr auto kScheduleWithin = std::chrono::seconds(10);
-
-/// Another one with each new journal.
-std::uint64_t anyInstance() {
-  std::random_device random;
-  return std::uniform_int_distribution<std::uint64_t>(1, std::uint64_t{1} << 62U)(random);
-}
 
 std::optional<std::string> objectionTo(const cell::Artifact& artifact, const SupervisorFiles& files) {
   if (files.cell_file.empty()) return std::nullopt;
@@ -81,8 +75,8 @@ CellSupervisor::CellSupervisor(cell::Artifact artifact, cell::Rules rules, cell:
   };
   const cell::SupervisionSettings settings{artifact_.parameters.lease, artifact_.parameters.aging,
                                            std::move(turns)};
-  core_ = std::make_unique<cell::Supervision>(std::move(rules), artifact_.hash, anyInstance(),
-                                              journal_->records(), settings, std::move(ports));
+  core_ = std::make_unique<cell::Supervision>(std::move(rules), artifact_.hash, anyId(), journal_->records(),
+                                              settings, std::move(ports));
 }
 
 CellSupervisor::~CellSupervisor() = default;
