@@ -9,7 +9,7 @@ import rosgraph
 import rospy
 from std_srvs.srv import SetBool, Trigger
 
-from cobot_command.msg import BuildCellAction, CellRobot, CellState, RunCellAction, RunProgramGoal
+from cobot_command.msg import BuildCellAction, CellRobot, CellState, CommandStatus, RunCellAction, RunProgramGoal
 from cobot_command.srv import ConfirmClear, RecoverRobot, TakeOut
 from cobot_test import Latest, OutcomeTestCase, Robot, Sent
 from own_nodes import Heard
@@ -34,6 +34,9 @@ class CellTestCase(OutcomeTestCase):
         self.supervisor = self.start_supervisor()
         self.robots = {name: Robot("/" + name) for name in NAMES}
         self.wait_for_mode(CellState.READY)
+        # A robot stands where it has to as soon as its status is heard; commands it takes when its script link is up, too.
+        for robot in self.robots.values():
+            robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY, "a ready link")
 
     def launch_robots(self):
         self.start("roslaunch", "cobot_command", "cell.launch", f"artifact:={self.artifact}", f"robots:={' '.join(NAMES)}",
