@@ -20,8 +20,8 @@ start_cell() {
   log=$(mktemp)
   say "Starting master, simulated controllers, command nodes, supervisor and monitor (log: $log)"
   roslaunch -p "${ROS_MASTER_URI##*:}" cobot_command cell.launch cell_file:="$cell" artifact:="$artifact" \
-    robots:="$(rosrun cobot_command tm_cell ask "$artifact" robots)" \
-    mechanisms:="$(rosrun cobot_command tm_cell ask "$artifact" mechanisms)" "$@" >"$log" 2>&1 &
+    robots:="$("$build/devel/lib/cobot_command/tm_cell" ask "$artifact" robots)" \
+    mechanisms:="$("$build/devel/lib/cobot_command/tm_cell" ask "$artifact" mechanisms)" "$@" >"$log" 2>&1 &
   launch=$!
   trap end_robot EXIT
 }

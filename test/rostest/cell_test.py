@@ -9,6 +9,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 
 from cobot_command.msg import BuildCellGoal, CellReport, CellRobot, CellState, CellZone, RunCellGoal, RunProgramGoal
 from cobot_goals import turn
+from cobot_test import program
 from own_cell import NAMES, CellTestCase, kill, robot_in
 from waiting import wait_until
 
@@ -114,7 +115,7 @@ class Cell(CellTestCase):
 
     # --- What fails.
     def test_a_second_supervisor_does_not_take_the_place_of_the_first(self):
-        second = self.start("rosrun", "cobot_command", "cell_supervisor", "__ns:=cell", "__name:=second",
+        second = self.start(program("cell_supervisor"), "__ns:=cell", "__name:=second",
                             f"_artifact:={self.artifact}", f"_journal:={self.journal}.other")
         self.assertEqual(second.wait(), 2)
         self.assertIn("a supervisor serves /cell/hold already", second.output())

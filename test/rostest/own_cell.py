@@ -11,7 +11,7 @@ from std_srvs.srv import SetBool, Trigger
 
 from cobot_command.msg import BuildCellAction, CellRobot, CellState, CommandStatus, RunCellAction, RunProgramGoal
 from cobot_command.srv import ConfirmClear, RecoverRobot, TakeOut
-from cobot_test import Latest, OutcomeTestCase, Robot, Sent
+from cobot_test import Latest, OutcomeTestCase, Robot, Sent, program
 from own_nodes import Heard
 from waiting import DEADLINE, wait_until
 
@@ -43,7 +43,7 @@ class CellTestCase(OutcomeTestCase):
                    "supervisor:=false", "time_scale:=10", ends_by=signal.SIGINT)
 
     def start_supervisor(self):
-        return self.start("rosrun", "cobot_command", "cell_supervisor", "__ns:=cell", "__name:=cell_supervisor",
+        return self.start(program("cell_supervisor"), "__ns:=cell", "__name:=cell_supervisor",
                           f"_artifact:={self.artifact}", f"_journal:={self.journal}")
 
     def start(self, *command, ends_by=signal.SIGTERM):
