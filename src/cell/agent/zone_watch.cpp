@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cobot_command/cell/sweep/robot_claim.h"
+#include "cobot_command/cell/sweep/capsule_claim.h"
 
 namespace cobot_command::cell {
 namespace {
@@ -24,6 +24,17 @@ Result<ZoneWatch, std::string> ZoneWatch::of(const Artifact& artifact, RobotInde
   return ZoneWatch(artifact, robot, bare->carrying(made.tool));
 }
 
+ZoneWatch::ZoneWatch(const Artifact& artifact, RobotIndex robot, RobotBodies bare)
+    : artifact_(&artifact), robot_(robot), bare_(std::move(bare)) {
+  const double edge = artifact.parameters.voxel;
+  for (const auto& zone : artifact.zones) {
+    const auto bounds = zone.voxels.bounds();
+    boxes_.push_back(bounds ? std::optional(AlignedBox{cubeOf(bounds->lower, edge).lower,
+                                                       cubeOf(bounds->upper, edge).upper})
+                            : std::nullopt);
+  }
+}
+
 const RobotBodies& ZoneWatch::carrying(const std::vector<std::string>& parts) {
   if (parts.empty()) return bare_;
   const auto known = known_.find(parts);
@@ -37,17 +48,31 @@ const RobotBodies& ZoneWatch::carrying(const std::vector<std::string>& parts) {
 
 void ZoneWatch::see(const arm::JointVector& joints, const std::vector<std::string>& carried, Of of) {
   const Parameters& parameters = artifact_->parameters;
-  const RobotBodies& bodies = carrying(carried);
-  bodies.place(joints, placed_);
+  carrying(carried).place(joints, placed_);
   claim_.clear();
   const double clearance = parameters.body_tolerance + 0.5 * parameters.margin + kRoundingRoom;
-  claimRobot(claim_, bodies, placed_, arm::JointVector::Zero(), clearance, parameters.voxel);
+  for (Capsule grown : placed_.capsules) {
+    grown.radius += clearance;
+    if (isNearOne(grown, of)) claimCapsule(claim_, grown, parameters.voxel);
+  }
   touched_.clear();
   for (ZoneIndex zone = 0; zone < artifact_->zones.size(); ++zone) {
-    const std::vector<RobotIndex>& users = artifact_->zones[zone].users;
-    const bool counts = of == Of::Everyone || std::find(users.begin(), users.end(), robot_) != users.end();
-    if (counts && claim_.touches(artifact_->zones[zone].voxels)) touched_.push_back(zone);
+    if (isOfInterest(zone, of) && claim_.touches(artifact_->zones[zone].voxels)) touched_.push_back(zone);
   }
+}
+
+bool ZoneWatch::isOfInterest(ZoneIndex zone, Of of) const {
+  const std::vector<RobotIndex>& users = artifact_->zones[zone].users;
+  return of == Of::Everyone || std::find(users.begin(), users.end(), robot_) != users.end();
+}
+
+bool ZoneWatch::isNearOne(const Capsule& grown, Of of) const {
+  const double reach = grown.radius + kRoundingRoom;
+  for (ZoneIndex zone = 0; zone < boxes_.size(); ++zone) {
+    const std::optional<AlignedBox>& box = boxes_[zone];
+    if (box && isOfInterest(zone, of) && coreDistance(grown, *box) <= reach) return true;
+  }
+  return false;
 }
 
 bool ZoneWatch::touches(ZoneIndex zone) const {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,15 +28,18 @@ class ZoneWatch {
   [[nodiscard]] bool touches(ZoneIndex zone) const;
 
  private:
-  ZoneWatch(const Artifact& artifact, RobotIndex robot, RobotBodies bare)
-      : artifact_(&artifact), robot_(robot), bare_(std::move(bare)) {}
+  ZoneWatch(const Artifact& artifact, RobotIndex robot, RobotBodies bare);
 
   [[nodiscard]] const RobotBodies& carrying(const std::vector<std::string>& parts);
+  [[nodiscard]] bool isOfInterest(ZoneIndex zone, Of of) const;
+  /// Most bodies are far from all zones at most times, and looking at boxes is cheap.
+  [[nodiscard]] bool isNearOne(const Capsule& grown, Of of) const;
 
   const Artifact* artifact_;
   RobotIndex robot_;
   RobotBodies bare_;
   std::map<std::vector<std::string>, RobotBodies> known_;
+  std::vector<std::optional<AlignedBox>> boxes_;  ///< around each zone [m]
   PlacedRobot placed_;
   VoxelSet claim_;
   std::vector<ZoneIndex> touched_;
