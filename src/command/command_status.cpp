@@ -42,4 +42,11 @@ const char* toString(CommandStatus::LinkState state) {
   return "unknown";
 }
 
+std::string whyNotReady(const CommandStatus& status) {
+  if (status.link == CommandStatus::LinkState::Ready) return "";
+  if (status.link == CommandStatus::LinkState::Disconnected && status.diagnosis.empty())
+    return "not connected";
+  return status.diagnosis.empty() ? toString(status.link) : status.diagnosis;
+}
+
 }  // namespace cobot_command::command

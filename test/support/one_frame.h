@@ -23,6 +23,7 @@ class OneFrame final : public blocks::ProgramGuide {
     return is_sent_ || !is_permitted ? nullptr : &frame;
   }
   void sent(Instant /*now*/) override { is_sent_ = true; }
+  void refused(Instant /*now*/) override { is_permitted = is_permitted && !ends_with_refusal; }
   void done(Instant /*now*/) override { is_done_ = true; }
   [[nodiscard]] bool isOver() const override { return is_done_; }
   [[nodiscard]] const std::optional<blocks::Failure>& failure() const override { return failed; }
@@ -39,6 +40,7 @@ class OneFrame final : public blocks::ProgramGuide {
 
   blocks::ProgramFrame frame{{"PTP(\"JPP\",0,0,90,0,90,0,30,200,0,false)"}, true, {}, {}, 0};
   bool is_permitted = true;
+  bool ends_with_refusal = false;  ///< its permit was gone already when the gate looked
   bool stops_robot = false;
   std::optional<blocks::Failure> unknown;
   std::optional<blocks::Failure> refusal;

@@ -51,5 +51,7 @@ struct CommandStatus {
   friend bool operator==(const CommandStatus& a, const CommandStatus& b);
 };
 [[nodiscard]] const char* toString(CommandStatus::LinkState state);
+/// Why no script can be sent now; empty: it can.
+[[nodiscard]] std::string whyNotReady(const CommandStatus& status);
 
 }  // namespace cobot_command::command

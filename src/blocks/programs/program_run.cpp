@@ -80,7 +80,12 @@ void ProgramRun::commandEnded(CommandKey /*key*/, const Outcome& outcome, Instan
 }
 
 void ProgramRun::commandRefused(CommandKey /*key*/, const Failure& failure, Instant now) {
-  if (isOfThePermit(failure)) return fail(failure, now);
+  if (isOfThePermit(failure)) {
+    guide_->refused(now);
+    const bool is_gone = guide_->permitted() == nullptr && !guide_->failure();
+    // Its permit has ended between two looks: it waits for another one, as it had without that frame.
+    return is_gone ? follow(now) : fail(failure, now);
+  }
   failFrame(state_ == State::Setting ? own_error::kOutputFailed : own_error::kStepRefused,
             toOutcome(blockOfPart(), Ending::Rejected, failure), now);
 }

@@ -41,6 +41,9 @@ Agent::~Agent() = default;
 void Agent::observe(const link::RobotStatus& status, Instant now) {
   parts_->observe(status, now);
 }
+void Agent::linked(const std::string& why_not, Instant now) {
+  parts_->linked(why_not, now);
+}
 void Agent::hear(const CellStatus& state, std::uint64_t number, Instant now) {
   parts_->hear(state, number, now);
 }
@@ -78,6 +81,9 @@ const blocks::ProgramFrame* Agent::permitted() const {
 void Agent::sent(Instant now) {
   parts_->sent(now);
 }
+void Agent::refused(Instant now) {
+  parts_->settle(now);
+}
 void Agent::done(Instant now) {
   parts_->done(now);
 }
@@ -112,7 +118,7 @@ Agent::Parts::Parts(std::shared_ptr<const Artifact> artifact, CellModel model, R
       robot_(robot),
       session_(session),
       walk_(model_, robot),
-      states_(program().name, artifact_->hash, artifact_->parameters.lease),
+      states_(program().name, session, artifact_->hash, artifact_->parameters.lease),
       where_(artifact_, robot, std::move(zones)),
       itinerary_(program()) {}
 
@@ -122,25 +128,30 @@ void Agent::Parts::observe(const link::RobotStatus& status, Instant now) {
   measured_at_ = now;
   lookAtZones(*status.joints);
   if (isJoined()) watchPath();
-  if (halt_ == Halt::None && (watch_.showsError() || watch_.emergencyStop())) {
-    halt_ = Halt::Error;
+  if (!readiness_.isHalted() && (watch_.showsError() || watch_.emergencyStop())) {
+    readiness_.halt(Halt::Error);
     has_news_ = true;
   }
   settle(now);
 }
 
+void Agent::Parts::linked(const std::string& why_not, Instant now) {
+  if (readiness_.unlinked(why_not)) has_news_ = true;
+  settle(now);
+}
+
 void Agent::Parts::lookAtZones(const arm::JointVector& joints) {
-  const bool is_anywhere = halt_ == Halt::OffPath || watch_.manualMode();
+  const bool is_anywhere = readiness_.halted() == Halt::OffPath || watch_.manualMode();
   const auto whose = is_anywhere ? ZoneWatch::Of::Everyone : ZoneWatch::Of::Users;
   if (where_.lookAtZones(walk_.place(), joints, whose)) has_news_ = true;
 }
 
 /// Two frames in a row, as the first may be of before a frame that is just under way.
 void Agent::Parts::watchPath() {
-  if (halt_ == Halt::OffPath) return;
+  if (readiness_.halted() == Halt::OffPath) return;
   off_frames_ = where_.see(walk_.place(), *watch_.joints()) ? 0 : off_frames_ + 1;
   if (off_frames_ < 2) return;
-  halt_ = Halt::OffPath;
+  readiness_.halt(Halt::OffPath);
   has_news_ = true;
   if (!is_running_) return;
   failure_ = blocks::Failure{blocks::own_error::kOffPath,
@@ -165,11 +176,11 @@ void Agent::Parts::followState(Instant now) {
     return;
   }
   walk_.acknowledge(mine->acknowledged);
-  if (is_running_ && states_.state().is_finishing) itinerary_.finish();
+  if (is_running_ && states_.isFinishing()) itinerary_.finish();
   // Whoever holds the whole cell holds another path, too.
   const bool is_its_path = mine->reason != WaitReason::None && mine->reason != WaitReason::Holding;
   if (is_its_path) tryAnotherPath(now);
-  if (states_.state().mode == SupervisorMode::Holding) undoUnused();
+  if (states_.mode() == SupervisorMode::Holding) undoUnused();
 }
 
 /// It was let in, or a person has said where it is: whatever was before is over.
@@ -182,13 +193,13 @@ void Agent::Parts::restart(const RobotStatus& mine) {
         fmt::format("it was recovered at {}, and this goal began at {}", mine.place, before), ""};
   }
   where_.startAnew();
-  halt_ = Halt::None;
+  readiness_.halt(Halt::None);
   off_frames_ = 0;
   is_busy_ = false;
   permit_.reset();
   const CellPlace& place = walk_.place();
   if (place.station || !watch_.joints()) return;
-  if (!where_.locate(place, *watch_.joints())) halt_ = Halt::Stopped;
+  if (!where_.locate(place, *watch_.joints())) readiness_.halt(Halt::Stopped);
 }
 
 // --- What it says.
@@ -214,42 +225,21 @@ std::optional<RobotReport> Agent::Parts::takeReport(Instant now) {
   report.number = ++report_number_;
   if (const auto joints = watch_.joints()) Eigen::Map<arm::JointVector>(report.joints.data()) = *joints;
   report.status_age = measured_at_ ? toSeconds(now - *measured_at_) : 0.0;
-  report.condition = condition();
+  report.condition = readiness_.condition(watch_);
   report.moving = watch_.moving().value_or(true);
   for (const ZoneIndex zone : where_.zones()) {
     report.touched_zones.push_back(static_cast<std::uint32_t>(zone));
   }
-  report.text = text();
+  report.text = foreignText(failure_ ? failure_->found : readiness_.text(), kLongestText);
   reported_at_ = now;
   has_news_ = false;
   if (!measured_at_) return std::nullopt;  // nobody knows where it is: it is not there yet
+  states_.told(report.number, now);
   return report;
 }
 
 Instant Agent::Parts::nextReport() const {
   return reported_at_ ? *reported_at_ + artifact_->parameters.report_period : Instant{};
-}
-
-RobotCondition Agent::Parts::condition() const {
-  switch (halt_) {
-    case Halt::OffPath:
-      return RobotCondition::OffPath;
-    case Halt::Error:
-      // Once it is over at the robot, a person may say that the program goes on.
-      return watch_.showsError() || watch_.emergencyStop() ? RobotCondition::Error : RobotCondition::Stopped;
-    case Halt::Stopped:
-      return RobotCondition::Stopped;
-    case Halt::None:
-      break;
-  }
-  if (watch_.manualMode()) return RobotCondition::Manual;
-  return watch_.held() ? RobotCondition::Paused : RobotCondition::Ok;
-}
-
-std::string Agent::Parts::text() const {
-  if (failure_) return failure_->found;
-  if (halt_ == Halt::Stopped) return "its program was stopped on the way";
-  return "";
 }
 
 }  // namespace cobot_command::cell

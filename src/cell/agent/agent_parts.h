@@ -9,6 +9,7 @@
 #include "agent/itinerary.h"
 #include "agent/path_tracker.h"
 #include "agent/program_walk.h"
+#include "agent/readiness.h"
 #include "agent/state_watch.h"
 #include "agent/whereabouts.h"
 
@@ -24,6 +25,7 @@ class Agent::Parts {
         ZoneWatch zones);
 
   void observe(const link::RobotStatus& status, Instant now);
+  void linked(const std::string& why_not, Instant now);
   void hear(const CellStatus& state, std::uint64_t number, Instant now);
   /// All that follows from what is known now.
   void settle(Instant now);
@@ -42,18 +44,12 @@ class Agent::Parts {
   void end();
   [[nodiscard]] bool isOver() const { return itinerary_.isOver(); }
   [[nodiscard]] const std::optional<blocks::Failure>& failure() const { return failure_; }
-  [[nodiscard]] bool stopsRobot() const { return halt_ == Halt::OffPath; }
+  [[nodiscard]] bool stopsRobot() const { return readiness_.halted() == Halt::OffPath; }
   [[nodiscard]] blocks::ProgramStand stand(Instant now) const;
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
  private:
-  /// Why the program does not go on until a person has let it.
-  enum class Halt {
-    None,
-    Stopped,  ///< where it cannot begin again
-    OffPath,
-    Error  ///< of the robot, or an emergency stop
-  };
+  using Halt = Readiness::Halt;
   struct Permit {
     std::size_t frame_index = 0;
     blocks::ProgramFrame frame;
@@ -77,10 +73,6 @@ class Agent::Parts {
   void countWaiting(Instant now);
   void tellWait(const RobotStatus& mine, blocks::ProgramStand& stand) const;
 
-  // --- What it says.
-  [[nodiscard]] RobotCondition condition() const;
-  [[nodiscard]] std::string text() const;
-
   std::shared_ptr<const Artifact> artifact_;
   CellModel model_;
   RobotIndex robot_;
@@ -95,7 +87,7 @@ class Agent::Parts {
   int off_frames_ = 0;
   bool is_running_ = false;
   bool is_busy_ = false;  ///< a frame was sent, and the next one may not follow yet
-  Halt halt_ = Halt::None;
+  Readiness readiness_;
   std::optional<Permit> permit_;
   std::string withheld_;  ///< why the frame that is next and has all its zones does not leave
   std::optional<blocks::Failure> failure_;

@@ -29,16 +29,17 @@ std::optional<Failure> Agent::Parts::begin(const blocks::ProgramRequest& request
   if (mine != nullptr && mine->state == RobotState::Out) {
     return Failure{own_error::kRecoveryNeeded, "it was taken out of the cell", ""};
   }
-  if (halt_ != Halt::None) {
+  if (readiness_.isHalted()) {
     return Failure{own_error::kRecoveryNeeded,
-                   fmt::format("it is {} at {}", toString(condition()), walk_.place().name), ""};
+                   fmt::format("it is {} at {}", toString(readiness_.condition(watch_)), walk_.place().name),
+                   ""};
   }
   const CellPlace& place = walk_.place();
   const auto under_way = place.station ? std::nullopt : std::optional(place.path);
   if (auto elsewhere = itinerary_.begin(request, place.station.value_or(0), under_way)) {
     return Failure{own_error::kProgramUnknown, *elsewhere, ""};
   }
-  if (states_.state().is_finishing) {
+  if (states_.isFinishing()) {
     return Failure{own_error::kNotPermitted, "the cell finishes: no robot begins another cycle", ""};
   }
   is_running_ = true;
@@ -56,7 +57,7 @@ void Agent::Parts::settle(Instant now) {
 }
 
 void Agent::Parts::goOn() {
-  if (!isJoined() || halt_ != Halt::None || walk_.waits() || !watch_.joints()) return;
+  if (!isJoined() || readiness_.isHalted() || walk_.waits() || !watch_.joints()) return;
   bool goes_on = true;
   while (goes_on && !walk_.waits()) {
     goes_on = walk_.place().station ? goOnAtStation() : goOnPath();
@@ -126,7 +127,7 @@ void Agent::Parts::undoUnused() {
 void Agent::Parts::findPermit(Instant now) {
   permit_.reset();
   withheld_.clear();
-  const bool may_go_on = is_running_ && !is_busy_ && !failure_ && halt_ == Halt::None && isJoined();
+  const bool may_go_on = is_running_ && !is_busy_ && !failure_ && !readiness_.isHalted() && isJoined();
   if (!may_go_on || walk_.place().station || !where_.tracker() || where_.tracker()->allSent()) return;
   const std::size_t frame = where_.tracker()->nextFrame();
   const auto& steps = program().paths[walk_.place().path].steps;
@@ -187,7 +188,7 @@ void Agent::Parts::end() {
   waits_since_.reset();
   walk_.withdraw();
   if (walk_.place().station) where_.leavePath();
-  if (is_left_over && halt_ == Halt::None) halt_ = Halt::Stopped;
+  if (is_left_over && !readiness_.isHalted()) readiness_.halt(Halt::Stopped);
   has_news_ = true;
 }
 

@@ -29,8 +29,8 @@ bool isSame(const arm::Pose& a, const arm::Pose& b) {
 std::optional<std::string> objectionOf(const StateWatch& states, bool is_joined) {
   const RobotStatus* const mine = states.mine();
   if (mine == nullptr || !is_joined) return "the supervisor has not let the robot in";
-  if (states.state().mode != SupervisorMode::Running) {
-    return fmt::format("the supervisor is {}", toString(states.state().mode));
+  if (states.mode() != SupervisorMode::Running) {
+    return fmt::format("the supervisor is {}", toString(states.mode()));
   }
   const bool is_well = mine->state == RobotState::Ready || mine->state == RobotState::Moving ||
                        mine->state == RobotState::Waiting;

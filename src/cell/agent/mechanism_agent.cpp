@@ -30,7 +30,7 @@ class MechanismAgent::Parts {
         user_(user),
         session_(session),
         walk_(model_, user),
-        states_(program().name, artifact_->hash, artifact_->parameters.lease) {}
+        states_(program().name, session, artifact_->hash, artifact_->parameters.lease) {}
 
   void measure(double position, bool moving, Instant now);
   void hear(const CellStatus& state, std::uint64_t number, Instant now);
@@ -302,6 +302,7 @@ std::optional<RobotReport> MechanismAgent::Parts::takeReport(Instant now) {
   if (now - *measured_at_ > artifact_->parameters.lease) return std::nullopt;
   RobotReport report = headOf(program().name, *artifact_, session_, states_, walk_);
   report.number = ++report_number_;
+  states_.told(report.number, now);
   report.joints[0] = *position_;
   report.status_age = toSeconds(now - *measured_at_);
   report.condition = condition();

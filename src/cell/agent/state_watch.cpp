@@ -9,6 +9,11 @@
 
 namespace cobot_command::cell {
 
+void StateWatch::told(std::uint64_t report, Instant now) {
+  while (!reports_.empty() && now - reports_.begin()->second > lease_) reports_.erase(reports_.begin());
+  reports_.emplace(report, now);
+}
+
 bool StateWatch::hear(const CellStatus& state, std::uint64_t number, Instant now) {
   if (state.hash != hash_) {
     heard_other_ = now;
@@ -17,23 +22,24 @@ bool StateWatch::hear(const CellStatus& state, std::uint64_t number, Instant now
     return false;
   }
   // One that has none could not read its journal yet.
-  if (heard_ && state_.instance != 0 && state.instance != state_.instance) {
+  if (heard_ && instance_ != 0 && state.instance != instance_) {
     heard_other_ = now;
     other_ = "there is a second supervisor, or one whose journal is gone";
     return false;
   }
-  if (heard_ && std::pair(state.epoch, number) <= std::pair(state_.epoch, number_)) return false;
-  state_ = state;
-  number_ = number;
-  heard_ = now;
-  return true;
-}
-
-const RobotStatus* StateWatch::mine() const {
-  if (!heard_) return nullptr;
-  const auto mine = std::find_if(state_.robots.begin(), state_.robots.end(),
+  if (heard_ && std::pair(state.epoch, number) <= std::pair(epoch_, number_)) return false;
+  const auto mine = std::find_if(state.robots.begin(), state.robots.end(),
                                  [this](const RobotStatus& robot) { return robot.name == robot_; });
-  return mine == state_.robots.end() ? nullptr : &*mine;
+  mine_ = mine == state.robots.end() ? std::nullopt : std::optional(*mine);
+  instance_ = state.instance;
+  epoch_ = state.epoch;
+  number_ = number;
+  mode_ = state.mode;
+  is_finishing_ = state.is_finishing;
+  heard_ = now;
+  const auto known = isOfThisSession() ? reports_.find(mine_->report) : reports_.end();
+  if (known != reports_.end()) known_at_ = known->second;
+  return true;
 }
 
 std::optional<std::string> StateWatch::objection(Instant now) const {
@@ -42,11 +48,10 @@ std::optional<std::string> StateWatch::objection(Instant now) const {
   if (now - *heard_ > lease_) {
     return fmt::format("the supervisor is silent for {:.1f} s", toSeconds(now - *heard_));
   }
+  if (isOfThisSession() && known_at_ && now - *known_at_ > lease_) {
+    return fmt::format("what the supervisor tells is {:.1f} s old", toSeconds(now - *known_at_));
+  }
   return std::nullopt;
-}
-
-std::optional<Instant> StateWatch::expires() const {
-  return heard_ ? std::optional(*heard_ + lease_ + Duration(1)) : std::nullopt;
 }
 
 }  // namespace cobot_command::cell

@@ -8,7 +8,6 @@
 namespace cobot_command::cell {
 namespace {
 
-constexpr std::size_t kMaxText = 256;    // [bytes]
 constexpr std::size_t kMaxEvents = 256;  // since the last one that was acknowledged
 constexpr std::size_t kMaxZones = 4096;
 /// No joint of an arm turns so far.
@@ -31,12 +30,14 @@ const char* toString(RobotCondition condition) {
       return "ERROR";
     case RobotCondition::OffPath:
       return "OFF_PATH";
+    case RobotCondition::Unlinked:
+      return "UNLINKED";
   }
   return "";
 }
 
 std::optional<std::string> malformed(const RobotReport& report) {
-  const auto is_text = [](const std::string& text) { return text.size() <= kMaxText && isUtf8(text); };
+  const auto is_text = [](const std::string& text) { return text.size() <= kLongestText && isUtf8(text); };
   const bool are_texts =
       is_text(report.robot) && is_text(report.hash) && is_text(report.place) && is_text(report.text);
   if (!are_texts || report.robot.empty()) return "a text is too long, or not UTF-8";
@@ -46,7 +47,7 @@ std::optional<std::string> malformed(const RobotReport& report) {
     return "its zones are not in their order";
   }
   if (report.session == 0 || report.number == 0) return "it has no session or no number";
-  if (report.condition > RobotCondition::OffPath) return "its condition is none that there is";
+  if (report.condition > RobotCondition::Unlinked) return "its condition is none that there is";
   const bool are_joints = std::all_of(report.joints.begin(), report.joints.end(),
                                       [](double joint) { return std::abs(joint) <= kMaxJoint; });
   if (!are_joints) return "its joints are no angles";

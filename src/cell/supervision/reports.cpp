@@ -23,6 +23,7 @@ const char* endedBy(RobotCondition condition) {
     case RobotCondition::Ok:
     case RobotCondition::Paused:
     case RobotCondition::Manual:
+    case RobotCondition::Unlinked:
       break;
   }
   return nullptr;
@@ -101,7 +102,7 @@ bool Supervision::Parts::take(const RobotReport& report, Instant now) {
 /// It has to stand where all begin.
 void Supervision::Parts::join(RobotIndex robot) {
   RobotWatch& watch = robots_[robot];
-  const bool stands = !watch.report().moving && watch.isFresh(settings_.lease) &&
+  const bool stands = !watch.report().moving && watch.isFresh(settings_.lease) && watch.isLinked() &&
                       ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
   if (stands && watch.fault().empty()) (void)record_.join(robot, watch.session(), 0);
 }
@@ -113,8 +114,8 @@ void Supervision::Parts::takeEvents(RobotIndex robot, Instant now) {
   }
   watch.waits_since.reset();
   if (!is_confirmed_[robot] && watch.fault().empty()) {
-    is_confirmed_[robot] =
-        watch.isFresh(settings_.lease) && ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
+    is_confirmed_[robot] = watch.isFresh(settings_.lease) && watch.isLinked() &&
+                           ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
   }
   const char* end = endedBy(watch.report().condition);
   if (end != nullptr && !watch.isExcused()) fail(robot, end);

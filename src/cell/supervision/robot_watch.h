@@ -43,6 +43,8 @@ class RobotWatch {
   [[nodiscard]] bool isSilent(Instant now, Duration lease) const { return heard_ && now - *heard_ > lease; }
   /// Its joints were measured no longer ago, when it told them.
   [[nodiscard]] bool isFresh(Duration oldest) const { return report_.status_age <= toSeconds(oldest); }
+  /// Something can be sent to it.
+  [[nodiscard]] bool isLinked() const { return report_.condition != RobotCondition::Unlinked; }
   [[nodiscard]] std::optional<Instant> heard() const { return heard_; }
   /// Of the last report.
   [[nodiscard]] std::uint64_t session() const { return session_; }

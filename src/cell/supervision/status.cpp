@@ -1,10 +1,35 @@
 // How things stand, for everyone.
 #include <algorithm>
+#include <tuple>
 
 #include "supervision/parts.h"
 #include <fmt/format.h>
 
 namespace cobot_command::cell {
+
+namespace {
+
+auto significant(const RobotStatus& robot) {
+  return std::tie(robot.state, robot.session, robot.acknowledged, robot.joins, robot.place, robot.reason,
+                  robot.blocked_by, robot.place_in_queue, robot.text);
+}
+auto significant(const ZoneStatus& zone) {
+  return std::tie(zone.state, zone.owner, zone.waiting);
+}
+
+template <class Status>
+bool areAllAlike(const std::vector<Status>& some, const std::vector<Status>& others) {
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(),
+                    [](const Status& a, const Status& b) { return significant(a) == significant(b); });
+}
+
+}  // namespace
+
+bool areAlike(const CellStatus& one, const CellStatus& other) {
+  return one.mode == other.mode && one.events == other.events && one.is_finishing == other.is_finishing &&
+         one.diagnosis == other.diagnosis && areAllAlike(one.robots, other.robots) &&
+         areAllAlike(one.zones, other.zones);
+}
 
 const char* toString(SupervisorMode mode) {
   constexpr const char* kNames[] = {"STARTING", "READY", "RUNNING", "HOLDING", "RECOVERY", "FAULT"};
@@ -42,7 +67,7 @@ RobotState Supervision::Parts::stateOf(RobotIndex robot, Instant now) const {
   if (!watch.wasHeard()) return RobotState::Absent;
   if (isLost(robot, now)) return RobotState::Lost;
   if (watch.report().condition == RobotCondition::OffPath) return RobotState::OffPath;
-  if (!watch.fault().empty()) return RobotState::Fault;
+  if (!watch.fault().empty() || !watch.isLinked()) return RobotState::Fault;
   if (!is_confirmed_[robot]) return RobotState::Absent;
   if (watch.report().condition == RobotCondition::Manual) return RobotState::Manual;
   if (watch.request) return RobotState::Waiting;
@@ -57,6 +82,7 @@ std::string Supervision::Parts::textOf(RobotIndex robot, Instant now) const {
   if (isStrange(robot)) return "its node was started anew: recover it";
   if (!watch.fault().empty()) return watch.fault() + ": recover it";
   if (watch.isSilent(now, settings_.lease)) return "it is silent";
+  if (!watch.isLinked()) return "nothing can be sent to it: " + watch.report().text;
   if (!is_confirmed_[robot]) {
     return fmt::format("it does not stand at {}: bring it there, or recover it", place.name);
   }
@@ -71,6 +97,7 @@ RobotStatus Supervision::Parts::statusOf(RobotIndex robot, Instant now) const {
   status.acknowledged = record_.robot(robot).acknowledged;
   status.joins = record_.robot(robot).joins;
   status.place = rules_.model().places[robot][record_.tuple()[robot]].name;
+  if (!isStrange(robot)) status.report = robots_[robot].report().number;
   status.report_age = robots_[robot].age(now);
   status.text = textOf(robot, now);
   if (!robots_[robot].request) return status;

@@ -52,6 +52,7 @@ cobot_command::CellRobot toMessage(const cell::RobotStatus& robot) {
   message.blocked_by = robot.blocked_by;
   message.place_in_queue = robot.place_in_queue;
   message.waiting = toMessage(robot.waiting);
+  message.report = robot.report;
   message.report_age = toMessage(robot.report_age);
   message.text = robot.text;
   return message;
@@ -69,6 +70,7 @@ cell::RobotStatus toRobot(const cobot_command::CellRobot& message) {
   robot.blocked_by = message.blocked_by;
   robot.place_in_queue = message.place_in_queue;
   robot.waiting = toDuration(message.waiting);
+  robot.report = message.report;
   robot.report_age = toDuration(message.report_age);
   robot.text = message.text;
   return robot;
@@ -128,7 +130,7 @@ cell::RobotReport toReport(const ReportMessage& message) {
   report.place = message.place;
   std::copy(message.joints.begin(), message.joints.end(), report.joints.begin());
   report.status_age = message.status_age;
-  report.condition = enumOf(message.condition, cell::RobotCondition::OffPath, cell::RobotCondition::Error);
+  report.condition = enumOf(message.condition, cell::RobotCondition::Unlinked, cell::RobotCondition::Error);
   report.moving = message.moving != 0;
   report.touched_zones = message.touched_zones;
   report.text = message.text;

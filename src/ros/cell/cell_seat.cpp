@@ -82,6 +82,10 @@ void CellSeat::observe(const link::RobotStatus& status, Instant now) {
   if (in_core_) in_core_([this](Instant later) { tell(later); });
 }
 
+void CellSeat::observe(const command::CommandStatus& status, Instant now) {
+  agent_->linked(command::whyNotReady(status), now);
+}
+
 void CellSeat::tell(Instant now) {
   if (const auto report = agent_->takeReport(now)) reports_.publish(toMessage(*report));
 }

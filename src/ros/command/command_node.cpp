@@ -304,6 +304,7 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                    robot_data_->take(a.status);
                  },
                  [&](const command::StatusChanged& a) {
+                   if (seat_) seat_->observe(a.status, now);
                    publisher_.publish(a.status, clocks);
                    diagnostics_.take(a.status);
                  },

@@ -1,7 +1,6 @@
 #include "cobot_command/ros/supervision/supervisor_node.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "cell/cell_messages.h"
@@ -20,27 +19,6 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 1000;  // of robots that all report at once
-
-auto significant(const cell::RobotStatus& robot) {
-  return std::tie(robot.state, robot.session, robot.acknowledged, robot.joins, robot.place, robot.reason,
-                  robot.blocked_by, robot.place_in_queue, robot.text);
-}
-auto significant(const cell::ZoneStatus& zone) {
-  return std::tie(zone.state, zone.owner, zone.waiting);
-}
-
-template <class Status>
-bool areAlike(const std::vector<Status>& some, const std::vector<Status>& others) {
-  return std::equal(some.begin(), some.end(), others.begin(), others.end(),
-                    [](const Status& a, const Status& b) { return significant(a) == significant(b); });
-}
-
-/// But for how long it has been so.
-bool areAlike(const cell::CellStatus& one, const cell::CellStatus& other) {
-  return one.mode == other.mode && one.events == other.events && one.is_finishing == other.is_finishing &&
-         one.diagnosis == other.diagnosis && areAlike(one.robots, other.robots) &&
-         areAlike(one.zones, other.zones);
-}
 
 std::vector<std::string> namesOf(const cell::Artifact& artifact) {
   std::vector<std::string> names;
@@ -126,7 +104,7 @@ void SupervisorNode::settle(Instant now) {
   for (const auto& contact : contacts_) contact->settle(now);
   const cell::CellStatus status = core.status(now);
   const bool is_due = now >= told_at_ + supervisor_->artifact().parameters.report_period / 2;
-  if (!told_ || is_due || !areAlike(*told_, status)) tell(status, now);
+  if (!told_ || is_due || !cell::areAlike(*told_, status)) tell(status, now);
 }
 
 void SupervisorNode::tell(const cell::CellStatus& status, Instant now) {

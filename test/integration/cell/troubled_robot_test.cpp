@@ -118,5 +118,32 @@ TEST(ARobotInManualMode, keepsTheZoneThatItIsInAndGoesOnWhenThatEnds) {
   EXPECT_TRUE(rig.endsAll());
 }
 
+TEST(ARobotWhoseProjectDoesNotRun, isNotReady) {
+  RunRig rig(artifactOf("handover"));
+  rig.robot(0).operate(simulator::StopProject{});
+  EXPECT_FALSE(rig.trial->start());
+  EXPECT_EQ(rig.mode(), cell::SupervisorMode::Starting);
+  EXPECT_EQ(rig.of(0).state, RobotState::Fault);
+  EXPECT_THAT(rig.of(0).text, testing::HasSubstr("connection refused"));
+  rig.robot(0).operate(simulator::RunProject{});
+  EXPECT_TRUE(rig.passUntil([&] { return rig.mode() == cell::SupervisorMode::Ready; }, 30s));
+}
+
+TEST(ARobotWhoseProjectEndsWhileItStands, isGrantedNothingUntilItRunsAgain) {
+  RunRig rig(artifactOf("handover"));
+  ASSERT_TRUE(rig.trial->start());
+  rig.robot(0).operate(simulator::StopProject{});
+  rig.pass(1s);
+  EXPECT_EQ(rig.of(0).state, RobotState::Fault);
+  rig.order(1, 1);
+  EXPECT_TRUE(rig.ends(1));
+  rig.robot(0).operate(simulator::RunProject{});
+  ASSERT_TRUE(rig.passUntil([&] { return rig.robot(0).isReady(); }, 30s));
+  rig.pass(1s);
+  EXPECT_EQ(rig.of(0).state, RobotState::Ready) << "by itself, as it stands at home";
+  rig.order(0, 1);
+  EXPECT_TRUE(rig.endsAll());
+}
+
 }  // namespace
 }  // namespace cobot_command::trial

@@ -19,19 +19,19 @@ class StateWatchTest : public testing::Test {
     other.name = "RB";
     RobotStatus mine;
     mine.name = "RA";
+    mine.session = 11;
     mine.acknowledged = 5;
     state.robots = {other, mine};
   }
 
   CellStatus state;
   Instant now = Instant(1h);
-  StateWatch watch{"RA", "0123456789", 500ms};
+  StateWatch watch{"RA", 11, "0123456789", 500ms};
 };
 
 TEST_F(StateWatchTest, knowsNothingBeforeAnythingWasHeard) {
   EXPECT_EQ(watch.mine(), nullptr);
   EXPECT_EQ(watch.instance(), 0U);
-  EXPECT_EQ(watch.expires(), std::nullopt);
   EXPECT_THAT(*watch.objection(now), HasSubstr("no supervisor was heard"));
 }
 
@@ -41,8 +41,7 @@ TEST_F(StateWatchTest, reliesOnAStateUntilTheLeaseIsOver) {
   EXPECT_EQ(watch.mine()->acknowledged, 5U);
   EXPECT_EQ(watch.instance(), 7U);
   EXPECT_EQ(watch.objection(now + 500ms), std::nullopt);
-  EXPECT_EQ(watch.objection(*watch.expires() - Duration(1)), std::nullopt);
-  EXPECT_NE(watch.objection(*watch.expires()), std::nullopt);
+  EXPECT_NE(watch.objection(now + 500ms + Duration(1)), std::nullopt);
   EXPECT_THAT(*watch.objection(now + 600ms), HasSubstr("silent for 0.6 s"));
 }
 
@@ -89,6 +88,30 @@ TEST_F(StateWatchTest, isOfNoRobotThatTheStateDoesNotHave) {
   state.robots.pop_back();
   EXPECT_TRUE(watch.hear(state, 1, now));
   EXPECT_EQ(watch.mine(), nullptr);
+}
+
+/// A network that keeps messages brings them all at once.
+TEST_F(StateWatchTest, reliesOnNoStateThatKnowsOnlyOldReports) {
+  watch.told(1, now);
+  state.robots[1].report = 1;
+  EXPECT_TRUE(watch.hear(state, 1, now + 100ms));
+  EXPECT_EQ(watch.objection(now + 500ms), std::nullopt);
+  watch.told(2, now + 400ms);
+  EXPECT_TRUE(watch.hear(state, 2, now + 600ms));
+  EXPECT_THAT(*watch.objection(now + 600ms), HasSubstr("what the supervisor tells is 0.6 s old"));
+  state.robots[1].report = 2;
+  EXPECT_TRUE(watch.hear(state, 3, now + 700ms));
+  EXPECT_EQ(watch.objection(now + 900ms), std::nullopt);
+  EXPECT_NE(watch.objection(now + 901ms), std::nullopt);
+}
+
+TEST_F(StateWatchTest, isToldNothingByReportsOfAnotherSession) {
+  watch.told(1, now);
+  state.robots[1].report = 1;
+  EXPECT_TRUE(watch.hear(state, 1, now));
+  state.robots[1].session = 12;
+  EXPECT_TRUE(watch.hear(state, 2, now + 600ms));
+  EXPECT_EQ(watch.objection(now + 600ms), std::nullopt) << "whether it is let in is said elsewhere";
 }
 
 }  // namespace

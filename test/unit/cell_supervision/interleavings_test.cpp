@@ -38,7 +38,7 @@ class BookingRobot {
       : model_(&model),
         index_(index),
         walk_(std::make_unique<ProgramWalk>(model, index)),
-        states_(name(), kHash, kLease) {}
+        states_(name(), 100 + index, kHash, kLease) {}
 
   [[nodiscard]] const std::string& name() const { return model_->program.robots[index_].name; }
   [[nodiscard]] const std::string& place() const { return walk_->place().name; }

@@ -32,6 +32,34 @@ TEST(ASupervisor, isReadyOnceAllRobotsHaveToldWhereTheyAre) {
   EXPECT_EQ(cell.mode(), SupervisorMode::Ready);
 }
 
+TEST(ASupervisor, waitsForARobotToWhichNothingCanBeSent) {
+  SupervisedCell cell(handover());
+  cell.robots[0].condition = RobotCondition::Unlinked;
+  cell.exchange();
+  EXPECT_EQ(cell.mode(), SupervisorMode::Starting);
+  EXPECT_EQ(cell.robot(0).state, RobotState::Fault);
+  EXPECT_THAT(cell.robot(0).text, HasSubstr("nothing can be sent to it"));
+  const PersonsAnswer answer = cell.supervision->recover("RA", "HOME", "me", cell.now);
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, HasSubstr("nothing can be sent to RA"));
+  cell.robots[0].condition = RobotCondition::Ok;
+  cell.exchange();
+  EXPECT_EQ(cell.mode(), SupervisorMode::Ready);
+}
+
+TEST(ARobotToWhichNothingCanBeSent, isGrantedNothingUntilItIsLinkedAgain) {
+  SupervisedCell cell(handover());
+  cell.exchange();
+  cell.robots[0].condition = RobotCondition::Unlinked;
+  cell.ask(0);
+  EXPECT_EQ(cell.placeOf(0), "HOME");
+  EXPECT_EQ(cell.robot(0).state, RobotState::Fault);
+  cell.bring(1, "T1>1");
+  cell.robots[0].condition = RobotCondition::Ok;
+  cell.exchange();
+  EXPECT_EQ(cell.placeOf(0), "T1>") << "nobody has to recover it where it stands";
+}
+
 TEST(ASupervisor, waitsForARobotThatDoesNotStandAtHome) {
   SupervisedCell cell(handover());
   cell.fits = false;

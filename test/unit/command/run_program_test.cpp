@@ -65,6 +65,24 @@ TEST_F(RunProgramTest, WaitsForThePermitAsLongAsItTakes) {
   EXPECT_EQ(report(goal).cycles_done, 1);
 }
 
+TEST_F(RunProgramTest, WaitsForAnotherPermitWhereThatHasEndedBeforeTheGateLooked) {
+  rig.program->ends_with_refusal = true;
+  rig.gate = [](const Departure& /*departure*/, Instant /*now*/) {
+    return Failure{own_error::kSupervisorSilent, "silent", ""};
+  };
+  const GoalId goal = rig.submit(RunProgramGoal{});
+  passStreaming(10s);
+  EXPECT_TRUE(rig.nothingSent());
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+
+  rig.gate = nullptr;
+  rig.program->is_permitted = true;
+  rig.stream(StatusFrames());
+  drive();
+  ASSERT_TRUE(rig.outcome(goal));
+  EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
+}
+
 TEST_F(RunProgramTest, SetsAnOutputAndDwellsBehindTheFrame) {
   rig.program->frame.output = good<SetOutputGoal>();
   rig.program->frame.dwell = 2;

@@ -63,6 +63,8 @@ class ProgramGuide {
   [[nodiscard]] virtual const ProgramFrame* permitted() const = 0;
   /// What was permitted has left.
   virtual void sent(Instant now) = 0;
+  /// It has not left, as the gate has refused it: whether it is permitted is looked at anew.
+  virtual void refused(Instant now) = 0;
   /// The next frame may follow: this one was accepted and goes over into it, or it was done, and all behind
   /// it.
   virtual void done(Instant now) = 0;

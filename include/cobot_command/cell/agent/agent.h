@@ -33,6 +33,8 @@ class Agent final : public blocks::ProgramGuide {
   // --- What happens.
   /// A frame of the status stream.
   void observe(const link::RobotStatus& status, Instant now);
+  /// Why nothing can be sent to the robot; empty: it can.
+  void linked(const std::string& why_not, Instant now);
   /// The supervisor tells how things stand; `number`: of its states.
   void hear(const CellStatus& state, std::uint64_t number, Instant now);
   void advance(Instant now);
@@ -56,6 +58,7 @@ class Agent final : public blocks::ProgramGuide {
                                                      Instant now) override;
   [[nodiscard]] const blocks::ProgramFrame* permitted() const override;
   void sent(Instant now) override;
+  void refused(Instant now) override;
   void done(Instant now) override;
   [[nodiscard]] bool isOver() const override;
   [[nodiscard]] const std::optional<blocks::Failure>& failure() const override;

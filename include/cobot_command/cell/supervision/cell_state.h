@@ -58,6 +58,7 @@ struct RobotStatus {
   std::vector<std::string> blocked_by;  ///< robots
   std::uint32_t place_in_queue = 0;     ///< 1: next; 0: it waits for nothing
   Duration waiting{};
+  std::uint64_t report = 0;  ///< number of the last one that was heard of this session; 0: none
   Duration report_age{};
   std::string text;  ///< a sentence, where something is wrong
 };
@@ -87,5 +88,8 @@ struct CellStatus {
   std::vector<ZoneStatus> zones;
   std::string diagnosis;  ///< a sentence, where something keeps the cell
 };
+
+/// They tell the same, but for how long it has been so and what was heard last.
+[[nodiscard]] bool areAlike(const CellStatus& one, const CellStatus& other);
 
 }  // namespace cobot_command::cell

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -36,7 +37,8 @@ enum class RobotCondition : std::uint8_t {
   Manual,   ///< people move it
   Stopped,  ///< its program does not run any more: a cancel, a stop, a lost link
   Error,
-  OffPath  ///< its joints are not where the sent frames lead
+  OffPath,  ///< its joints are not where the sent frames lead
+  Unlinked  ///< nothing can be sent to it: there is no link to its controller, or no Listen node
 };
 [[nodiscard]] const char* toString(RobotCondition condition);
 
@@ -55,6 +57,9 @@ struct RobotReport {
   std::vector<std::uint32_t> touched_zones;  ///< by its bodies where they are, ascending
   std::string text;                          ///< for people
 };
+
+/// Of each text in a report [bytes].
+inline constexpr std::size_t kLongestText = 256;
 
 /// Why it is nothing that a robot could mean: numbers that are not finite or far out of range, texts and
 /// lists too long.

@@ -39,6 +39,7 @@ class CellSeat {
   void stop();
   /// On the core's thread.
   void observe(const link::RobotStatus& status, Instant now);
+  void observe(const command::CommandStatus& status, Instant now);
 
  private:
   explicit CellSeat(std::string cell, std::shared_ptr<cell::Agent> agent, Duration period);
