@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 
@@ -15,11 +16,44 @@ namespace {
 
 constexpr std::size_t kFaultsShown = 20;
 
+/// Zones, as bits.
+class Holds {
+ public:
+  explicit Holds(std::size_t zones) : words_((zones + 63) / 64) {}
+  void add(ZoneIndex zone) { words_[zone / 64] |= std::uint64_t{1} << (zone % 64); }
+  [[nodiscard]] bool meets(const Holds& other) const {
+    for (std::size_t word = 0; word < words_.size(); ++word) {
+      if ((words_[word] & other.words_[word]) != 0) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+/// Around all bodies.
+AlignedBox boxAround(const Capsules& capsules) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  AlignedBox box{Eigen::Vector3d::Constant(infinity), Eigen::Vector3d::Constant(-infinity)};
+  for (const Capsule& capsule : capsules) {
+    const Eigen::Vector3d radius = Eigen::Vector3d::Constant(capsule.radius);
+    box.lower = box.lower.cwiseMin(capsule.from.cwiseMin(capsule.to) - radius);
+    box.upper = box.upper.cwiseMax(capsule.from.cwiseMax(capsule.to) + radius);
+  }
+  return box;
+}
+
+double gapBetween(const AlignedBox& one, const AlignedBox& other) {
+  return (one.lower - other.upper).cwiseMax(other.lower - one.upper).cwiseMax(0.0).norm();
+}
+
 /// A piece with what is needed of it here.
 struct Posture {
   Capsules capsules;
+  AlignedBox box;
   double displacement = 0.0;
-  std::vector<bool> holds;  ///< by zone
+  Holds holds;
   std::string name;
 };
 
@@ -45,16 +79,16 @@ class Check {
     const RobotProgram& program = held_.program.robots[robot];
     const HeldRobot& held = held_.robots[robot];
     for (std::size_t station = 0; station < claim.stations.size(); ++station) {
-      std::vector<bool> holds(held_.program.zones.size(), false);
-      for (const ZoneIndex zone : held.at_stations[station]) holds[zone] = true;
+      Holds holds(held_.program.zones.size());
+      for (const ZoneIndex zone : held.at_stations[station]) holds.add(zone);
       add(robot, claim.stations[station], std::move(holds),
           fmt::format("{} at {}", program.name, program.stations[station]));
     }
     for (std::size_t path = 0; path < claim.paths.size(); ++path) {
       for (std::size_t piece = 0; piece < claim.paths[path].pieces.size(); ++piece) {
-        std::vector<bool> holds(held_.program.zones.size(), false);
+        Holds holds(held_.program.zones.size());
         for (const Hold& hold : held.paths[path].holds) {
-          if (hold.covers(piece)) holds[hold.zone] = true;
+          if (hold.covers(piece)) holds.add(hold.zone);
         }
         const Piece& of_path = claim.paths[path].pieces[piece];
         add(robot, of_path, std::move(holds),
@@ -68,18 +102,23 @@ class Check {
     return fmt::format("{}, step {}", path, piece.frame + 1);
   }
 
-  void add(RobotIndex robot, const Piece& piece, std::vector<bool> holds, std::string name) {
+  void add(RobotIndex robot, const Piece& piece, Holds holds, std::string name) {
+    Capsules capsules = piece.capsulesAtCentre();
+    const AlignedBox box = boxAround(capsules);
     postures_[robot].push_back(
-        {piece.capsulesAtCentre(), piece.displacement, std::move(holds), std::move(name)});
+        {std::move(capsules), box, piece.displacement, std::move(holds), std::move(name)});
   }
 
   void comparePair(RobotIndex one, RobotIndex other) {
     for (const Posture& first : postures_[one]) {
       for (const Posture& second : postures_[other]) {
-        if (isExcluded(first, second)) continue;
+        // A zone is held in both, so that they never are there at once.
+        if (first.holds.meets(second.holds)) continue;
         ++found_.pairs;
-        note(nearestOf(first.capsules, second.capsules).distance - first.displacement - second.displacement,
-             first.name, second.name);
+        const double displacement = first.displacement + second.displacement;
+        // Nearer than their boxes they are not.
+        if (isOfNoConcern(gapBetween(first.box, second.box) - displacement)) continue;
+        note(nearestOf(first.capsules, second.capsules).distance - displacement, first.name, second.name);
       }
     }
   }
@@ -99,12 +138,9 @@ class Check {
     }
   }
 
-  /// A zone is held in both, so that they never are there at once.
-  [[nodiscard]] static bool isExcluded(const Posture& one, const Posture& other) {
-    for (std::size_t zone = 0; zone < one.holds.size(); ++zone) {
-      if (one.holds[zone] && other.holds[zone]) return true;
-    }
-    return false;
+  /// So much at least is left between them.
+  [[nodiscard]] bool isOfNoConcern(double left) const {
+    return left >= found_.least && left >= cell_.parameters.margin;
   }
 
   void note(double left, const std::string& one, const std::string& other) {
