@@ -125,8 +125,8 @@ Instant CellTrial::nextEvent() const {
   return std::max(next, now_ + Duration(1));
 }
 
-void CellTrial::step() {
-  now_ = nextEvent();
+void CellTrial::stepTo(Instant instant) {
+  now_ = instant;
   for (auto& robot : robots_) robot->advanceTo(now_);
   for (auto& mechanism : mechanisms_) mechanism->advanceTo(now_);
   exchange();
@@ -150,13 +150,14 @@ void CellTrial::exchange() {
         mechanisms_[order.robot - robots_.size()]->stop();
       }
     }
-    if (!reports.empty() || now_ >= told_at_ + artifact_->parameters.report_period) tell();
+    const bool is_due = now_ >= told_at_ + artifact_->parameters.report_period;
+    if (is_due || !reports.empty()) tellNews(is_due);
   } else {
     static_cast<void>(mail_->takeReports(now_));  // nobody hears them
     told_at_ = now_;
   }
   for (auto& told : mail_->takeStates(now_)) {
-    if (!cut_[told.robot]) hear(told.robot, told.state, told.number);
+    if (!cut_[told.robot]) hear(told.robot, *told.state, told.number);
   }
 }
 
@@ -170,18 +171,19 @@ void CellTrial::hear(cell::RobotIndex user, const cell::CellStatus& state, std::
   mechanisms_[user - robots_.size()]->hear(state, number, now_);
 }
 
-void CellTrial::tell() {
+void CellTrial::tellNews(bool is_due) {
+  auto status = std::make_shared<const cell::CellStatus>(supervision_->status(now_));
+  if (told_ && !is_due && cell::areAlike(*told_, *status)) return;
   told_at_ = now_;
   ++state_number_;
-  tellEvents();
-  const cell::CellStatus status = supervision_->status(now_);
+  tellEvents(*status);
   for (cell::RobotIndex user = 0; user < cut_.size(); ++user) {
     mail_->send(Mail::Told{user, status, state_number_}, now_);
   }
+  told_ = std::move(status);
 }
 
-void CellTrial::tellEvents() {
-  const cell::CellStatus status = supervision_->status(now_);
+void CellTrial::tellEvents(const cell::CellStatus& status) {
   for (cell::RobotIndex robot = 0; robot < status.robots.size(); ++robot) {
     const cell::RobotStatus& mine = status.robots[robot];
     std::string text = mine.place;
@@ -228,14 +230,15 @@ void CellTrial::disturb() {
 
 void CellTrial::pass(Duration duration) {
   const Instant until = now_ + duration;
-  while (nextEvent() <= until) step();
+  while (nextEvent() <= until) stepTo(nextEvent());
+  if (now_ < until) stepTo(until);
 }
 
 bool CellTrial::passUntil(const std::function<bool()>& done, Duration most) {
   const Instant until = now_ + most;
   while (!done()) {
     if (nextEvent() > until) return false;
-    step();
+    stepTo(nextEvent());
   }
   return true;
 }

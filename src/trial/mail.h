@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -18,7 +19,7 @@ class CellTrial::Mail {
  public:
   struct Told {
     cell::RobotIndex robot = 0;
-    cell::CellStatus state;
+    std::shared_ptr<const cell::CellStatus> state;
     std::uint64_t number = 0;
   };
 

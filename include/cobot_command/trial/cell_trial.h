@@ -103,14 +103,15 @@ class CellTrial {
 
   CellTrial(std::shared_ptr<const cell::Artifact> artifact, const TrialSettings& settings);
   bool append(const std::string& line);
-  void tell();
-  void step();
+  /// If it is due, or something has changed.
+  void tellNews(bool is_due);
+  void stepTo(Instant instant);
   void exchange();
   [[nodiscard]] std::optional<cell::RobotReport> takeReport(cell::RobotIndex user);
   void hear(cell::RobotIndex user, const cell::CellStatus& state, std::uint64_t number);
   void measure();
   void disturb();
-  void tellEvents();
+  void tellEvents(const cell::CellStatus& status);
   [[nodiscard]] Instant nextEvent() const;
   [[nodiscard]] bool isStuck() const;
 
@@ -127,6 +128,7 @@ class CellTrial {
   std::vector<bool> cut_;
   std::vector<std::string> places_;
   std::uint64_t state_number_ = 0;
+  std::shared_ptr<const cell::CellStatus> told_;
   Instant now_;
   Instant told_at_{};
   Instant measured_at_{};

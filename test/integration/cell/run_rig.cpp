@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/cell/artifact/cell_build.h"
+#include "cobot_command/cell/program/cell_file.h"
 #include "cobot_command/protocol/message.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
@@ -17,6 +18,17 @@ namespace {
 /// Between two looks at the bodies, in invented time.
 constexpr Duration kLookEvery = 50ms;
 
+std::shared_ptr<const cell::Artifact> built(cell::Cell cell, cell::Policy policy) {
+  cell::CellBuild build(std::move(cell), policy, 1);
+  for (const cell::BuildStage stage : cell::kBuildStages) {
+    const auto faults = build.run(stage);
+    if (!faults.empty()) throw std::runtime_error(faults.front());
+  }
+  auto artifact = cell::fromBytes(build.bytes());
+  if (!artifact) throw std::runtime_error(artifact.error());
+  return std::make_shared<const cell::Artifact>(std::move(*artifact));
+}
+
 }  // namespace
 
 std::shared_ptr<const cell::Artifact> artifactOf(const std::string& name, const Change& change) {
@@ -25,14 +37,17 @@ std::shared_ptr<const cell::Artifact> artifactOf(const std::string& name, const 
   cell->parameters.voxel = 0.04;
   cell->parameters.step_bound = 0.02;
   if (change) change(cell->parameters);
-  cell::CellBuild build(std::move(*cell), cell::Policy::Supervisor, 1);
-  for (const cell::BuildStage stage : cell::kBuildStages) {
-    const auto faults = build.run(stage);
-    if (!faults.empty()) throw std::runtime_error(faults.front());
-  }
-  auto artifact = cell::fromBytes(build.bytes());
-  if (!artifact) throw std::runtime_error(artifact.error());
-  return std::make_shared<const cell::Artifact>(std::move(*artifact));
+  return built(std::move(*cell), cell::Policy::Supervisor);
+}
+
+std::shared_ptr<const cell::Artifact> artifactOfText(const std::string& text, const Change& change,
+                                                     cell::Policy policy) {
+  auto cell = cell::parseCell(text, "cell.yaml", [](const std::string& name) {
+    return Result<std::string, std::string>(refuse("there is no file " + name));
+  });
+  if (!cell) throw std::runtime_error(describe(cell.error().front()));
+  if (change) change(cell->parameters);
+  return built(std::move(*cell), policy);
 }
 
 RunRig::RunRig(std::shared_ptr<const cell::Artifact> made, const TrialSettings& settings)

@@ -24,6 +24,10 @@ using Change = std::function<void(cell::Parameters&)>;
 [[nodiscard]] std::shared_ptr<const cell::Artifact> artifactOf(const std::string& name,
                                                                const Change& change = {});
 
+/// The same of a cell's text; nothing of it is made coarser.
+[[nodiscard]] std::shared_ptr<const cell::Artifact> artifactOfText(
+    const std::string& text, const Change& change = {}, cell::Policy policy = cell::Policy::Supervisor);
+
 /// Looks at a trial while time passes: no zone ever has two holders by what the robots themselves believe, no
 /// robot is in a zone that the supervisor last gave to another one or to nobody, and the arms keep the
 /// margin.
