@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "cobot_command/automata/compression.h"
 
@@ -24,6 +25,13 @@ std::vector<automata::EventIndex> lettingGo(const CellModel& model, const automa
 }
 
 }  // namespace
+
+automata::PartOfProblem partOf(const CellModel& model, const PartSupervisor& supervisor) {
+  for (automata::PartOfProblem& part : automata::independentParts(model.problem)) {
+    if (part.automata == supervisor.automata) return std::move(part);
+  }
+  return {};
+}
 
 PartProblem::PartProblem(const CellModel& model, const automata::PartOfProblem& part, bool is_compressed)
     : problem_(part.problem), automata_(part.automata), events_(model.events.size()) {
@@ -51,6 +59,16 @@ automata::Tuple PartProblem::tupleOf(const automata::Tuple& of_cell) const {
     tuple[automaton] = state_of_[automaton][of_cell[automata_[automaton]]];
   }
   return tuple;
+}
+
+std::vector<automata::StateIndex> PartProblem::statesOfCell(std::size_t automaton,
+                                                            automata::StateIndex state) const {
+  std::vector<automata::StateIndex> states;
+  const auto& state_of = state_of_[automaton];
+  for (automata::StateIndex of_cell = 0; of_cell < state_of.size(); ++of_cell) {
+    if (state_of[of_cell] == state) states.push_back(of_cell);
+  }
+  return states;
 }
 
 automata::Holds PartProblem::holds(const CellModel& model) const {

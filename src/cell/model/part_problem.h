@@ -8,8 +8,12 @@
 #include "cobot_command/automata/decomposition.h"
 #include "cobot_command/automata/verification.h"
 #include "cobot_command/cell/model/cell_model.h"
+#include "cobot_command/cell/model/supervisors.h"
 
 namespace cobot_command::cell {
+
+/// Without automata, where the supervisor is of no part of the cell.
+[[nodiscard]] automata::PartOfProblem partOf(const CellModel& model, const PartSupervisor& supervisor);
 
 class PartProblem {
  public:
@@ -22,6 +26,9 @@ class PartProblem {
   }
   /// From a state of the whole cell.
   [[nodiscard]] automata::Tuple tupleOf(const automata::Tuple& of_cell) const;
+  /// All that became this state of an automaton of the part, as states in the cell; ascending.
+  [[nodiscard]] std::vector<automata::StateIndex> statesOfCell(std::size_t automaton,
+                                                               automata::StateIndex state) const;
   [[nodiscard]] automata::Holds holds(const CellModel& model) const;
 
  private:

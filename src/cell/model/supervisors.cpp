@@ -76,13 +76,6 @@ Result<PartSupervisor, std::string> supervisorOf(const CellModel& model, const a
   return found;
 }
 
-automata::PartOfProblem partOf(const CellModel& model, const PartSupervisor& supervisor) {
-  for (automata::PartOfProblem& part : automata::independentParts(model.problem)) {
-    if (part.automata == supervisor.automata) return std::move(part);
-  }
-  return {};
-}
-
 }  // namespace
 
 const char* toString(Policy policy) {

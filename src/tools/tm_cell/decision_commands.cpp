@@ -8,6 +8,7 @@
 
 #include "cobot_command/automata/safe_order.h"
 #include "cobot_command/cell/artifact/artifact_schedule.h"
+#include "cobot_command/cell/model/part_rules.h"
 #include "cobot_command/cell/model/rules.h"
 #include "cobot_command/cell/schedule/gantt.h"
 #include "cobot_command/cell/schedule/period.h"
@@ -72,6 +73,29 @@ std::string reasonOf(const cell::Rules& rules, const automata::Tuple& state,
   return "it cannot happen here";
 }
 
+void addRules(const cell::PartRules& part, cell::Policy policy, AnswerStage& stage) {
+  const std::string robots = fmt::format("{}", fmt::join(part.robots, ", "));
+  stage.faults.insert(stage.faults.end(), part.faults.begin(), part.faults.end());
+  if (policy != cell::Policy::Supervisor) {
+    stage.report.push_back(
+        fmt::format("{}: {} decides, which has no table of states and no rules. Build with --policy "
+                    "supervisor and larger "
+                    "max_states",
+                    robots, toString(policy)));
+    return;
+  }
+  for (const std::string& rule : part.rules) stage.report.push_back(rule);
+  if (!part.faults.empty()) return;
+  if (part.rules.empty()) {
+    stage.report.push_back(fmt::format("{}: zones alone are enough, nothing else is refused", robots));
+  } else {
+    stage.report.push_back(fmt::format(
+        "{}: {} rules for {} states that it keeps out of; asked in each of {} states that are reached, they "
+        "refuse the same {} events and no other",
+        robots, part.rules.size(), part.frontier, part.states, part.refused));
+  }
+}
+
 double secondsSince(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
@@ -100,6 +124,22 @@ Answer explainEvent(const std::string& artifact_file, const std::vector<std::str
     }
     state = std::move(decision.next);
   }
+  return {{std::move(stage)}};
+}
+
+Answer tellRules(const std::string& artifact_file) {
+  const auto begin = Clock::now();
+  const auto artifact = readArtifact(artifact_file);
+  if (!artifact) return {{{"rules", 0.0, {}, artifact.error()}}};
+  const auto model = cell::modelOf(artifact->program);
+  if (!model) return {{{"rules", 0.0, {}, model.error()}}};
+  AnswerStage stage{"rules", 0.0, {}, {}};
+  const auto max_states = static_cast<std::size_t>(artifact->parameters.max_states);
+  const auto parts = rulesOfParts(*model, artifact->supervisors, max_states);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    addRules(parts[part], artifact->supervisors[part].policy, stage);
+  }
+  stage.seconds = secondsSince(begin);
   return {{std::move(stage)}};
 }
 

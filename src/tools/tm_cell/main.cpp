@@ -114,6 +114,8 @@ class Commands {
     explain->add_option("EVENT", given_.event, "Its name, for example RA_b_Z1")->required();
     explain->add_option("--behind", given_.happened, "What has happened since all were at home, with commas")
         ->delimiter(',');
+    addArtifact("rules", "What the supervisor keeps out of, as rules over few robots",
+                [this] { return tellRules(given_.artifact); });
     CLI::App* schedule = addArtifact("schedule", "The shortest cycle of all robots",
                                      [this] { return scheduleCell(given_.artifact, given_.seconds); });
     schedule->add_option("--seconds", given_.seconds, "So long it is searched for")

@@ -86,6 +86,23 @@ TEST_F(TmCell, explainsWhyAnEventIsNotGranted) {
   EXPECT_THAT(tmCell("explain " + artifact + " RX_b_Z2").output, HasSubstr("the cell has RA_g_W"));
 }
 
+TEST_F(TmCell, tellsWhatASupervisorKeepsOutOfAsRules) {
+  EXPECT_THAT(tmCell("rules " + built("handover")).output, HasSubstr("RA, RB: zones alone are enough"));
+  const Outcome head_on = tmCell("rules " + built("head_on"));
+  EXPECT_EQ(head_on.exit_code, 0) << head_on.output;
+  EXPECT_THAT(head_on.output, HasSubstr("not RA with Z1 (W>1) while RB with Z2 (W>1)\n"));
+  EXPECT_THAT(head_on.output, HasSubstr("RA, RB: 1 rules for 1 states that it keeps out of"));
+  const Outcome iris = tmCell("rules " + built("iris"));
+  EXPECT_EQ(iris.exit_code, 0) << iris.output;
+  EXPECT_THAT(iris.output, HasSubstr(" while R2 with "));
+  const Outcome pallet = tmCell("rules " + built("pallet"));
+  EXPECT_EQ(pallet.exit_code, 0) << pallet.output;
+  const Outcome built_otherwise =
+      tmCell("build " + cellFile("head_on") + " --policy safe_order -o " + in("safe"));
+  EXPECT_EQ(built_otherwise.exit_code, 0) << built_otherwise.output;
+  EXPECT_THAT(tmCell("rules " + in("safe")).output, HasSubstr("RA, RB: safe_order decides"));
+}
+
 TEST_F(TmCell, findsTheShortestSchedule) {
   const Outcome schedule = tmCell("schedule " + built("iris"));
   EXPECT_EQ(schedule.exit_code, 0) << schedule.output;
