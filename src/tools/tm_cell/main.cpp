@@ -15,6 +15,7 @@
 #include "cover_command.h"
 #include "decision_commands.h"
 #include "simulate_command.h"
+#include "voxels_command.h"
 #include <CLI/CLI.hpp>
 
 namespace {
@@ -34,6 +35,7 @@ struct Given {
   std::vector<std::string> happened;
   double seconds = 10.0;
   CoverOptions cover;
+  VoxelsOptions voxels;
   AskOptions ask;
   std::string file;
   std::string format;
@@ -60,6 +62,7 @@ class Commands {
     addArtifactCommands();
     addAutomataCommands();
     addCover();
+    addVoxels();
   }
 
   Answer run() {
@@ -184,6 +187,20 @@ class Commands {
     cover->add_option("--scale", given_.cover.scale, "So many mm are one unit of the file: 1000 for metres")
         ->check(CLI::Range(1e-6, 1e6));
     cover->add_option("-o,--output", given_.cover.output, "A file; without it standard output");
+  }
+
+  void addVoxels() {
+    CLI::App* voxels = addCell("voxels", "Zones and claims as files for viewers", [this] {
+      given_.voxels.cell_file = given_.build.cell_file;
+      given_.voxels.threads = std::max(1U, std::thread::hardware_concurrency());
+      return writeVoxels(given_.voxels);
+    });
+    voxels->add_option("-o,--output", given_.voxels.folder, "A folder; it is made where there is none")
+        ->required();
+    voxels
+        ->add_option("--format", given_.voxels.format,
+                     "ply: point clouds of the centres [m]; bt: maps of OctoMap")
+        ->check(CLI::IsMember({"ply", "bt"}));
   }
 
   CLI::App& app_;

@@ -160,6 +160,32 @@ TEST_F(TmCell, coversAMeshByBoxesThatACellFileTakes) {
   EXPECT_EQ(tmCell("cover " + in("plate.stl") + " --cell 0").exit_code, 2);
 }
 
+TEST_F(TmCell, writesZonesAndClaimsForViewers) {
+  const Outcome clouds = tmCell("voxels " + cellFile("pallet") + " -o " + in("new/folder"));
+  EXPECT_EQ(clouds.exit_code, 0) << clouds.output;
+  EXPECT_THAT(clouds.output, HasSubstr("zone Z1 of RA and PALLET, cell pallet"));
+  for (const char* file : {"zone_Z1.ply", "claim_RA.ply", "claim_PALLET.ply"}) {
+    std::ifstream cloud(in("new/folder/") + file);
+    std::string line;
+    EXPECT_TRUE(std::getline(cloud, line)) << file;
+    EXPECT_EQ(line, "ply");
+  }
+  const Outcome maps = tmCell("voxels " + cellFile("head_on") + " --format bt -o " + in("maps"));
+  EXPECT_EQ(maps.exit_code, 0) << maps.output;
+  for (const char* file : {"zone_Z1.bt", "zone_Z2.bt", "claim_RA.bt", "claim_RB.bt"}) {
+    std::ifstream map(in("maps/") + file);
+    std::string line;
+    EXPECT_TRUE(std::getline(map, line)) << file;
+    EXPECT_EQ(line, "# Octomap OcTree binary file");
+  }
+  std::ofstream(in("file")) << "no folder";
+  const Outcome refused = tmCell("voxels " + cellFile("pallet") + " -o " + in("file"));
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("cannot be made"));
+  EXPECT_EQ(tmCell("voxels " + cellFile("pallet")).exit_code, 2);
+  EXPECT_EQ(tmCell("voxels " + cellFile("pallet") + " --format pcd -o " + in("maps")).exit_code, 2);
+}
+
 TEST_F(TmCell, runsTheCellsOfTheDemosUnderTheirSupervisorsWithoutATouch) {
   for (const char* cell : {"handover", "head_on", "iris", "corridor"}) {
     const std::string artifact = built(cell);

@@ -42,6 +42,7 @@ class CellBuild {
 
   [[nodiscard]] const Cell& cell() const { return cell_; }
   [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
+  [[nodiscard]] const std::vector<RobotClaim>& claims() const { return claims_; }
   [[nodiscard]] const CellModel& model() const { return model_; }
   /// Precondition: all stages up to Synthesize were done.
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
