@@ -58,6 +58,7 @@ Cell carrying(const std::vector<Part>& parts, const std::vector<std::string>& at
 /// Corners of the sheet, seen from the flange.
 std::vector<Eigen::Vector3d> cornersOf(const arm::Pose& sheet) {
   std::vector<Eigen::Vector3d> corners;
+  corners.reserve(8);
   for (int i = 0; i < 8; ++i) {
     corners.push_back(sheet * Eigen::Vector3d((i & 1) != 0 ? 0.2 : -0.2, (i & 2) != 0 ? 0.15 : -0.15,
                                               (i & 4) != 0 ? 0.0025 : -0.0025));
@@ -65,23 +66,39 @@ std::vector<Eigen::Vector3d> cornersOf(const arm::Pose& sheet) {
   return corners;
 }
 
-/// How many corners of the sheet are in no piece of the motion, at 200 moments of each motion with it.
+/// How many corners of the sheet are outside of the claim.
+int cornersOutside(const VoxelSet& claim, const Cell& cell, const arm::Pose& flange, const arm::Pose& sheet) {
+  int outside = 0;
+  for (const Eigen::Vector3d& corner : cornersOf(sheet)) {
+    if (!claim.contains(voxelAt(flange * corner, cell.parameters.voxel))) ++outside;
+  }
+  return outside;
+}
+
+/// The same for the pieces of each moment, at 200 moments of each motion with it, and for the rests behind
+/// these and before the first of them, where it is taken.
 int cornersOutside(const Cell& cell, const std::vector<PlannedRobot>& planned,
                    const std::vector<RobotClaim>& claims, const arm::Pose& sheet, std::size_t first_frame) {
-  const auto corners = cornersOf(sheet);
   const auto& frames = planned.front().paths.front().frames;
+  const auto& pieces = claims.front().paths.front().pieces;
+  const auto flange_at = [&](const motion::Trajectory& trajectory, Duration time) -> arm::Pose {
+    return cell.robots.front().base *
+           arm::forwardKinematics(planned.front().arm, trajectory.at(time).position);
+  };
   int outside = 0;
-  for (std::size_t frame = first_frame; frame < frames.size(); ++frame) {
+  for (std::size_t frame = first_frame - 1; frame < frames.size(); ++frame) {
     const motion::Trajectory& trajectory = *frames[frame].motions.front().trajectory;
-    VoxelSet claim;
-    for (const Piece& piece : claims.front().paths.front().pieces) {
-      if (piece.frame == frame) claim |= piece.claim;
+    VoxelSet rests;
+    for (const Piece& piece : pieces) {
+      if (piece.frame == frame && piece.kind == Piece::Kind::Rest) rests |= piece.claim;
     }
-    for (int i = 0; i <= 200; ++i) {
-      const auto joints = trajectory.at(trajectory.duration() * i / 200).position;
-      const arm::Pose flange = cell.robots.front().base * arm::forwardKinematics(planned.front().arm, joints);
-      for (const Eigen::Vector3d& corner : corners) {
-        if (!claim.contains(voxelAt(flange * corner, cell.parameters.voxel))) ++outside;
+    outside += cornersOutside(rests, cell, flange_at(trajectory, trajectory.duration()), sheet);
+    for (int i = 0; frame >= first_frame && i <= 200; ++i) {
+      const Duration time = trajectory.duration() * i / 200;
+      for (const Piece& piece : pieces) {
+        const bool is_then = piece.frame == frame && piece.kind == Piece::Kind::Motion &&
+                             piece.from <= time && time <= piece.to;
+        if (is_then) outside += cornersOutside(piece.claim, cell, flange_at(trajectory, time), sheet);
       }
     }
   }
