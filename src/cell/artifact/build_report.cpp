@@ -115,7 +115,13 @@ std::vector<std::string> CellBuild::reportSupervisors() const {
       if (automaton < model_.robots()) robots.push_back(model_.program.robots[automaton].name);
     }
     if (part.policy != Policy::Supervisor) {
-      lines.push_back(fmt::format("{}: {}", fmt::join(robots, ", "), toString(part.policy)));
+      lines.push_back(fmt::format("{}: {}{}", fmt::join(robots, ", "), toString(part.policy),
+                                  policy_ == Policy::Supervisor
+                                      ? fmt::format(" decides without a table, and refuses a little more "
+                                                    "than a supervisor would: that has more "
+                                                    "than max_states = {} states",
+                                                    cell_.parameters.max_states)
+                                      : std::string()));
       continue;
     }
     lines.push_back(

@@ -66,11 +66,13 @@ Result<PartSupervisor, std::string> supervisorOf(const CellModel& model, const a
   if (found.policy == Policy::SafeOrder) {
     const auto objections = automata::SafeOrder::objectionsTo(part.problem);
     if (!objections.empty()) {
-      return refuse(
-          fmt::format("{}, so that safe_order cannot decide{}", objections.front(),
-                      policy == Policy::Supervisor
-                          ? fmt::format("; and a supervisor has more than max_states = {} states", max_states)
-                          : std::string()));
+      return refuse(fmt::format(
+          "{}, so that safe_order cannot decide{}", objections.front(),
+          policy == Policy::Supervisor
+              ? fmt::format("; and a supervisor has more than max_states = {} states. Raise max_states, "
+                            "or let that event be controllable",
+                            max_states)
+              : std::string()));
     }
   }
   return found;

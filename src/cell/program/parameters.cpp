@@ -36,7 +36,8 @@ SettingTable zoneRows(Parameters& p) {
            "whether motions are cut before they enter a zone"},
           {"max_zones", setting_kinds::whole(p.max_zones, 1, 65535), "more zones are refused"},
           {"max_states", setting_kinds::whole(p.max_states, 1, 1000000000),
-           "a behaviour of more states is refused"}};
+           "of a behaviour; one of more is compressed, then left to safe orders, and refused where these "
+           "cannot decide"}};
 }
 
 SettingTable timeRows(Parameters& p) {

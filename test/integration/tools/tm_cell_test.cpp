@@ -1,63 +1,15 @@
 // The program tm_cell as its caller sees it: standard output, files and exit code.
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 
-#include "source_tree.h"
+#include "tm_cell_program.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
 
+namespace cobot_command::test_support {
 namespace {
 
 using testing::HasSubstr;
-
-struct Outcome {
-  std::string output;
-  int exit_code = -1;
-};
-
-Outcome tmCell(const std::string& arguments) {
-  const std::string command = std::string(TM_CELL) + " " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-  Outcome outcome;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    outcome.output.append(buffer.data(), size);
-  }
-  outcome.exit_code = WEXITSTATUS(pclose(pipe));
-  return outcome;
-}
-
-std::string cellFile(const std::string& name) {
-  return cobot_command::test_support::inSourceTree("config/cells/" + name + ".yaml");
-}
-
-/// A folder of its own, which goes with it.
-class TmCell : public testing::Test {
- protected:
-  TmCell() {
-    char name[] = "/tmp/tm_cell_test_XXXXXX";
-    if (mkdtemp(name) == nullptr) throw std::runtime_error("no folder for the test");
-    folder_ = name;
-  }
-  ~TmCell() override { (void)std::system(("rm -rf " + folder_).c_str()); }
-
-  [[nodiscard]] std::string in(const std::string& name) const { return folder_ + "/" + name; }
-  [[nodiscard]] std::string built(const std::string& cell) const {
-    const Outcome outcome = tmCell("build " + cellFile(cell) + " -o " + in(cell));
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-    return in(cell);
-  }
-
- private:
-  std::string folder_;
-};
 
 TEST_F(TmCell, buildsTheCellsOfTheDemosAndVerifiesThem) {
   for (const char* cell : {"handover", "head_on", "iris", "corridor", "pallet"}) {
@@ -259,8 +211,7 @@ TEST_F(TmCell, exchangesAutomata) {
 }
 
 TEST_F(TmCell, hasTheFiguresOfTheDataFile) {
-  const Outcome outcome =
-      tmCell("oracle " + cobot_command::test_support::inSourceTree("test/data/cell-oracles.json"));
+  const Outcome outcome = tmCell("oracle " + inSourceTree("test/data/cell-oracles.json"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_THAT(outcome.output, HasSubstr("352 figures were compared"));
 }
@@ -273,3 +224,4 @@ TEST_F(TmCell, refusesACommandLineThatItCannotUse) {
 }
 
 }  // namespace
+}  // namespace cobot_command::test_support
