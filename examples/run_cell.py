@@ -67,7 +67,7 @@ def run(arguments):
         with changed:
             changed.notify_all()
 
-    handle = client.send_goal(RunCellGoal(cycles=arguments.cycles), note, lambda _, feedback: teller.tell(feedback.state))
+    handle = client.send_goal(RunCellGoal(cycles=arguments.cycles, robots=arguments.robots), note, lambda _, feedback: teller.tell(feedback.state))
     for number in END_SIGNALS:
         signal.signal(number, lambda *_: handle.cancel())
     with changed:
@@ -87,7 +87,8 @@ def verdict(handle, distance):
     """What is wrong; nothing when all is well."""
     result = handle.get_result()
     if handle.get_terminal_state() != GoalStatus.SUCCEEDED:
-        return f"16#{result.error_id:X} {result.error_description}. {result.remedy}" if result else "the goal was lost"
+        return f"16#{result.error_id:X} {result.error_description}. {result.remedy}" if result else \
+            "the goal was lost, as the supervisor has ended: the robots end their own goals; see its log, and start it anew"
     cycles = ", ".join(f"{name} {count}" for name, count in zip(result.robots, result.cycles_done))
     print(f"cycles: {cycles}; {result.makespan.to_sec():.1f} s")
     if result.least_distance < 0:
@@ -103,6 +104,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cell", default="/cell", help="namespace of the cell (default: %(default)s)")
     parser.add_argument("--cycles", type=int, default=3, help="of each robot, 1 to 1000000 (default: %(default)s)")
+    parser.add_argument("--robots", nargs="+", default=[], metavar="NAME", help="only these (default: all of the cell)")
     parser.add_argument("--distance", type=float, default=20.0, help="[mm] that has to be kept (default: %(default)s)")
     arguments = parser.parse_args(rospy.myargv()[1:])
     rospy.init_node("run_cell", anonymous=True, disable_signals=True)

@@ -48,7 +48,7 @@ OperatorReply OperatorDesk::press(Button button, Instant now) {
 OperatorReply OperatorDesk::act(const RunProject&) {
   if (emergency_stop_) return notDone("the project does not run: release the emergency stop first");
   if (!parts_.node.projectRuns()) {
-    parts_.queue.resetSetting(now_);
+    parts_.queue.resetSetting(parts_.settings.start_tcp, now_);
     parts_.project.beginAnew();
     project_started_ = now_;
     parts_.node.run(now_);

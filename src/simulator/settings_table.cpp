@@ -1,6 +1,7 @@
 // The settings of the simulated controller, a row each: parameters, options and pages are made of them.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -39,24 +40,37 @@ SettingKind projectSpeed(int& percent) {
   return kind;
 }
 
-SettingKind posture(arm::JointVector& joints) {
+SettingKind sixNumbers(const char* type, const char* unit, const std::function<void(const Six&)>& take) {
   SettingKind kind;
   kind.form = SettingKind::Form::Numbers;
-  kind.type = "a list of six joint angles";
-  kind.unit = "[deg]";
-  kind.take = [&joints](const Given& given) -> Found {
+  kind.type = type;
+  kind.unit = unit;
+  kind.take = [take](const Given& given) -> Found {
     const auto* list = std::get_if<GivenList>(&given.value);
-    Six angles{};
-    if (list == nullptr || list->size() != angles.size()) return isFound(given);
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-      const auto angle = finiteIn((*list)[i]);
-      if (!angle) return "holds " + describe((*list)[i]);
-      angles.at(i) = *angle;
+    Six numbers{};
+    if (list == nullptr || list->size() != numbers.size()) return isFound(given);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto number = finiteIn((*list)[i]);
+      if (!number) return "holds " + describe((*list)[i]);
+      numbers.at(i) = *number;
     }
-    joints = arm::toJointVector(angles);
+    take(numbers);
     return std::nullopt;
   };
+  return kind;
+}
+
+SettingKind posture(arm::JointVector& joints) {
+  SettingKind kind = sixNumbers("a list of six joint angles", "[deg]",
+                                [&joints](const Six& angles) { joints = arm::toJointVector(angles); });
   kind.show = [&joints] { return fmt::format("{:.6g}", fmt::join(arm::toControllerJoints(joints), ", ")); };
+  return kind;
+}
+
+SettingKind frame(arm::Pose& pose) {
+  SettingKind kind = sixNumbers("a list of X, Y, Z, RX, RY, RZ", "[mm, deg]",
+                                [&pose](const Six& six) { pose = arm::toPose(six); });
+  kind.show = [&pose] { return fmt::format("{:.6g}", fmt::join(arm::toControllerPose(pose), ", ")); };
   return kind;
 }
 
@@ -175,6 +189,7 @@ SettingTable projectTable(Settings& s) {
       {"project_speed_live", flag(s.project_speed_live),
        "a change of the project speed counts for the motion that is under way, too"},
       {"start_posture_deg", posture(s.start_posture), "posture at the start, within the limits of the model"},
+      {"start_tcp", frame(s.start_tcp), "TCP that is active when the project begins, in the flange"},
       {"listen_node", text(s.listen_node_message, name(kLongestName)), "entry message of the Listen node"},
       {"connection_timeout", seconds(s.connection_timeout, 0, kLongestWait),
        "the Listen node is left when nobody connects for so long; 0: never"},

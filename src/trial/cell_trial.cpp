@@ -10,6 +10,7 @@
 #include "cobot_command/cell/artifact/artifact_rules.h"
 #include "cobot_command/cell/artifact/artifact_schedule.h"
 #include "cobot_command/cell/artifact/place_fit.h"
+#include "cobot_command/cell/artifact/start_setting.h"
 #include "cobot_command/cell/bodies/robot_bodies.h"
 
 namespace cobot_command::trial {
@@ -219,9 +220,8 @@ void CellTrial::disturb() {
   disturbed_at_ = now_;
   for (auto& robot : robots_) {
     if (mail_->share() < 0.1) {
-      const int percent =
-          5 * (1 + static_cast<int>(mail_->share() * 20.0 * artifact_->parameters.speed_override));
-      robot->operate(simulator::SetProjectSpeed{std::min(percent, 100)});
+      const int steps = cell::highestProjectSpeed(*artifact_) / 5;
+      robot->operate(simulator::SetProjectSpeed{5 * (1 + static_cast<int>(mail_->share() * steps))});
     }
     if (mail_->share() < 0.05) robot->operate(simulator::PauseProject{});
     if (mail_->share() < 0.3) robot->operate(simulator::ResumeProject{});

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "cobot_command/cell/artifact/start_setting.h"
 #include "cobot_command/common/overloaded.h"
 
 namespace cobot_command::trial {
@@ -12,6 +13,8 @@ namespace {
 simulator::Settings settingsOf(const cell::Artifact& artifact, cell::RobotIndex robot) {
   simulator::Settings settings;
   settings.start_posture = artifact.robots[robot].stations[artifact.program.robots[robot].home].joints;
+  settings.start_tcp = cell::startTcp(artifact, robot);
+  settings.project_speed_percent = cell::highestProjectSpeed(artifact);
   return settings;
 }
 

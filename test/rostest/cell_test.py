@@ -131,6 +131,7 @@ class Cell(CellTestCase):
         self.state.forget()
         self.start_supervisor()
         self.assertEqual(self.state.wait_for(lambda m: m.mode == CellState.RUNNING, "the cell, running").epoch, epoch + 1)
+        self.assert_aborted(self.send_run(RunCellGoal(cycles=1)).finish(), NOT_READY, "runs a program already")
         for name in NAMES:
             self.assert_done(sent[name].finish())
 

@@ -15,13 +15,15 @@ from cobot_test import Latest, OutcomeTestCase, Robot, Sent, program
 from own_nodes import Heard
 from waiting import DEADLINE, wait_until
 
-NAMES = ("RA", "RB")
+NAMES = ("RA", "RB")  # of the cells that are launched without a word
 SERVICES = {"hold": SetBool, "finish": SetBool, "stop": Trigger, "recover": RecoverRobot, "confirm_clear": ConfirmClear,
             "take_out": TakeOut}
 
 
 class CellTestCase(OutcomeTestCase):
     """Each test has a cell of its own, whose robots stand at home."""
+    names = NAMES
+    time_scale = 10
 
     def setUp(self):
         self.artifact = rospy.get_param("~artifact")
@@ -32,15 +34,15 @@ class CellTestCase(OutcomeTestCase):
         self.state = Latest("/cell/state", CellState)
         self.launch_robots()
         self.supervisor = self.start_supervisor()
-        self.robots = {name: Robot("/" + name) for name in NAMES}
+        self.robots = {name: Robot("/" + name) for name in self.names}
         self.wait_for_mode(CellState.READY)
         # A robot stands where it has to as soon as its status is heard; commands it takes when its script link is up, too.
         for robot in self.robots.values():
             robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY, "a ready link")
 
     def launch_robots(self):
-        self.start("roslaunch", "cobot_command", "cell.launch", f"artifact:={self.artifact}", f"robots:={' '.join(NAMES)}",
-                   "supervisor:=false", "time_scale:=10", ends_by=signal.SIGINT)
+        self.start("roslaunch", "cobot_command", "cell.launch", f"artifact:={self.artifact}", f"robots:={' '.join(self.names)}",
+                   "supervisor:=false", f"time_scale:={self.time_scale}", ends_by=signal.SIGINT)
 
     def start_supervisor(self):
         return self.start(program("cell_supervisor"), "__ns:=cell", "__name:=cell_supervisor",
@@ -86,7 +88,7 @@ class CellTestCase(OutcomeTestCase):
 
     def recover_all(self):
         """Each that was stopped goes on from where it is."""
-        for name in NAMES:
+        for name in self.names:
             self.wait_for_robot(name, lambda r: r.state in (CellRobot.FAULT, CellRobot.READY), "at rest")
             robot = robot_in(self.state.message, name)
             if robot.state == CellRobot.FAULT:  # and reports by and by that it stands

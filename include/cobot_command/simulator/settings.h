@@ -36,6 +36,7 @@ struct Settings {
   /// Posture at the start [rad]: J = 0, 0, 90, 0, 90, 0 degrees, tool downwards.
   arm::JointVector start_posture =
       (arm::JointVector() << 0.0, 0.0, degToRad(90), 0.0, degToRad(90), 0.0).finished();
+  arm::Pose start_tcp = arm::Pose::Identity();  ///< active when the project begins, in the flange [m]
   Duration status_period = std::chrono::milliseconds(15);  ///< of the status stream (TM 3)
   protocol::ItemFormat stream_format = protocol::ItemFormat::Binary;
   /// Predefined items and global variables, in the order of the stream. Robot_Link comes first in any case.

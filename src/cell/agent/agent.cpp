@@ -99,8 +99,8 @@ bool Agent::stopsRobot() const {
 void Agent::finish() {
   parts_->finish();
 }
-void Agent::end(Instant /*now*/) {
-  parts_->end();
+void Agent::end(Instant now) {
+  parts_->end(now);
 }
 blocks::ProgramStand Agent::stand(Instant now) const {
   return parts_->stand(now);
@@ -199,7 +199,7 @@ void Agent::Parts::restart(const RobotStatus& mine) {
   permit_.reset();
   const CellPlace& place = walk_.place();
   if (place.station || !watch_.joints()) return;
-  if (!where_.locate(place, *watch_.joints())) readiness_.halt(Halt::Stopped);
+  if (!where_.locate(place, *watch_.joints())) readiness_.halt(Halt::Stuck);
 }
 
 // --- What it says.

@@ -41,7 +41,7 @@ class Agent::Parts {
   void sent(Instant now);
   void done(Instant now);
   void finish();
-  void end();
+  void end(Instant now);
   [[nodiscard]] bool isOver() const { return itinerary_.isOver(); }
   [[nodiscard]] const std::optional<blocks::Failure>& failure() const { return failure_; }
   [[nodiscard]] bool stopsRobot() const { return readiness_.halted() == Halt::OffPath; }

@@ -21,6 +21,8 @@ constexpr Duration kTryAnotherAfter = std::chrono::milliseconds(500);
 
 std::optional<Failure> Agent::Parts::begin(const blocks::ProgramRequest& request, Instant now) {
   failure_.reset();
+  itinerary_ = Itinerary(program());
+  waited_.clear();
   if (const auto silent = states_.objection(now)) return Failure{own_error::kSupervisorSilent, *silent, ""};
   const RobotStatus* const mine = states_.mine();
   if (mine != nullptr && mine->session != 0 && mine->session != session_) {
@@ -30,8 +32,10 @@ std::optional<Failure> Agent::Parts::begin(const blocks::ProgramRequest& request
     return Failure{own_error::kRecoveryNeeded, "it was taken out of the cell", ""};
   }
   if (readiness_.isHalted()) {
+    const std::string why = readiness_.text();
     return Failure{own_error::kRecoveryNeeded,
-                   fmt::format("it is {} at {}", toString(readiness_.condition(watch_)), walk_.place().name),
+                   fmt::format("it is {} at {}{}{}", toString(readiness_.condition(watch_)),
+                               walk_.place().name, why.empty() ? "" : ": ", why),
                    ""};
   }
   const CellPlace& place = walk_.place();
@@ -177,7 +181,7 @@ void Agent::Parts::finish() {
   itinerary_.finish();
 }
 
-void Agent::Parts::end() {
+void Agent::Parts::end(Instant now) {
   if (!is_running_) return;
   const bool is_at_end =
       !where_.tracker() || (watch_.joints() && where_.tracker()->isAtEnd(*watch_.joints()));
@@ -185,6 +189,7 @@ void Agent::Parts::end() {
   is_running_ = false;
   is_busy_ = false;
   permit_.reset();
+  if (waits_since_) waited_.back() += now - *waits_since_;
   waits_since_.reset();
   walk_.withdraw();
   if (walk_.place().station) where_.leavePath();

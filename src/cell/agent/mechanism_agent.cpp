@@ -41,6 +41,7 @@ class MechanismAgent::Parts {
   /// Until it was recovered.
   void stop() {
     is_stopped_ = true;
+    stays_at_ = position_;
     has_news_ = true;
   }
   [[nodiscard]] std::optional<double> target() const;
@@ -68,6 +69,12 @@ class MechanismAgent::Parts {
   [[nodiscard]] std::set<ZoneIndex> zonesAnywhere() const;
   [[nodiscard]] std::vector<std::uint32_t> touched() const;
   [[nodiscard]] RobotCondition condition() const;
+  /// On its path it turned round, or was put back.
+  [[nodiscard]] bool hasGoneBack() const;
+  /// From the beginning of its path [m or rad].
+  [[nodiscard]] double progress() const;
+  [[nodiscard]] bool mayMove() const { return joins_ && !rests_ && condition() == RobotCondition::Ok; }
+  void restart(const RobotStatus& mine);
 
   std::shared_ptr<const Artifact> artifact_;
   CellModel model_;
@@ -81,7 +88,9 @@ class MechanismAgent::Parts {
   bool is_moving_ = true;
   int behind_ = 0;                  ///< measurements in a row by which the next event has happened
   int off_path_ = 0;                ///< measurements in a row by which it is where it may not be
-  std::optional<double> stays_at_;  ///< where it was before it may not go on
+  std::optional<double> stays_at_;  ///< where it is since it may not go on
+  std::optional<double> farthest_;  ///< progress on its path
+  bool rests_ = false;              ///< it was recovered while the cell was held
   bool is_stopped_ = false;
   bool is_running_ = false;
   int cycles_done_ = 0;
@@ -145,13 +154,20 @@ int MechanismAgent::cyclesDone() const {
 
 void MechanismAgent::Parts::measure(double position, bool moving, Instant now) {
   if (!std::isfinite(position)) return;  // it becomes old, and in the end lost
+  const bool was_silent = measured_at_ && now - *measured_at_ > artifact_->parameters.lease;
   position_ = position;
   measured_at_ = now;
   is_moving_ = moving;
   off_path_ = isWhereItHasToBe() ? 0 : off_path_ + 1;
+  // What was heard before it fell silent tells nothing of the first that is heard again.
+  if (off_path_ != 0 && was_silent) off_path_ = std::max(off_path_, kMeasurementsInARow);
   if (off_path_ == kMeasurementsInARow) has_news_ = true;
-  const bool may_go_on = joins_ && condition() == RobotCondition::Ok;
-  if (may_go_on || !stays_at_) stays_at_ = position;
+  // Whoever moves it: it is never told to go back.
+  const bool has_moved = !stays_at_ || std::abs(position - *stays_at_) > kMechanismWithin;
+  if (mayMove() || has_moved) stays_at_ = position;
+  if (off_path_ == 0)
+    farthest_ = walk_.place().station ? std::nullopt
+                                      : std::optional(std::max(progress(), farthest_.value_or(progress())));
   ++behind_;
   goOn();
 }
@@ -159,21 +175,33 @@ void MechanismAgent::Parts::measure(double position, bool moving, Instant now) {
 void MechanismAgent::Parts::hear(const CellStatus& state, std::uint64_t number, Instant now) {
   if (!states_.hear(state, number, now)) return;
   const RobotStatus* const mine = states_.mine();
-  if (mine == nullptr || mine->session != session_) {
+  if (mine == nullptr || mine->session != session_ || mine->state == RobotState::Out) {
+    if (joins_) stays_at_ = position_;
     joins_.reset();
   } else if (joins_ != mine->joins) {
-    if (walk_.restart(mine->place, mine->acknowledged)) off_path_ = 0;
-    is_stopped_ = false;
-    joins_ = mine->joins;
-    has_news_ = true;
+    restart(*mine);
   } else {
     walk_.acknowledge(mine->acknowledged);
   }
+  const bool is_let_go_on =
+      states_.mode() == SupervisorMode::Ready || states_.mode() == SupervisorMode::Running;
+  if (is_let_go_on) rests_ = false;
   goOn();
 }
 
+/// It was let in, or a person has said where it is. On its way it does not go on before the cell does.
+void MechanismAgent::Parts::restart(const RobotStatus& mine) {
+  if (walk_.restart(mine.place, mine.acknowledged)) off_path_ = 0;
+  is_stopped_ = false;
+  rests_ = !walk_.place().station;
+  stays_at_ = position_;
+  farthest_.reset();
+  joins_ = mine.joins;
+  has_news_ = true;
+}
+
 void MechanismAgent::Parts::goOn() {
-  if (!joins_ || !position_ || condition() != RobotCondition::Ok) return;
+  if (!position_ || !mayMove()) return;
   while (!walk_.waits() && (walk_.place().station ? goOnAtStation() : goOnPath())) has_news_ = true;
 }
 
@@ -210,6 +238,7 @@ bool MechanismAgent::Parts::goOnPath() {
 
 void MechanismAgent::Parts::tell(automata::EventIndex event, bool is_asked_for) {
   behind_ = 0;
+  if (walk_.place().station) farthest_.reset();
   if (is_asked_for) {
     walk_.want(event);
   } else {
@@ -238,7 +267,17 @@ bool MechanismAgent::Parts::isAt(std::size_t station) const {
 bool MechanismAgent::Parts::isWhereItHasToBe() const {
   arm::JointVector joints = arm::JointVector::Zero();
   joints[0] = *position_;
-  return !joins_ || placeFits(*artifact_, user_, walk_.place(), joints);
+  return !joins_ || (placeFits(*artifact_, user_, walk_.place(), joints) && !hasGoneBack());
+}
+
+bool MechanismAgent::Parts::hasGoneBack() const {
+  return farthest_ && !walk_.place().station && progress() < *farthest_ - kMechanismWithin;
+}
+
+double MechanismAgent::Parts::progress() const {
+  const PathProgram& path = program().paths[walk_.place().path];
+  const double from = made().stations[path.from].value;
+  return std::copysign(1.0, made().stations[path.to].value - from) * (*position_ - from);
 }
 
 /// Where it is not where its program is, whatever it may be in by its position; by none that its paths pass,
@@ -283,7 +322,7 @@ std::vector<std::uint32_t> MechanismAgent::Parts::touched() const {
 
 std::optional<double> MechanismAgent::Parts::target() const {
   if (!position_) return std::nullopt;
-  if (!joins_ || condition() != RobotCondition::Ok) return stays_at_;
+  if (!mayMove()) return stays_at_;
   const CellPlace& place = walk_.place();
   if (place.station) return made().stations[*place.station].value;
   const PathProgram& path = program().paths[place.path];

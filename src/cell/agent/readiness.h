@@ -14,6 +14,7 @@ class Readiness {
   enum class Halt {
     None,
     Stopped,  ///< where it cannot begin again
+    Stuck,    ///< it was recovered within a step that nothing goes on from within
     OffPath,
     Error  ///< of the robot, or an emergency stop
   };
@@ -38,6 +39,7 @@ class Readiness {
         // Once it is over at the robot, a person may say that the program goes on.
         return has_error ? RobotCondition::Error : RobotCondition::Stopped;
       case Halt::Stopped:
+      case Halt::Stuck:
         return RobotCondition::Stopped;
       case Halt::None:
         break;
@@ -50,6 +52,11 @@ class Readiness {
   /// For people.
   [[nodiscard]] std::string text() const {
     if (halt_ == Halt::Stopped) return "its program was stopped on the way";
+    if (halt_ == Halt::Stuck) {
+      return "nothing but a motion of joints goes on from within its step: bring it to a station by hand, "
+             "and "
+             "recover it there";
+    }
     return halt_ == Halt::None ? unlinked_ : "";
   }
 

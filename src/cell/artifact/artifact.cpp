@@ -179,6 +179,9 @@ Result<Artifact, std::string> fromBytes(std::string_view bytes) {
   const auto end = bytes.find('\n');
   const bool has_checksum =
       end != std::string_view::npos && bytes.substr(end + 1) == sha256Hex(bytes.substr(0, end + 1)) + "\n";
+  if (bytes.empty() || bytes.front() != '{') {
+    return refuse(std::string("it is no artifact, which tm_cell build makes of the file of a cell"));
+  }
   if (!has_checksum) {
     return refuse(std::string("the artifact is damaged: its checksum is wrong. Build it anew"));
   }

@@ -18,12 +18,21 @@ auto wordsOf(const Fault& fault) {
 
 }  // namespace
 
+namespace {
+
+/// Words of blocks are whole sentences.
+std::string part(const std::string& text) {
+  return !text.empty() && text.back() == '.' ? text.substr(0, text.size() - 1) : text;
+}
+
+}  // namespace
+
 std::string describe(const Fault& fault) {
   std::string text = fault.file;
   if (fault.line > 0) text += fmt::format(":{}:{}", fault.line, fault.column);
-  text += fmt::format(": {} {}", fault.field.empty() ? "the file" : fault.field, fault.found);
-  if (!fault.allowed.empty()) text += "; allowed: " + fault.allowed;
-  return text + "; " + fault.advice;
+  text += fmt::format(": {} {}", fault.field.empty() ? "the file" : fault.field, part(fault.found));
+  if (!fault.allowed.empty()) text += "; allowed: " + part(fault.allowed);
+  return text + "; " + part(fault.advice);
 }
 
 std::string joined(const std::string& field, const std::string& part) {

@@ -49,7 +49,7 @@ PersonsAnswer Supervision::Parts::stop(Instant now) {
   const std::string why = "stop was asked for";
   const bool is_written = record_.hold(true, why);
   for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
-    if (!record_.robot(robot).is_out) stop_orders_.push_back({robot, why});
+    stop_orders_.push_back({robot, why});
   }
   settle(now);
   return {true, is_written ? "all robots are told to stop; their zones stay"
@@ -77,7 +77,11 @@ PersonsAnswer Supervision::Parts::recover(const std::string& name, const std::st
   robots_[*robot].joined();
   is_confirmed_[*robot] = true;
   settle(now);
-  return {true, fmt::format("{} is at {}, and goes on from there", name, place_name)};
+  if (place->station) return {true, fmt::format("{} is at {}, and goes on from there", name, place_name)};
+  return {true,
+          fmt::format("{} is at {}: it goes on from there where its step is a motion of joints (PTP with "
+                      "JPP, or a mechanism's); else bring it to a station by hand, and recover it there",
+                      name, place_name)};
 }
 
 std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex robot,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,8 @@ namespace cobot_command::cell {
 namespace {
 
 constexpr std::size_t kFaultsShown = 20;
+/// Of joint 1, which is the z axis of link 1 [m].
+constexpr double kOnAxis = 1e-6;
 
 /// Zones, as bits.
 class Holds {
@@ -55,6 +58,31 @@ struct Posture {
   double displacement = 0.0;
   Holds holds;
   std::string name;
+  const std::vector<Body>* bodies = nullptr;  ///< of an arm, by capsule
+
+  [[nodiscard]] std::string bodyOf(std::size_t capsule) const {
+    return bodies != nullptr ? fmt::format(" ({})", (*bodies)[capsule].name) : "";
+  }
+};
+
+/// A robot may stand on an obstacle: neither its base moves, nor what only turns about its own axis on it.
+std::vector<std::size_t> movingOf(const Posture& posture) {
+  std::vector<std::size_t> moving;
+  for (std::size_t i = 0; i < posture.capsules.size(); ++i) {
+    const Body* const body = posture.bodies != nullptr ? &(*posture.bodies)[i] : nullptr;
+    const auto is_on_axis = [](const Eigen::Vector3d& end) { return end.head<2>().norm() < kOnAxis; };
+    const bool is_fixed =
+        body != nullptr && (body->link == 0 || (body->link == 1 && is_on_axis(body->capsule.from) &&
+                                                is_on_axis(body->capsule.to)));
+    if (!is_fixed) moving.push_back(i);
+  }
+  return moving;
+}
+
+/// The least that may be left between two of that name, and of which bodies.
+struct Shortfall {
+  double left = 0.0;
+  std::string bodies;
 };
 
 class Check {
@@ -70,7 +98,7 @@ class Check {
       for (RobotIndex other = one + 1; other < postures_.size(); ++other) comparePair(one, other);
       compareWithObstacles(one);
     }
-    if (count_ > kFaultsShown) found_.faults.push_back(fmt::format("and {} more", count_ - kFaultsShown));
+    tellFaults();
     return std::move(found_);
   }
 
@@ -105,8 +133,9 @@ class Check {
   void add(RobotIndex robot, const Piece& piece, Holds holds, std::string name) {
     Capsules capsules = piece.capsulesAtCentre();
     const AlignedBox box = boxAround(capsules);
-    postures_[robot].push_back(
-        {std::move(capsules), box, piece.displacement, std::move(holds), std::move(name)});
+    const auto* arm = std::get_if<ArmPosture>(&piece.posture);
+    postures_[robot].push_back({std::move(capsules), box, piece.displacement, std::move(holds),
+                                std::move(name), arm != nullptr ? &arm->bodies->bodies() : nullptr});
   }
 
   void comparePair(RobotIndex one, RobotIndex other) {
@@ -118,7 +147,9 @@ class Check {
         const double displacement = first.displacement + second.displacement;
         // Nearer than their boxes they are not.
         if (isOfNoConcern(gapBetween(first.box, second.box) - displacement)) continue;
-        note(nearestOf(first.capsules, second.capsules).distance - displacement, first.name, second.name);
+        const Nearest nearest = nearestOf(first.capsules, second.capsules);
+        note(nearest.distance - displacement, {first.name, second.name},
+             first.bodyOf(nearest.first) + second.bodyOf(nearest.second));
       }
     }
   }
@@ -127,13 +158,17 @@ class Check {
     for (const Obstacle& obstacle : cell_.obstacles) {
       const auto capsules = capsulesOf(obstacle.shapes, cell_.parameters.body_cell);
       if (!capsules) {
-        fault(fmt::format("obstacles.{}: {}", obstacle.name, capsules.error().message));
+        found_.faults.push_back(fmt::format("obstacles.{}: {}", obstacle.name, capsules.error().message));
         continue;
       }
       for (const Posture& posture : postures_[robot]) {
         ++found_.pairs;
-        note(nearestOf(posture.capsules, *capsules).distance - posture.displacement, posture.name,
-             "the obstacle " + obstacle.name);
+        const std::vector<std::size_t> moving = movingOf(posture);
+        Capsules bodies;
+        for (const std::size_t capsule : moving) bodies.push_back(posture.capsules[capsule]);
+        const Nearest nearest = nearestOf(bodies, *capsules);
+        note(nearest.distance - posture.displacement, {posture.name, "the obstacle " + obstacle.name},
+             moving.empty() ? "" : posture.bodyOf(moving[nearest.first]));
       }
     }
   }
@@ -143,31 +178,32 @@ class Check {
     return left >= found_.least && left >= cell_.parameters.margin;
   }
 
-  void note(double left, const std::string& one, const std::string& other) {
+  void note(double left, const std::pair<std::string, std::string>& names, const std::string& bodies) {
     if (left < found_.least) {
       found_.least = left;
-      found_.worst = one + "; " + other;
+      found_.worst = names.first + "; " + names.second;
     }
     if (left >= cell_.parameters.margin) return;
-    double& least = faulty_.try_emplace({one, other}, std::numeric_limits<double>::infinity()).first->second;
-    const bool is_new = std::isinf(least);
-    least = std::min(least, left);
-    if (is_new) {
-      fault(fmt::format(
-          "{}; {}: {:.1f} mm may be left between them, and no zone keeps them apart (margin {:.1f} mm)", one,
-          other, mToMm(left), mToMm(cell_.parameters.margin)));
-    }
+    Shortfall& least = faulty_.try_emplace(names, Shortfall{left, bodies}).first->second;
+    if (left < least.left) least = {left, bodies};
   }
 
-  void fault(std::string text) {
-    if (++count_ <= kFaultsShown) found_.faults.push_back(std::move(text));
+  void tellFaults() {
+    for (const auto& [names, least] : faulty_) {
+      found_.faults.push_back(fmt::format(
+          "{}; {}: {:.1f} mm may be left between them{}, and no zone keeps them apart (margin {:.1f} mm)",
+          names.first, names.second, mToMm(least.left), least.bodies, mToMm(cell_.parameters.margin)));
+    }
+    if (found_.faults.size() <= kFaultsShown) return;
+    const std::size_t more = found_.faults.size() - kFaultsShown;
+    found_.faults.resize(kFaultsShown);
+    found_.faults.push_back(fmt::format("and {} more", more));
   }
 
   const Cell& cell_;
   const HeldCell& held_;
   std::vector<std::vector<Posture>> postures_;  ///< by robot
-  std::map<std::pair<std::string, std::string>, double> faulty_;
-  std::size_t count_ = 0;
+  std::map<std::pair<std::string, std::string>, Shortfall> faulty_;
   Soundness found_;
 };
 

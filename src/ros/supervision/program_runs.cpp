@@ -192,7 +192,12 @@ void ProgramRuns::onProgram(std::size_t number, const RobotContact::ProgramHandl
   const auto result = handle.getResult();
   if (result) result_.cycles_done[number] = result->cycles_done;
   const std::string& name = robots_[member.robot];
-  if (!member.is_done && result) {
+  if (!member.is_done && result && result->error_id == blocks::motion_error::kOtherBlockBusy) {
+    fail({supervisor_error::kCellNotReady,
+          name + " runs a program already: by a client of its own, or since before the supervisor was "
+                 "started anew",
+          "Let it come to its end by finish, or stop it by stop; then run it again"});
+  } else if (!member.is_done && result) {
     const bool is_error = result->error_id != 0;  // else it was stopped, or another command has taken it away
     fail({is_error ? result->error_id : supervisor_error::kCellNotReady,
           fmt::format("{}: {}", name, result->error_description),

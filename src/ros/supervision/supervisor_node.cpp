@@ -86,7 +86,8 @@ void SupervisorNode::takeState(const StateEvent& event) {
 }
 
 void SupervisorNode::takeDistances(const cobot_command::CellDistances& message) {
-  runs_->heardAlarm(message.alarmed != 0 ? foreignText(message.text) : std::string());
+  alarm_ = message.alarmed != 0 ? foreignText(message.text) : std::string();
+  runs_->heardAlarm(alarm_);
   const auto names = namesOf(supervisor_->artifact());
   for (const cobot_command::CellDistance& pair : message.pairs) {
     const bool is_of_robots = std::count(names.begin(), names.end(), pair.other) > 0;
@@ -102,7 +103,11 @@ void SupervisorNode::settle(Instant now) {
     contacts_[order.robot]->stop(now);
   }
   for (const auto& contact : contacts_) contact->settle(now);
-  const cell::CellStatus status = core.status(now);
+  cell::CellStatus status = core.status(now);
+  if (!alarm_.empty()) {
+    status.diagnosis =
+        "the monitor has stopped all: " + alarm_ + "; bring them apart, and call reset_monitor";
+  }
   const bool is_due = now >= told_at_ + supervisor_->artifact().parameters.report_period / 2;
   if (!told_ || is_due || !cell::areAlike(*told_, status)) tell(status, now);
 }

@@ -29,8 +29,12 @@ MotionQueue::MotionQueue(const arm::ArmModel& arm, const arm::JointVector& postu
       arm_(posture, options.stop_time),
       reports_(faults.stale_tag) {}
 
-void MotionQueue::resetSetting(Instant now) {
+void MotionQueue::resetSetting(const arm::Pose& tcp, Instant now) {
   setting_ = ToolAndBase{};
+  if (!tcp.isApprox(arm::Pose::Identity())) {
+    setting_.tcp = tcp;
+    setting_.tcp_name.clear();
+  }
   resume(now, Holder::Project);
   resume(now, Holder::Pvt);
   errors_.clear();

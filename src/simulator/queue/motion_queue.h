@@ -72,7 +72,7 @@ class MotionQueue {
   void halt(Instant now);
   /// As when a project starts: no base, no TCP, no load, no error, no pause. A motion that is under way is
   /// not ended.
-  void resetSetting(Instant now);
+  void resetSetting(const arm::Pose& tcp, Instant now);
 
   [[nodiscard]] const MovingArm& arm() const { return arm_; }
   /// No motion is under way and none waits.

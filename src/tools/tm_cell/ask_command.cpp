@@ -7,7 +7,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cobot_command/arm/arm_model.h"
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/arm/urdf_prefix.h"
+#include "cobot_command/cell/artifact/start_setting.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
@@ -27,6 +30,18 @@ Answer homeOf(const cell::Artifact& artifact, std::size_t user) {
   }
   const auto joints = arm::toControllerJoints(artifact.robots[user].stations[home].joints);
   return said(fmt::format("[{:.10g}]", fmt::join(joints, ", ")));
+}
+
+Answer tcpOf(const cell::Artifact& artifact, std::size_t robot) {
+  const auto tcp = arm::toControllerPose(cell::startTcp(artifact, robot));
+  return said(fmt::format("[{:.10g}]", fmt::join(tcp, ", ")));
+}
+
+/// Its links and joints have its name in front.
+Answer urdfOf(const cell::Artifact& artifact, std::size_t robot) {
+  const auto urdf = arm::withPrefix(arm::ArmModel::urdfOf(artifact.robots[robot].model),
+                                    artifact.program.robots[robot].name + "_");
+  return urdf ? said(*urdf) : wrong("ask", urdf.error().message);
 }
 
 Answer placesOf(const cell::Artifact& artifact, std::size_t user) {
@@ -51,7 +66,9 @@ Answer askArtifact(const AskOptions& options) {
   if (options.what == "mechanisms") {
     return said(fmt::format("{}", fmt::join(first_mechanism, users.end(), " ")));
   }
-  const auto end = options.what == "model" ? first_mechanism : users.end();
+  if (options.what == "speed") return said(fmt::format("{}", cell::highestProjectSpeed(*artifact)));
+  const bool is_of_robots = options.what == "model" || options.what == "tcp" || options.what == "urdf";
+  const auto end = is_of_robots ? first_mechanism : users.end();
   const auto found = std::find(users.begin(), end, options.robot);
   if (found == end) {
     return wrong("ask", fmt::format("there is no \"{}\" with a {}: the artifact has {}",
@@ -60,6 +77,8 @@ Answer askArtifact(const AskOptions& options) {
   }
   const auto user = static_cast<std::size_t>(found - users.begin());
   if (options.what == "places") return placesOf(*artifact, user);
+  if (options.what == "tcp") return tcpOf(*artifact, user);
+  if (options.what == "urdf") return urdfOf(*artifact, user);
   return options.what == "model" ? said(artifact->robots[user].model) : homeOf(*artifact, user);
 }
 

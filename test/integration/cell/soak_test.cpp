@@ -195,7 +195,7 @@ class Soak {
 
 TEST(AnIrisWithAFaultEachMinute, endsEveryGoalWithinTheMargin) {
   const auto seed = testing::fromEnvironment("COBOT_CELL_SEED", 9U);
-  const auto most = testing::fromEnvironment("COBOT_CELL_MINUTES", testing::quickOrThorough(30U, 480U));
+  const auto most = testing::fromEnvironment("COBOT_CELL_MINUTES", testing::quickOrThorough(15U, 480U));
   Soak(seed).run(minutes(most));
 }
 

@@ -74,6 +74,14 @@ class Pallet : public ::testing::Test {
     for (const NumberedEvent& event : events_) kinds.push_back(event.kind);
     return kinds;
   }
+  /// On its way in.
+  void sendIn() {
+    letIn();
+    agent_->run(true);
+    measure(0.0, false);
+    grant();
+    grant();
+  }
   void bringIn() {
     letIn();
     agent_->run(true);
@@ -164,17 +172,13 @@ TEST_F(Pallet, tellsThatItIsWhereItMayNotBeAndWhichZonesItIsInThere) {
 }
 
 TEST_F(Pallet, hasToStayWhereItIsOnceItWasStoppedUntilItIsRecovered) {
-  letIn();
-  agent_->run(true);
-  measure(0.0, false);
-  grant();
-  grant();
+  sendIn();
   measure(0.2);
   EXPECT_EQ(agent_->target(), 1.0);
   agent_->stop();
   measure(0.25);
   EXPECT_EQ(report_.condition, RobotCondition::Stopped);
-  EXPECT_EQ(agent_->target(), 0.2) << "where it was when it was stopped";
+  EXPECT_EQ(agent_->target(), 0.25) << "where it has come to rest";
   measure(0.0, false, 2);
   status_.robots[1].joins = 2;
   status_.robots[1].place = "HOME";
@@ -183,6 +187,64 @@ TEST_F(Pallet, hasToStayWhereItIsOnceItWasStoppedUntilItIsRecovered) {
   EXPECT_EQ(agent_->target(), 0.0);
   measure(0.0, false);
   EXPECT_EQ(report_.condition, RobotCondition::Ok);
+}
+
+TEST_F(Pallet, isToldToStayWhereItIsOnceItIsOutOfTheCell) {
+  sendIn();
+  measure(0.2);
+  status_.robots[1].state = RobotState::Out;
+  tell();
+  EXPECT_EQ(agent_->target(), 0.2);
+  // Its drive was off, and people have turned it.
+  now_ += std::chrono::seconds(5);
+  measure(0.7, false);
+  EXPECT_EQ(agent_->target(), 0.7) << "and not back";
+  EXPECT_THAT(report_.touched_zones, ElementsAre(0)) << "by where it is";
+  agent_->stop();
+  measure(0.7, false);
+  EXPECT_EQ(agent_->target(), 0.7);
+}
+
+TEST_F(Pallet, isOffItsPathWhereItWasPutBackWhileItWasSilent) {
+  sendIn();
+  measure(0.4);
+  now_ += std::chrono::seconds(5);
+  measure(0.1);
+  EXPECT_EQ(report_.condition, RobotCondition::OffPath);
+  EXPECT_EQ(agent_->target(), 0.1);
+}
+
+TEST_F(Pallet, goesOnByItselfWhereItHasGoneOnWhileItWasSilent) {
+  sendIn();
+  measure(0.2);
+  now_ += std::chrono::seconds(5);
+  measure(0.4);
+  EXPECT_EQ(report_.condition, RobotCondition::Ok);
+  EXPECT_EQ(agent_->target(), 1.0);
+}
+
+TEST_F(Pallet, isOffItsPathWhenItTurnsRound) {
+  sendIn();
+  measure(0.4);
+  measure(0.39, true, 2);
+  EXPECT_EQ(report_.condition, RobotCondition::OffPath);
+}
+
+TEST_F(Pallet, doesNotGoOnWhereItIsRecoveredBeforeTheCellDoes) {
+  sendIn();
+  measure(0.2);
+  agent_->stop();
+  measure(0.2, false);
+  status_.mode = SupervisorMode::Holding;
+  status_.robots[1].joins = 2;
+  status_.robots[1].place = agent_->place();
+  tell();
+  measure(0.2, false);
+  EXPECT_EQ(report_.condition, RobotCondition::Ok);
+  EXPECT_EQ(agent_->target(), 0.2);
+  status_.mode = SupervisorMode::Running;
+  tell();
+  EXPECT_EQ(agent_->target(), 1.0);
 }
 
 TEST_F(Pallet, fallsSilentWhenNobodyMeasuresIt) {

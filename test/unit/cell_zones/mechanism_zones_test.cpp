@@ -1,5 +1,6 @@
 // Mechanisms, from their claims to what they hold: the pallet of the demo, and others made here.
 #include "zoned_cell.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "cobot_command/cell/model/supervisors.h"
@@ -9,6 +10,7 @@
 namespace cobot_command::cell {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::Each;
 using testing::ElementsAre;
@@ -188,6 +190,33 @@ TEST(TheSoundnessOfThePallet, countsObstaclesToo) {
   const Soundness found = checkSoundness(zoned.cell, zoned.claims, zoned.held);
   EXPECT_THAT(found.faults, Contains(HasSubstr("PALLET on FEED; the obstacle post")));
   EXPECT_THAT(found.faults, Each(HasSubstr("PALLET")));
+}
+
+/// A table whose top is so far above the bases.
+Cell handoverOnATable(double top) {
+  Cell cell = cellOf("handover");
+  cell.obstacles.push_back(
+      {"table", {{BoxShape{{2.0, 2.0, 0.1}}, arm::Pose(Eigen::Translation3d(0.0, 0.0, top - 0.05))}}, {}});
+  return cell;
+}
+
+TEST(TheSoundnessOfRobotsOnATable, countsAllBodiesButTheirBases) {
+  const ZonedCell on_it(handoverOnATable(0.0));
+  const Soundness found = checkSoundness(on_it.cell, on_it.claims, on_it.held);
+  EXPECT_THAT(found.faults, IsEmpty()) << "the bases stand on it";
+  const ZonedCell in_it(handoverOnATable(0.3));
+  EXPECT_THAT(checkSoundness(in_it.cell, in_it.claims, in_it.held).faults,
+              Contains(HasSubstr("RA at HOME; the obstacle table: ")));
+}
+
+TEST(TheSoundnessOfRobotsOnATable, tellsTheLeastThatIsLeftAndOfWhichBody) {
+  const ZonedCell zoned(handoverOnATable(0.3));
+  const Soundness found = checkSoundness(zoned.cell, zoned.claims, zoned.held);
+  EXPECT_LT(found.least, 0.0);
+  EXPECT_THAT(found.faults,
+              Contains(AllOf(HasSubstr("RA at HOME"), HasSubstr(" mm may be left between them (link_2)"))));
+  const std::string least = fmt::format("{:.1f} mm may be left", 1000.0 * found.least);
+  EXPECT_THAT(found.faults, Contains(HasSubstr(least))) << "the worst of the path, and not the first";
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ GivenValues others() {
           {"project_speed", {55}},
           {"project_speed_live", {true}},
           {"start_posture_deg", {GivenList{{10}, {0.5}, {90}, {0}, {90}, {0}}}},
+          {"start_tcp", {GivenList{{0}, {0}, {120}, {0}, {0}, {90}}}},
           {"listen_node", {"Listen, left"}},
           {"connection_timeout", {3}},
           {"data_timeout", {4.5}},
@@ -77,13 +78,14 @@ TEST(SettingsOfTheSimulator, canAllBeSet) {
   const auto fault = take(table, given);
   ASSERT_FALSE(fault) << fault->setting << ' ' << describe(*fault);
   // Whoever adds a member has to count it here, and so finds the table.
-  const auto& [listen_node, running, posture, period, format, items, clients, speed, speed_live, empty_length,
-               faults, on_error, stop_time, pvt_lag, resets, reentry, connection, data, payload,
+  const auto& [listen_node, running, posture, start_tcp, period, format, items, clients, speed, speed_live,
+               empty_length, faults, on_error, stop_time, pvt_lag, resets, reentry, connection, data, payload,
                safety_limits, turn_speed, joint_noise, speed_noise, torque_noise, force_noise, seed, licence,
                name, version, bases, tcps, points, variables] = settings;
   EXPECT_EQ(listen_node, "Listen, left");
   EXPECT_FALSE(running);
   EXPECT_TRUE(posture.isApprox(arm::toJointVector({10, 0.5, 90, 0, 90, 0})));
+  EXPECT_TRUE(start_tcp.isApprox(arm::toPose({0, 0, 120, 0, 0, 90})));
   EXPECT_EQ(period, 100ms);
   EXPECT_EQ(format, protocol::ItemFormat::Json);
   EXPECT_THAT(items, ElementsAre("ESTOP", "g_count"));

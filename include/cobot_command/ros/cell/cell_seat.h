@@ -15,6 +15,7 @@
 
 #include "cobot_command/CellState.h"
 #include "cobot_command/cell/agent/agent.h"
+#include "cobot_command/command/command_status.h"
 #include "cobot_command/command/core_ports.h"
 #include "cobot_command/common/result.h"
 #include "cobot_command/ros/cell/cell_parameters.h"

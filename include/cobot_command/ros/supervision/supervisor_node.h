@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <ros/message_event.h>
@@ -55,6 +56,7 @@ class SupervisorNode {
   std::unique_ptr<ProgramRuns> runs_;
   std::unique_ptr<CellBuilder> builder_;
   std::unique_ptr<SupervisorDiagnostics> diagnostics_;
+  std::string alarm_;  ///< why the monitor has stopped all; empty: it has not
   std::optional<cell::CellStatus> told_;
   Instant told_at_;
   std::uint64_t number_ = 0;

@@ -49,7 +49,7 @@ TEST_F(MotionQueueTest, letsAPausedArmGoOnWithASettingThatIsReset) {
   waitUntilNothingIsDue();
   ASSERT_LT(firstJointDeg(), 89);
   now_ += 1s;
-  queue_.resetSetting(now_);
+  queue_.resetSetting(arm::Pose::Identity(), now_);
   EXPECT_FALSE(queue_.paused());
   waitUntilNothingIsDue();
   EXPECT_NEAR(firstJointDeg(), 90, 1e-9);
@@ -59,7 +59,7 @@ TEST_F(MotionQueueTest, letsAPausedArmGoOnWithASettingThatIsReset) {
 TEST_F(MotionQueueTest, leavesAnArmThatASafeguardHoldsWhereItIs) {
   queue_.pause(now_);
   queue_.pause(now_, Holder::Safeguard);
-  queue_.resetSetting(now_ + 1s);
+  queue_.resetSetting(arm::Pose::Identity(), now_ + 1s);
   waitUntilNothingIsDue();
   EXPECT_LT(firstJointDeg(), 89);
   queue_.resume(now_ + 2s, Holder::Safeguard);
