@@ -1,20 +1,22 @@
 #!/usr/bin/env python3
-"""The monitor of a cell beside two robots that nothing else keeps apart. In real time, as it judges by the age of what it hears."""
+"""The monitor of a cell beside robots and a mechanism that nothing else keeps apart. In real time, as it judges by the age of what it hears."""
 import json
 import os
 import signal
 import subprocess
 import tempfile
+import threading
 
 import rospkg
 import rospy
 import tf2_ros
 from actionlib_msgs.msg import GoalStatus
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
 from visualization_msgs.msg import Marker, MarkerArray
 
-from cobot_command.msg import CellDistances, CellState, CellZone
+from cobot_command.msg import CellDistances, CellState, CellZone, StopActionGoal
 from cobot_goals import to_joints, turn
 from cobot_test import Latest, OutcomeTestCase, Robot, program
 from own_nodes import Heard, Process
@@ -38,6 +40,35 @@ def cell_file(name):
 def call(name, kind, *arguments):
     rospy.wait_for_service(name, DEADLINE)
     return rospy.ServiceProxy(name, kind)(*arguments)
+
+
+class Pallet:
+    """Slides towards where it is told to, and stays where it is once it is stopped."""
+
+    STEP = 0.002  # [m], fifty times a second: 0.1 m/s
+
+    def __init__(self):
+        self.position = self.target = 0.0  # [m]
+        self.stops = 0
+        self._is_over = threading.Event()
+        self._told = rospy.Publisher("/PALLET/position", Float64, queue_size=1)
+        self._stops = rospy.Subscriber("/PALLET/stop/goal", StopActionGoal, self._stop)
+        self._thread = threading.Thread(target=self._slide)
+        self._thread.start()
+
+    def end(self):
+        self._is_over.set()
+        self._thread.join()
+        self._stops.unregister()
+
+    def _stop(self, _goal):
+        self.stops += 1
+        self.target = self.position
+
+    def _slide(self):
+        while not self._is_over.wait(0.02):
+            self.position += max(-self.STEP, min(self.STEP, self.target - self.position))
+            self._told.publish(self.position)
 
 
 class CellMonitor(OutcomeTestCase):
@@ -102,6 +133,37 @@ class CellMonitor(OutcomeTestCase):
         self.assertFalse(refused.success, refused.message)
         self.start_robot("RA")  # which stops what the one before it has left on its way
         wait_until(lambda: call("/cell/reset_monitor", Trigger).success, "the end of the alarm")
+
+    def test_stops_a_robot_and_the_mechanism_that_comes_too_close_to_it(self):
+        pallet = self.start_pallet()
+        pair = self.distances.wait_for(lambda m: m.pairs[0].known, "the distance of the pallet").pairs[0]
+        self.assertEqual((pair.robot, pair.other), ("RA", "PALLET"))
+        self.assert_done(self.robots["RA"].run(to_joints(*T1, speed=30)))
+        self.assertFalse(self.distances.message.alarmed)
+        wrist = self.robots["RA"].send(turn(0, 0, 0, 0, 0, 120, speed=2)).wait_until_active()
+        pallet.target = 0.9
+        alarmed = self.distances.wait_for(lambda m: m.alarmed, "the alarm")
+        self.assertIn("PALLET", alarmed.text)
+        self.assertEqual(wrist.finish()[0], GoalStatus.PREEMPTED)
+        wait_until(lambda: pallet.stops > 0, "the stop of the pallet")
+        self.assertLess(pallet.position, 0.9)
+
+        def is_away():
+            pallet.target = 0.0  # what moves now is stopped again, soon
+            return pallet.position == 0.0
+
+        wait_until(is_away, "a pallet that is away")
+        wait_until(lambda: call("/cell/reset_monitor", Trigger).success, "the end of the alarm")
+
+    def test_stops_the_robots_when_a_mechanism_on_its_way_falls_silent(self):
+        pallet = self.start_pallet()
+        wrist = self.robots["RA"].send(turn(0, 0, 0, 0, 0, 150, **SLOW)).wait_until_active()
+        pallet.target = 0.9
+        self.distances.wait_for(lambda m: m.pairs[0].uncertainty > 0 and pallet.position > 0.05, "a pallet on its way")
+        pallet.end()
+        alarmed = self.distances.wait_for(lambda m: m.alarmed, "the alarm")
+        self.assertIn("PALLET moved when it was heard last", alarmed.text)
+        self.assertEqual(wrist.finish()[0], GoalStatus.PREEMPTED)
 
     def test_only_warns_where_it_is_told_to(self):
         self.start_monitor(mode="warn")
@@ -179,6 +241,13 @@ class CellMonitor(OutcomeTestCase):
         self.addCleanup(self.nodes[name].clear_away)
         self.robots[name] = Robot(name)
         self.robots[name].establish()
+
+    def start_pallet(self):
+        """The monitor of its cell, too."""
+        pallet = Pallet()
+        self.addCleanup(pallet.end)
+        self.start_monitor(cell_file=cell_file("pallet"), artifact="", stop_distance=-1)
+        return pallet
 
     def start_monitor(self, **changes):
         parameters = {"cell_file": cell_file("handover"), "artifact": self.artifact, "stop_distance": STOP_DISTANCE, **changes}

@@ -5,7 +5,7 @@
 namespace cobot_command::cell::monitor {
 namespace {
 
-/// No arm takes longer than this to stop.
+/// No arm, and no mechanism that it is meant for, takes longer than this to stop.
 constexpr Duration kRepeat = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -29,7 +29,7 @@ void Alarm::raise(const std::string& why, Instant now) {
 
 void Alarm::moving(Instant now) {
   if (!why_ || now - stopped_ < kRepeat) return;
-  stopAll("A robot moves although all are to stand until the monitor is reset. " + *why_, now);
+  stopAll("One moves although all are to stand until the monitor is reset. " + *why_, now);
 }
 
 void Alarm::stopAll(std::string why, Instant now) {

@@ -1,4 +1,4 @@
-// Whether all robots are to stand, and what is to be told of it.
+// Whether all are to stand, and what is to be told of it.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ class Alarm {
   void ended(Breach breach);
   /// A reason to stop all has come.
   void raise(const std::string& why, Instant now);
-  /// A robot moves by what is known of it now: a stop may have been lost, or it was started again.
+  /// One moves by what is known of it now: a stop may have been lost, or it was started again.
   void moving(Instant now);
   void reset() { why_.reset(); }
 

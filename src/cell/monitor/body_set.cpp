@@ -83,11 +83,16 @@ void BodySet::encloseAll() {
   }
 }
 
+void BodySet::standStill() {
+  growth.assign(capsules.size(), 0.0);
+  most_growth = 0;
+}
+
 BodySet fixedSet(const Capsules& capsules) {
   BodySet set;
   set.capsules = capsules;
   set.fixed.assign(capsules.size(), 1);
-  set.growth.assign(capsules.size(), 0.0);
+  set.standStill();
   set.encloseAll();
   return set;
 }

@@ -27,6 +27,8 @@ struct BodySet {
 
   /// After the capsules have changed.
   void encloseAll();
+  /// None has moved since.
+  void standStill();
 };
 
 /// Of what never moves; at least one capsule.

@@ -34,8 +34,8 @@ std::string wrongIn(const MonitorSettings& settings) {
 }
 
 /// Empty: nothing is.
-std::string wrongWith(const std::vector<WatchedRobot>& robots,
-                      const std::vector<WatchedObstacle>& obstacles) {
+std::string wrongWith(const std::vector<WatchedRobot>& robots, const std::vector<WatchedObstacle>& obstacles,
+                      const std::vector<WatchedMechanism>& mechanisms) {
   std::set<std::string> names;
   const auto check = [&names](const std::string& name, bool bodies) -> std::string {
     if (!names.insert(name).second) {
@@ -53,6 +53,10 @@ std::string wrongWith(const std::vector<WatchedRobot>& robots,
     std::string wrong = check(robot.name, !robot.bodies.bodies().empty());
     if (!wrong.empty()) return wrong;
   }
+  for (const WatchedMechanism& mechanism : mechanisms) {
+    std::string wrong = check(mechanism.name, mechanism.bodies.size() > 0);
+    if (!wrong.empty()) return wrong;
+  }
   for (const WatchedObstacle& obstacle : obstacles) {
     std::string wrong = check(obstacle.name, !obstacle.capsules.empty());
     if (!wrong.empty()) return wrong;
@@ -64,11 +68,12 @@ std::string wrongWith(const std::vector<WatchedRobot>& robots,
 
 Result<Monitor, MonitorRefusal> Monitor::of(std::vector<WatchedRobot> robots,
                                             const std::vector<WatchedObstacle>& obstacles,
-                                            const MonitorSettings& settings) {
+                                            const MonitorSettings& settings,
+                                            std::vector<WatchedMechanism> mechanisms) {
   std::string wrong = wrongIn(settings);
-  if (wrong.empty()) wrong = wrongWith(robots, obstacles);
+  if (wrong.empty()) wrong = wrongWith(robots, obstacles, mechanisms);
   if (!wrong.empty()) return refuse(MonitorRefusal{std::move(wrong)});
-  return Monitor(std::make_unique<Parts>(std::move(robots), obstacles, settings));
+  return Monitor(std::make_unique<Parts>(std::move(robots), obstacles, settings, std::move(mechanisms)));
 }
 
 Monitor::Monitor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -79,6 +84,10 @@ Monitor::~Monitor() = default;
 void Monitor::take(const std::string& robot, const arm::JointVector& joints,
                    const std::optional<arm::JointVector>& velocities, Duration age, Instant now) {
   parts_->take(robot, joints, velocities, age, now);
+}
+
+void Monitor::takePosition(const std::string& mechanism, double position, Duration age, Instant now) {
+  parts_->takePosition(mechanism, position, age, now);
 }
 
 bool Monitor::setCarried(const std::string& robot, const Carried& parts) {
@@ -99,6 +108,10 @@ std::vector<MonitorAction> Monitor::takeActions() {
 
 MonitorStatus Monitor::status() const {
   return parts_->status();
+}
+
+std::vector<SeenBodies> Monitor::bodies() const {
+  return parts_->bodies();
 }
 
 bool Monitor::latched() const {

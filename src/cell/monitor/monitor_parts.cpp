@@ -8,10 +8,12 @@
 namespace cobot_command::cell {
 namespace {
 
+using monitor::MechanismTrack;
 using monitor::Names;
 using monitor::PairWatch;
 using monitor::RobotTrack;
 using monitor::Threshold;
+using monitor::Track;
 
 /// Older records of breaches are dropped for newer ones.
 constexpr std::size_t kMostBreaches = 1000;
@@ -19,21 +21,32 @@ constexpr std::size_t kMostBreaches = 1000;
 }  // namespace
 
 Monitor::Parts::Parts(std::vector<WatchedRobot> robots, const std::vector<WatchedObstacle>& obstacles,
-                      const MonitorSettings& settings)
+                      const MonitorSettings& settings, std::vector<WatchedMechanism> mechanisms)
     : settings_(settings),
       stop_distance_(settings.stop_distance.value_or(settings.margin / 2)),
       alarm_(settings.mode) {
   for (WatchedRobot& robot : robots) {
-    robot_index_[robot.name] = robots_.size();
-    robots_.push_back({robot.name, RobotTrack(robot.bodies, std::move(robot.may_carry))});
+    auto track = std::make_unique<RobotTrack>(robot.bodies, std::move(robot.may_carry));
+    robots_[robot.name] = track.get();
+    movers_.push_back({robot.name, std::move(track)});
+  }
+  for (WatchedMechanism& mechanism : mechanisms) {
+    auto track = std::make_unique<MechanismTrack>(mechanism.name, std::move(mechanism.bodies));
+    mechanisms_[mechanism.name] = track.get();
+    movers_.push_back({mechanism.name, std::move(track)});
   }
   for (const WatchedObstacle& obstacle : obstacles) {
     obstacles_.push_back({obstacle.name, {}});
     obstacles_.back().set = monitor::fixedSet(obstacle.capsules);
   }
-  const std::size_t things = robots_.size() + obstacles_.size();
-  for (std::size_t first = 0; first < robots_.size(); ++first) {
-    for (std::size_t second = first + 1; second < things; ++second) {
+  pairUp(robots.size());
+}
+
+void Monitor::Parts::pairUp(std::size_t robots) {
+  for (std::size_t first = 0; first < movers_.size(); ++first) {
+    // A mechanism has one way only, and all of that was proved to be far enough from obstacles.
+    const std::size_t end = movers_.size() + (first < robots ? obstacles_.size() : 0);
+    for (std::size_t second = first + 1; second < end; ++second) {
       PairWatch pair;
       pair.first = first;
       pair.second = second;
@@ -44,40 +57,53 @@ Monitor::Parts::Parts(std::vector<WatchedRobot> robots, const std::vector<Watche
 
 void Monitor::Parts::take(const std::string& robot, const arm::JointVector& joints,
                           const std::optional<arm::JointVector>& velocities, Duration age, Instant now) {
-  const auto found = robot_index_.find(robot);
-  if (found == robot_index_.end()) {
-    ++counts_.unknown_robots;
+  const auto found = robots_.find(robot);
+  if (found == robots_.end()) {
+    ++counts_.unknown;
     return;
   }
-  switch (robots_[found->second].track.take(joints, velocities, age, now, settings_.stale_after)) {
-    case RobotTrack::Taken::Malformed:
+  count(found->second->take(joints, velocities, age, now, settings_.stale_after), now);
+}
+
+void Monitor::Parts::takePosition(const std::string& mechanism, double position, Duration age, Instant now) {
+  const auto found = mechanisms_.find(mechanism);
+  if (found == mechanisms_.end()) {
+    ++counts_.unknown;
+    return;
+  }
+  count(found->second->take(position, age, now, settings_.stale_after), now);
+}
+
+void Monitor::Parts::count(Track::Taken taken, Instant now) {
+  switch (taken) {
+    case Track::Taken::Malformed:
       ++counts_.malformed;
       break;
-    case RobotTrack::Taken::Old:
+    case Track::Taken::Old:
       ++counts_.old;
       break;
-    case RobotTrack::Taken::Yes:
+    case Track::Taken::Yes:
       if (!news_) news_ = now;
       break;
   }
 }
 
 bool Monitor::Parts::setCarried(const std::string& robot, const Carried& parts) {
-  const auto found = robot_index_.find(robot);
-  if (found == robot_index_.end() || !robots_[found->second].track.carry(parts)) return false;
+  const auto found = robots_.find(robot);
+  if (found == robots_.end() || !found->second->carry(parts)) return false;
   if (!news_) news_ = ticked_;
   return true;
 }
 
 void Monitor::Parts::tick(Instant now) {
   bool one_moves = false;
-  for (Robot& robot : robots_) {
-    if (!robot.track.heard()) continue;
-    judgeAge(robot, now);
-    // What is older says nothing of a robot that moved, which stops all anyway, and a robot that stood would
-    // in the end be anywhere by the last digits of its speeds.
-    robot.track.grow(std::min(robot.track.age(now), settings_.stale_after));
-    one_moves = one_moves || (!robot.silent && robot.track.moves(settings_.standing_speed));
+  for (Mover& mover : movers_) {
+    if (!mover.track->heard()) continue;
+    judgeAge(mover, now);
+    // What is older says nothing of one that moved, which stops all anyway, and one that stood would in the
+    // end be anywhere by the last digits of its speeds.
+    mover.track->grow(std::min(mover.track->age(now), settings_.stale_after));
+    one_moves = one_moves || (!mover.silent && mover.track->moves(settings_.standing_speed));
   }
   for (PairWatch& pair : pairs_) judge(pair, now);
   if (one_moves) alarm_.moving(now);
@@ -85,10 +111,11 @@ void Monitor::Parts::tick(Instant now) {
   news_.reset();
 }
 
-void Monitor::Parts::judgeAge(Robot& robot, Instant now) {
-  const bool was_silent = robot.silent;
-  robot.silent = robot.track.age(now) > settings_.stale_after && robot.track.moves(settings_.standing_speed);
-  if (robot.silent && !was_silent) alarm_.raise(staleSentence(robot), now);
+void Monitor::Parts::judgeAge(Mover& mover, Instant now) {
+  const bool was_silent = mover.silent;
+  mover.silent =
+      mover.track->age(now) > settings_.stale_after && mover.track->moves(settings_.standing_speed);
+  if (mover.silent && !was_silent) alarm_.raise(staleSentence(mover), now);
 }
 
 void Monitor::Parts::judge(PairWatch& pair, Instant now) {
@@ -135,7 +162,7 @@ ResetAnswer Monitor::Parts::reset(Instant now) {
   if (!latched()) return {true, "Nothing was stopped, so there is nothing to reset."};
   if (!reasons.empty()) return {false, "It cannot be reset while its cause lasts. " + reasons.front()};
   alarm_.reset();
-  return {true, "It is reset, and robots may move again."};
+  return {true, "It is reset, and all may move again."};
 }
 
 std::vector<Breach> Monitor::Parts::breaches() const {
@@ -150,10 +177,10 @@ std::optional<Instant> Monitor::Parts::nextDeadline() const {
   if (!ticked_) return news_;
   std::optional<Instant> next;
   if (news_) next = *ticked_ + settings_.period;
-  for (const Robot& robot : robots_) {
-    // Of a robot that moved and fell silent nothing changes any more but that it is heard again.
-    if (robot.silent || !robot.track.moves(settings_.standing_speed)) continue;
-    const Instant stale = robot.track.measured() + settings_.stale_after + Duration(1);
+  for (const Mover& mover : movers_) {
+    // Of one that moved and fell silent nothing changes any more but that it is heard again.
+    if (mover.silent || !mover.track->moves(settings_.standing_speed)) continue;
+    const Instant stale = mover.track->measured() + settings_.stale_after + Duration(1);
     const Instant due = std::min(*ticked_ + settings_.period, std::max(stale, *ticked_));
     if (!next || due < *next) next = due;
   }
@@ -161,15 +188,15 @@ std::optional<Instant> Monitor::Parts::nextDeadline() const {
 }
 
 const monitor::BodySet& Monitor::Parts::setOf(std::size_t thing) const {
-  return thing < robots_.size() ? robots_[thing].track.set() : obstacles_[thing - robots_.size()].set;
+  return thing < movers_.size() ? movers_[thing].track->set() : obstacles_[thing - movers_.size()].set;
 }
 
 const std::string& Monitor::Parts::nameOf(std::size_t thing) const {
-  return thing < robots_.size() ? robots_[thing].name : obstacles_[thing - robots_.size()].name;
+  return thing < movers_.size() ? movers_[thing].name : obstacles_[thing - movers_.size()].name;
 }
 
 bool Monitor::Parts::isHeard(std::size_t thing) const {
-  return thing >= robots_.size() || robots_[thing].track.heard();
+  return thing >= movers_.size() || movers_[thing].track->heard();
 }
 
 }  // namespace cobot_command::cell

@@ -4,14 +4,17 @@
 #include <cstddef>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "monitor/alarm.h"
 #include "monitor/body_set.h"
+#include "monitor/mechanism_track.h"
 #include "monitor/pair_watch.h"
 #include "monitor/robot_track.h"
+#include "monitor/track.h"
 
 #include "cobot_command/cell/monitor/monitor.h"
 
@@ -20,24 +23,27 @@ namespace cobot_command::cell {
 class Monitor::Parts {
  public:
   Parts(std::vector<WatchedRobot> robots, const std::vector<WatchedObstacle>& obstacles,
-        const MonitorSettings& settings);
+        const MonitorSettings& settings, std::vector<WatchedMechanism> mechanisms);
 
   void take(const std::string& robot, const arm::JointVector& joints,
             const std::optional<arm::JointVector>& velocities, Duration age, Instant now);
+  void takePosition(const std::string& mechanism, double position, Duration age, Instant now);
   bool setCarried(const std::string& robot, const Carried& parts);
   void tick(Instant now);
   ResetAnswer reset(Instant now);
 
   std::vector<MonitorAction> takeActions() { return alarm_.takeActions(); }
   [[nodiscard]] MonitorStatus status() const;
+  [[nodiscard]] std::vector<SeenBodies> bodies() const;
   [[nodiscard]] bool latched() const { return alarm_.latched(); }
   [[nodiscard]] std::vector<Breach> breaches() const;
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
  private:
-  struct Robot {
+  /// A robot or a mechanism.
+  struct Mover {
     std::string name;
-    monitor::RobotTrack track;
+    std::unique_ptr<monitor::Track> track;
     bool silent = false;  ///< it moved, and its data is stale
   };
   struct Obstacle {
@@ -45,7 +51,9 @@ class Monitor::Parts {
     monitor::BodySet set;
   };
 
-  void judgeAge(Robot& robot, Instant now);
+  void pairUp(std::size_t robots);
+  void count(monitor::Track::Taken taken, Instant now);
+  void judgeAge(Mover& mover, Instant now);
   void judge(monitor::PairWatch& pair, Instant now);
   void begin(monitor::PairWatch& pair, const monitor::Names& bodies, Instant now);
   void end(monitor::PairWatch& pair, Instant now);
@@ -61,12 +69,13 @@ class Monitor::Parts {
   [[nodiscard]] std::string diagnosis() const;
   [[nodiscard]] std::string closest() const;
   [[nodiscard]] std::vector<std::string> causes() const;
-  [[nodiscard]] std::string staleSentence(const Robot& robot) const;
+  [[nodiscard]] std::string staleSentence(const Mover& mover) const;
 
   MonitorSettings settings_;
   double stop_distance_;
-  std::vector<Robot> robots_;
-  std::map<std::string, std::size_t> robot_index_;
+  std::vector<Mover> movers_;  ///< robots, then mechanisms
+  std::map<std::string, monitor::RobotTrack*> robots_;
+  std::map<std::string, monitor::MechanismTrack*> mechanisms_;
   std::vector<Obstacle> obstacles_;
   std::vector<monitor::PairWatch> pairs_;
   monitor::Alarm alarm_;

@@ -41,13 +41,24 @@ PairStatus Monitor::Parts::statusOf(const PairWatch& pair) const {
   return status;
 }
 
+std::vector<SeenBodies> Monitor::Parts::bodies() const {
+  std::vector<SeenBodies> all;
+  all.reserve(movers_.size() + obstacles_.size());
+  for (std::size_t thing = 0; thing < movers_.size() + obstacles_.size(); ++thing) {
+    SeenBodies seen{nameOf(thing), setOf(thing).capsules, {}};
+    for (std::size_t i = 0; i < seen.capsules.size(); ++i) seen.body_names.push_back(bodyName(thing, i));
+    all.push_back(std::move(seen));
+  }
+  return all;
+}
+
 Names Monitor::Parts::bodiesOf(const PairWatch& pair) const {
   if (!pair.gap.exact) return {};
   return {bodyName(pair.first, pair.gap.first), bodyName(pair.second, pair.gap.second)};
 }
 
 std::string Monitor::Parts::bodyName(std::size_t thing, std::size_t body) const {
-  return thing < robots_.size() ? robots_[thing].track.bodyName(body) : nameOf(thing);
+  return thing < movers_.size() ? movers_[thing].track->bodyName(body) : nameOf(thing);
 }
 
 std::string Monitor::Parts::sentenceOf(const PairWatch& pair, double limit, const char* limit_name) const {
@@ -59,15 +70,15 @@ std::string Monitor::Parts::sentenceOf(const PairWatch& pair, double limit, cons
       mToMm(pair.gap.uncertainty()), limit_name, mToMm(limit));
 }
 
-std::string Monitor::Parts::staleSentence(const Robot& robot) const {
+std::string Monitor::Parts::staleSentence(const Mover& mover) const {
   return fmt::format("{} moved when it was heard last, and that was measured more than {:.3g} s ago.",
-                     robot.name, toSeconds(settings_.stale_after));
+                     mover.name, toSeconds(settings_.stale_after));
 }
 
 std::vector<std::string> Monitor::Parts::causes() const {
   std::vector<std::string> causes;
-  for (const Robot& robot : robots_) {
-    if (robot.silent) causes.push_back(staleSentence(robot));
+  for (const Mover& mover : movers_) {
+    if (mover.silent) causes.push_back(staleSentence(mover));
   }
   for (const PairWatch& pair : pairs_) {
     if (pair.stop.isBelow()) causes.push_back(sentenceOf(pair, stop_distance_, "stop distance"));
@@ -77,15 +88,15 @@ std::vector<std::string> Monitor::Parts::causes() const {
 
 std::string Monitor::Parts::diagnosis() const {
   if (latched()) {
-    return "All robots were stopped, and are to stand until the monitor is reset. " + alarm_.why();
+    return "All were stopped, and are to stand until the monitor is reset. " + alarm_.why();
   }
   const std::vector<std::string> reasons = causes();
   if (!reasons.empty()) return reasons.front();
   for (const PairWatch& pair : pairs_) {
     if (pair.breach) return sentenceOf(pair, settings_.margin, "margin");
   }
-  for (const Robot& robot : robots_) {
-    if (!robot.track.heard()) return fmt::format("{} was not heard yet.", robot.name);
+  for (const Mover& mover : movers_) {
+    if (!mover.track->heard()) return fmt::format("{} was not heard yet.", mover.name);
   }
   return closest();
 }
@@ -94,7 +105,7 @@ std::string Monitor::Parts::closest() const {
   const auto closest =
       std::min_element(pairs_.begin(), pairs_.end(),
                        [](const PairWatch& a, const PairWatch& b) { return a.gap.lowest < b.gap.lowest; });
-  if (closest == pairs_.end()) return "There is nothing that a robot could come close to.";
+  if (closest == pairs_.end()) return "There is nothing that could come close to anything.";
   if (!closest->known) return "Nothing was looked at yet.";
   return fmt::format("The closest are {} and {}: {}{:.1f} mm.", nameOf(closest->first),
                      nameOf(closest->second), closest->gap.exact ? "" : "at least ",

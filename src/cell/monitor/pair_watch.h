@@ -33,8 +33,8 @@ class Threshold {
 };
 
 struct PairWatch {
-  std::size_t first = 0;   ///< a robot
-  std::size_t second = 0;  ///< a robot, or behind all of those an obstacle
+  std::size_t first = 0;   ///< a robot or mechanism
+  std::size_t second = 0;  ///< another one, or behind all of those an obstacle
   bool known = false;
   Gap gap;
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cell_watch/watch.h"
+#include "cell_watch/pictures/watch_view.h"
 #include <fmt/format.h>
 
 #include "cobot_command/common/units.h"
@@ -35,11 +35,9 @@ bool isBreached(const cell::MonitorStatus& status) {
 
 /// Empty: all were heard, and can be stopped.
 std::string lackOf(const WatchView& view) {
-  for (const WatchView::Robot& robot : view.robots) {
-    if (!robot.joints) {
-      return fmt::format("{} was not heard yet, in {}/joint_states", robot.name, robot.space);
-    }
-    if (!robot.takes_stops) return fmt::format("nobody in {}/ takes stops of {}", robot.space, robot.name);
+  for (const WatchView::Mover& mover : view.movers) {
+    if (!mover.is_heard) return fmt::format("{} was not heard yet, in {}", mover.name, mover.topic);
+    if (!mover.takes_stops) return fmt::format("nobody in {}/ takes stops of {}", mover.space, mover.name);
   }
   return "";
 }
@@ -90,8 +88,8 @@ void describeMonitor(diagnostic_updater::DiagnosticStatusWrapper& status, const 
   status.add("mode", mode == cell::MonitorSettings::Mode::Stop ? "stop" : "warn");
   addPairs(status, view.status);
   const cell::MonitorCounts& counts = view.status.counts;
-  status.add("joint states that were malformed", counts.malformed);
-  status.add("joint states that were old", counts.old);
+  status.add("joint states and positions that were malformed", counts.malformed);
+  status.add("joint states and positions that were old", counts.old);
   status.add("breaches that are not kept any more", counts.lost_breaches);
 }
 

@@ -16,8 +16,8 @@ struct WatchView;
 [[nodiscard]] cobot_command::CellDistances toMessage(const cell::MonitorStatus& status);
 /// Of a breach that has ended.
 [[nodiscard]] std::string sentenceOf(const cell::Breach& breach);
-/// ERROR: all were stopped. WARN: closer than the margin, or a robot was not heard, or
-/// could not be told to stop.
+/// ERROR: all were stopped. WARN: closer than the margin, or a robot or mechanism was not heard, or could not
+/// be told to stop.
 void describeMonitor(diagnostic_updater::DiagnosticStatusWrapper& status, const WatchView& view,
                      cell::MonitorSettings::Mode mode);
 

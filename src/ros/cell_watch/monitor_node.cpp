@@ -4,15 +4,15 @@
 #include <utility>
 
 #include "cell_watch/base_frames.h"
-#include "cell_watch/cell_pictures.h"
 #include "cell_watch/distance_messages.h"
+#include "cell_watch/pictures/cell_pictures.h"
 #include "cell_watch/watch.h"
+#include "cell_watch/watched_cell.h"
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/steady_timer.h>
 
 #include "cobot_command/cell/program/canonical.h"
 #include "cobot_command/runtime/cell/cell_files.h"
-#include "cobot_command/runtime/cell/cell_watch.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -35,13 +35,6 @@ Result<std::optional<CellScene>, Faults> readScene(const std::string& file, cons
   return std::optional<CellScene>(sceneOf(*artifact));
 }
 
-std::vector<cell::RobotBodies> bodiesOf(const std::vector<cell::WatchedRobot>& robots) {
-  std::vector<cell::RobotBodies> bodies;
-  bodies.reserve(robots.size());
-  for (const cell::WatchedRobot& robot : robots) bodies.push_back(robot.bodies.carrying(robot.may_carry));
-  return bodies;
-}
-
 }  // namespace
 
 class MonitorNode::Impl {
@@ -49,8 +42,7 @@ class MonitorNode::Impl {
   struct Made {
     cell::Cell cell;
     cell::Monitor monitor;
-    std::vector<cell::WatchedRobot> robots;
-    RobotWhereabouts whereabouts;
+    Whereabouts whereabouts;
     std::optional<CellScene> scene;
   };
   [[nodiscard]] static Result<Made, Faults> make(const MonitorParameters& parameters);
@@ -60,7 +52,7 @@ class MonitorNode::Impl {
       : mode_(parameters.mode),
         period_(parameters.diagnostic_period),
         frames_(made.cell),
-        pictures_(node, made.cell, bodiesOf(made.robots), std::move(made.scene)),
+        pictures_(node, made.cell, std::move(made.scene)),
         watch_(node, std::move(made.monitor), std::move(made.whereabouts),
                [this, is_told = parameters.publish_frames](std::size_t robot, const std::string& prefix) {
                  if (is_told) frames_.tell(robot, prefix);
@@ -107,15 +99,13 @@ class MonitorNode::Impl {
 Result<MonitorNode::Impl::Made, Faults> MonitorNode::Impl::make(const MonitorParameters& parameters) {
   auto cell = runtime::readCellFile(parameters.cell_file);
   if (!cell) return refuse(cell.error());
-  auto monitor = runtime::monitorOf(*cell, parameters.mode, parameters.stop_distance);
+  auto monitor = watchedCell(*cell, parameters.mode, parameters.stop_distance);
   if (!monitor) return refuse(Faults{monitor.error()});
-  auto whereabouts = RobotWhereabouts::of(*cell);
+  auto whereabouts = Whereabouts::of(*cell);
   if (!whereabouts) return refuse(Faults{whereabouts.error()});
   auto scene = readScene(parameters.artifact, *cell);
   if (!scene) return refuse(scene.error());
-  auto robots = runtime::watchedRobots(*cell);
-  return Made{std::move(*cell), std::move(*monitor), std::move(*robots), std::move(*whereabouts),
-              std::move(*scene)};
+  return Made{std::move(*cell), std::move(*monitor), std::move(*whereabouts), std::move(*scene)};
 }
 
 Result<std::unique_ptr<MonitorNode>, Faults> MonitorNode::of(const ros::NodeHandle& node,

@@ -1,6 +1,7 @@
 #include "cell_watch/watch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -21,7 +22,7 @@ constexpr Duration kTellPeriod = std::chrono::milliseconds(50);
 /// The shortest that a timer is set to [s].
 constexpr double kAtOnce = 1e-4;
 /// A newer one says more than one that has to wait.
-constexpr std::uint32_t kJointStates = 1;
+constexpr std::uint32_t kMeasured = 1;
 constexpr std::uint32_t kReports = 100;
 
 /// The monitor drops and counts that.
@@ -29,17 +30,20 @@ arm::JointVector malformedJoints() {
   return arm::JointVector::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
+std::string topicOf(const Whereabouts::Mover& mover) {
+  return mover.space + (mover.is_mechanism ? "/position" : "/joint_states");
+}
+
 }  // namespace
 
-Watch::Watch(const ros::NodeHandle& node, cell::Monitor monitor, RobotWhereabouts whereabouts,
+Watch::Watch(const ros::NodeHandle& node, cell::Monitor monitor, Whereabouts whereabouts,
              PrefixTold prefix_told)
     : node_(node),
       monitor_(std::move(monitor)),
       whereabouts_(std::move(whereabouts)),
       prefix_told_(std::move(prefix_told)),
-      is_prefix_told_(whereabouts_.robots().size()),
-      joints_(whereabouts_.robots().size()),
-      joint_states_(whereabouts_.robots().size()) {
+      is_prefix_told_(whereabouts_.movers().size()),
+      measured_(whereabouts_.movers().size()) {
   node_.setCallbackQueue(&queue_);
 }
 
@@ -49,10 +53,10 @@ Watch::~Watch() {
 
 void Watch::start() {
   distances_ = node_.advertise<cobot_command::CellDistances>("distances", 10, true);
-  for (std::size_t robot = 0; robot < joints_.size(); ++robot) {
-    const RobotWhereabouts::Robot& known = whereabouts_.robots()[robot];
+  for (std::size_t mover = 0; mover < measured_.size(); ++mover) {
+    const Whereabouts::Mover& known = whereabouts_.movers()[mover];
     stop_lines_.push_back(std::make_unique<StopLine>(node_, known.name, known.space));
-    listenTo(robot);
+    listenTo(mover);
   }
   reports_ = node_.subscribe("reports", kReports, &Watch::hear, this);
   reset_ = node_.advertiseService("reset_monitor", &Watch::reset, this);
@@ -71,7 +75,7 @@ void Watch::start() {
 void Watch::stop() {
   if (!spinner_) return;
   timer_.stop();
-  for (ros::Subscriber& one : joint_states_) one.shutdown();
+  for (ros::Subscriber& one : measured_) one.shutdown();
   for (const auto& line : stop_lines_) line->end();
   reports_.shutdown();
   reset_.shutdown();
@@ -84,21 +88,28 @@ WatchView Watch::view() const {
   return view_;
 }
 
-void Watch::listenTo(std::size_t robot) {
+void Watch::listenTo(std::size_t mover) {
+  const Whereabouts::Mover& known = whereabouts_.movers()[mover];
+  const ros::TransportHints promptly = ros::TransportHints().tcpNoDelay();
+  if (known.is_mechanism) {
+    const boost::function<void(const std_msgs::Float64ConstPtr&)> take_position =
+        [this, mover](const std_msgs::Float64ConstPtr& message) { takePosition(mover, message->data); };
+    measured_[mover] = node_.subscribe<std_msgs::Float64>(topicOf(known), kMeasured, take_position,
+                                                          ros::VoidConstPtr(), promptly);
+    return;
+  }
   const boost::function<void(const sensor_msgs::JointStateConstPtr&)> take_joints =
-      [this, robot](const sensor_msgs::JointStateConstPtr& message) { take(robot, *message); };
-  joint_states_[robot] = node_.subscribe<sensor_msgs::JointState>(
-      whereabouts_.robots()[robot].space + "/joint_states", kJointStates, take_joints, ros::VoidConstPtr(),
-      ros::TransportHints().tcpNoDelay());
+      [this, mover](const sensor_msgs::JointStateConstPtr& message) { take(mover, *message); };
+  measured_[mover] = node_.subscribe<sensor_msgs::JointState>(topicOf(known), kMeasured, take_joints,
+                                                              ros::VoidConstPtr(), promptly);
 }
 
 void Watch::take(std::size_t robot, const sensor_msgs::JointState& message) {
   const Instant now = steadyNow();
-  const std::string& name = whereabouts_.robots()[robot].name;
+  const std::string& name = whereabouts_.movers()[robot].name;
   const auto reading = readJoints(message);
   if (reading) {
     whereabouts_.heard(robot, now);
-    joints_[robot] = reading->joints;
     // By the arrival here: what others write into a stamp is theirs.
     monitor_.take(name, reading->joints, reading->velocities, Duration(0), now);
     if (!is_prefix_told_[robot]) {
@@ -111,15 +122,23 @@ void Watch::take(std::size_t robot, const sensor_msgs::JointState& message) {
   advance(now);
 }
 
+void Watch::takePosition(std::size_t mechanism, double position) {
+  const Instant now = steadyNow();
+  // What is no position leaves it unheard, as joints that are none do.
+  if (std::isfinite(position)) whereabouts_.heard(mechanism, now);
+  monitor_.takePosition(whereabouts_.movers()[mechanism].name, position, Duration(0), now);
+  advance(now);
+}
+
 void Watch::hear(const ros::MessageEvent<cobot_command::CellReport const>& event) {
   const std::string& name = event.getConstMessage()->robot;
-  const auto robot = whereabouts_.reported(name, event.getPublisherName(), steadyNow());
-  if (!robot) return;
-  const std::string& space = whereabouts_.robots()[*robot].space;
+  const auto mover = whereabouts_.reported(name, event.getPublisherName(), steadyNow());
+  if (!mover) return;
+  const std::string& space = whereabouts_.movers()[*mover].space;
   ROS_WARN_STREAM(name << " reports from " << event.getPublisherName() << ", and nothing is heard where the "
                        << "file of the cell has it: it is listened to in " << space << "/ now");
-  stop_lines_[*robot]->moveTo(space);
-  listenTo(*robot);
+  stop_lines_[*mover]->moveTo(space);
+  listenTo(*mover);
 }
 
 bool Watch::reset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
@@ -155,7 +174,7 @@ void Watch::carryOut() {
 
 void Watch::stopAll(const std::string& why) {
   for (const auto& line : stop_lines_) line->stop();
-  ROS_ERROR_STREAM("All robots of the cell are told to stop. " << why);
+  ROS_ERROR_STREAM("All robots and mechanisms of the cell are told to stop. " << why);
 }
 
 void Watch::tell(Instant now) {
@@ -164,9 +183,11 @@ void Watch::tell(Instant now) {
   told_at_ = now;
   WatchView view;
   view.status = monitor_.status();
-  for (std::size_t robot = 0; robot < joints_.size(); ++robot) {
-    const RobotWhereabouts::Robot& known = whereabouts_.robots()[robot];
-    view.robots.push_back({known.name, known.space, joints_[robot], stop_lines_[robot]->isConnected()});
+  view.bodies = monitor_.bodies();
+  for (std::size_t mover = 0; mover < measured_.size(); ++mover) {
+    const Whereabouts::Mover& known = whereabouts_.movers()[mover];
+    view.movers.push_back({known.name, known.space, topicOf(known), known.heard.has_value(),
+                           stop_lines_[mover]->isConnected()});
   }
   cobot_command::CellDistances message = toMessage(view.status);
   // Its thread alone writes it, so that it reads it without the lock.

@@ -59,7 +59,7 @@ TEST(MonitorData, thatIsNotFiniteOrAbsurdIsDroppedAndCounted) {
 TEST(MonitorData, ofAnUnknownRobotIsCounted) {
   Monitor monitor = handover();
   monitor.take("middle", kHome, kStanding, Duration(0), at(0));
-  EXPECT_EQ(monitor.status().counts.unknown_robots, 1u);
+  EXPECT_EQ(monitor.status().counts.unknown, 1u);
   EXPECT_FALSE(monitor.nextDeadline().has_value());
 }
 

@@ -1,5 +1,5 @@
 // Zones, claims and distances as RViz shows them.
-#include "cell_watch/cell_markers.h"
+#include "cell_watch/pictures/cell_markers.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // What the monitor has found, as it is told.
 #include "cell_watch/distance_messages.h"
 
-#include "cell_watch/watch.h"
+#include "cell_watch/pictures/watch_view.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::ros_adapter {
@@ -28,8 +28,9 @@ WatchView viewOf(const cell::PairStatus& pair) {
   WatchView view;
   view.status.pairs = {pair};
   view.status.diagnosis = "how it stands";
-  view.robots = {{"RA", "/RA", arm::JointVector::Zero(), true},
-                 {"RB", "/RB", arm::JointVector::Zero(), true}};
+  view.movers = {{"RA", "/RA", "/RA/joint_states", true, true},
+                 {"RB", "/RB", "/RB/joint_states", true, true},
+                 {"PALLET", "/plc", "/plc/position", true, true}};
   return view;
 }
 
@@ -96,11 +97,14 @@ TEST(DiagnosticsOfTheMonitor, warnOfABreachAndOfRobotsThatItCannotHearOrStop) {
   breached.breached = true;
   EXPECT_EQ(described(viewOf(breached)).level, Level::WARN);
   WatchView unheard = viewOf(pairAt(0.05));
-  unheard.robots[1].joints.reset();
+  unheard.movers[1].is_heard = false;
   EXPECT_EQ(described(unheard).level, Level::WARN);
   EXPECT_THAT(described(unheard).message, HasSubstr("RB was not heard yet, in /RB/joint_states"));
+  WatchView silent = viewOf(pairAt(0.05));
+  silent.movers[2].is_heard = false;
+  EXPECT_THAT(described(silent).message, HasSubstr("PALLET was not heard yet, in /plc/position"));
   WatchView deaf = viewOf(pairAt(0.05));
-  deaf.robots[0].takes_stops = false;
+  deaf.movers[0].takes_stops = false;
   EXPECT_EQ(described(deaf).level, Level::WARN);
   EXPECT_THAT(described(deaf).message, HasSubstr("nobody in /RA/ takes stops of RA"));
 }

@@ -1,7 +1,7 @@
-// Watches how far the robots of a cell are from each other, by their measured joints alone, and stops all
-// when they come too close (cell.md, M35).
+// Watches how far the robots and mechanisms of a cell are from each other, by their measured joints and
+// positions alone, and stops all when they come too close (cell.md, M35).
 //
-// It is no safety function: it runs on an ordinary computer, hears of the robots by an ordinary network, and
+// It is no safety function: it runs on an ordinary computer, hears of them by an ordinary network, and
 // stops them by ordinary commands. It finds faults of the cell's programs, its supervisor and its data; it
 // protects no people, and nothing that a risk assessment would count.
 //
@@ -17,6 +17,7 @@
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/cell/bodies/capsule.h"
+#include "cobot_command/cell/bodies/mechanism_bodies.h"
 #include "cobot_command/cell/bodies/part_tree.h"
 #include "cobot_command/cell/bodies/robot_bodies.h"
 #include "cobot_command/cell/monitor/monitor_state.h"
@@ -33,6 +34,11 @@ struct WatchedRobot {
   std::vector<FlangeCapsules> may_carry;
 };
 
+struct WatchedMechanism {
+  std::string name;
+  MechanismBodies bodies;  ///< in the world, by the position of its axis
+};
+
 struct WatchedObstacle {
   std::string name;
   Capsules capsules;  ///< in the world [m]
@@ -44,9 +50,10 @@ struct MonitorSettings {
   double margin = 0.020;                ///< closer than this is a breach [m]
   std::optional<double> stop_distance;  ///< closer than this stops all [m]; none: half of the margin
   Mode mode = Mode::Stop;
-  /// Older data is none: of a robot that moved by it, a reason to stop all.
+  /// Older data is none: of what moved by it, a reason to stop all.
   Duration stale_after = std::chrono::milliseconds(500);
-  double standing_speed = 0.005;                    ///< a robot stands when no joint is faster [rad/s]
+  /// A robot stands when no joint is faster [rad/s], a mechanism when its axis is not [m/s or rad/s].
+  double standing_speed = 0.005;
   double exact_within = 1.0;                        ///< farther pairs are told by a lower bound [m]
   Duration period = std::chrono::milliseconds(20);  ///< between two looks, while there is something to see
 };
@@ -62,7 +69,8 @@ class Monitor {
   /// negative, the stop distance is above the margin, a time is not above 0.
   [[nodiscard]] static Result<Monitor, MonitorRefusal> of(std::vector<WatchedRobot> robots,
                                                           const std::vector<WatchedObstacle>& obstacles,
-                                                          const MonitorSettings& settings = {});
+                                                          const MonitorSettings& settings = {},
+                                                          std::vector<WatchedMechanism> mechanisms = {});
   Monitor(Monitor&& other) noexcept;
   Monitor& operator=(Monitor&& other) noexcept;
   ~Monitor();
@@ -74,6 +82,9 @@ class Monitor {
   /// that what is known becomes stale in the end.
   void take(const std::string& robot, const arm::JointVector& joints,
             const std::optional<arm::JointVector>& velocities, Duration age, Instant now);
+  /// Where a mechanism was measured on or about its axis [m, or rad of one that turns]. All else is as of the
+  /// joints of a robot whose velocities nobody tells.
+  void takePosition(const std::string& mechanism, double position, Duration age, Instant now);
   /// From now on the robot carries just these of what it may carry. False, and nothing changes, when there is
   /// no such robot or part.
   bool setCarried(const std::string& robot, const Carried& parts);
@@ -87,6 +98,8 @@ class Monitor {
   /// Since the last call, in their order.
   [[nodiscard]] std::vector<MonitorAction> takeActions();
   [[nodiscard]] MonitorStatus status() const;
+  /// Of robots, then mechanisms, then obstacles.
+  [[nodiscard]] std::vector<SeenBodies> bodies() const;
   [[nodiscard]] bool latched() const;
   /// The newest ones, in the order of their ends, and those that last.
   [[nodiscard]] std::vector<Breach> breaches() const;

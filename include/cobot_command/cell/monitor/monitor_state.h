@@ -1,4 +1,5 @@
-// What the monitor of a cell tells: what is to be done, and how far the robots are from each other.
+// What the monitor of a cell tells: what is to be done, and how far robots and mechanisms are from each
+// other.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "cobot_command/cell/bodies/capsule.h"
 #include "cobot_command/common/time.h"
 
 namespace cobot_command::cell {
@@ -24,7 +26,7 @@ struct Breach {
   std::optional<Instant> end;  ///< not yet, where there is none
 };
 
-/// All robots of the cell have to stop now, whatever they do.
+/// All robots and mechanisms of the cell have to stop now, whatever they do.
 struct StopAll {
   std::string why;  ///< a sentence
 };
@@ -37,7 +39,7 @@ struct BreachEnded {
 };
 using MonitorAction = std::variant<StopAll, Warning, BreachEnded>;
 
-/// Of two robots, or a robot and an obstacle.
+/// Of two robots or mechanisms, or a robot and an obstacle.
 struct PairStatus {
   std::string first;
   std::string second;
@@ -59,10 +61,10 @@ struct PairStatus {
 
 /// What was not used, for diagnostics.
 struct MonitorCounts {
-  std::uint64_t malformed = 0;       ///< not finite, or nothing that an arm does
-  std::uint64_t unknown_robots = 0;  ///< of no robot that is watched
-  std::uint64_t old = 0;             ///< not measured later than what is known
-  std::uint64_t lost_breaches = 0;   ///< records that were dropped for newer ones
+  std::uint64_t malformed = 0;      ///< not finite, or nothing that an arm or a mechanism does
+  std::uint64_t unknown = 0;        ///< of no robot or mechanism that is watched
+  std::uint64_t old = 0;            ///< not measured later than what is known
+  std::uint64_t lost_breaches = 0;  ///< records that were dropped for newer ones
 };
 
 struct MonitorStatus {
@@ -70,6 +72,13 @@ struct MonitorStatus {
   std::string diagnosis;  ///< a sentence, always
   std::vector<PairStatus> pairs;
   MonitorCounts counts;
+};
+
+/// What one thing is taken to consist of, where it was measured; empty before that.
+struct SeenBodies {
+  std::string name;                     ///< of the robot, mechanism or obstacle
+  Capsules capsules;                    ///< in the world [m]
+  std::vector<std::string> body_names;  ///< of each, as pairs have them
 };
 
 /// Whether it was done, and a sentence.

@@ -1,4 +1,4 @@
-#include "cell_watch/cell_markers.h"
+#include "cell_watch/pictures/cell_markers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "cell_watch/robot_whereabouts.h"
+#include "cell_watch/whereabouts.h"
 
 #include <algorithm>
 #include <set>
@@ -27,8 +27,8 @@ std::string spaceOf(const std::string& node) {
 
 }  // namespace
 
-Result<RobotWhereabouts, std::string> RobotWhereabouts::of(const cell::Cell& cell) {
-  std::vector<Robot> robots;
+Result<Whereabouts, std::string> Whereabouts::of(const cell::Cell& cell) {
+  std::vector<Mover> movers;
   std::set<std::string> spaces;
   for (const cell::Robot& robot : cell.robots) {
     const std::string space = absolute(robot.name_space);
@@ -44,20 +44,30 @@ Result<RobotWhereabouts, std::string> RobotWhereabouts::of(const cell::Cell& cel
           fmt::format("robots.{}.namespace is {}, as that of another robot; give each one of its own",
                       robot.name, quoted(robot.name_space)));
     }
-    robots.push_back({robot.name, space, std::nullopt});
+    movers.push_back({robot.name, space, false, std::nullopt});
   }
-  return RobotWhereabouts(std::move(robots));
+  for (const cell::Mechanism& mechanism : cell.mechanisms) {
+    const std::string space = absolute(mechanism.name);
+    if (!spaces.insert(space).second) {
+      return refuse(
+          fmt::format("mechanisms.{} is looked for in the namespace of its name, {}, which is that "
+                      "of a robot; give the robot another one",
+                      mechanism.name, quoted(space)));
+    }
+    movers.push_back({mechanism.name, space, true, std::nullopt});
+  }
+  return Whereabouts(std::move(movers));
 }
 
-std::optional<std::size_t> RobotWhereabouts::reported(const std::string& robot, const std::string& node,
-                                                      Instant now) {
+std::optional<std::size_t> Whereabouts::reported(const std::string& name, const std::string& node,
+                                                 Instant now) {
   const std::string space = spaceOf(node);
   // One of them would be taken for the other.
-  const auto is_there = [&](const Robot& one) { return one.name != robot && one.space == space; };
-  if (std::any_of(robots_.begin(), robots_.end(), is_there)) return std::nullopt;
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    Robot& known = robots_[i];
-    if (known.name != robot) continue;
+  const auto is_there = [&](const Mover& one) { return one.name != name && one.space == space; };
+  if (std::any_of(movers_.begin(), movers_.end(), is_there)) return std::nullopt;
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    Mover& known = movers_[i];
+    if (known.name != name) continue;
     const bool is_heard = known.heard && now - *known.heard < kSilence;
     if (known.space == space || is_heard) return std::nullopt;
     known.space = space;

@@ -1,5 +1,5 @@
 // The pictures of a cell for RViz: zones by the supervisor's state, claims on request, the shortest way
-// between robots. On ROS's spinner.
+// between robots and mechanisms. On ROS's spinner.
 #pragma once
 
 #include <future>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cell_watch/cell_markers.h"
-#include "cell_watch/watch.h"
+#include "cell_watch/pictures/cell_markers.h"
+#include "cell_watch/pictures/watch_view.h"
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/service_server.h>
@@ -23,8 +23,7 @@ namespace cobot_command::ros_adapter {
 class CellPictures {
  public:
   /// Topics and services are relative to `node`. Without a scene there are no zones.
-  CellPictures(const ros::NodeHandle& node, cell::Cell cell, std::vector<cell::RobotBodies> bodies,
-               std::optional<CellScene> scene);
+  CellPictures(const ros::NodeHandle& node, cell::Cell cell, std::optional<CellScene> scene);
 
   /// Shows how close robots are, and claims that were found meanwhile. To be called a few times a second.
   void show(const WatchView& view);
@@ -38,7 +37,6 @@ class CellPictures {
 
   ros::NodeHandle node_;
   cell::Cell cell_;
-  std::vector<cell::RobotBodies> bodies_;
   std::optional<CellScene> scene_;
   std::vector<cobot_command::CellZone> shown_zones_;
   bool is_way_shown_ = false;

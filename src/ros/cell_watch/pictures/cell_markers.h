@@ -52,7 +52,7 @@ struct CellScene {
 [[nodiscard]] visualization_msgs::MarkerArray toClaimMarkers(const std::vector<cell::RobotClaim>& claims,
                                                              double edge, const ros::Time& stamp);
 
-/// The shortest way between the bodies of two robots.
+/// The shortest way between the bodies of two robots or mechanisms.
 struct ShortestWay {
   Eigen::Vector3d from;  ///< on the one [m]
   Eigen::Vector3d to;    ///< on the other [m]

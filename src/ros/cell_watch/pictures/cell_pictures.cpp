@@ -1,9 +1,9 @@
-#include "cell_watch/cell_pictures.h"
+#include "cell_watch/pictures/cell_pictures.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "cell_watch/shortest_way.h"
+#include "cell_watch/pictures/shortest_way.h"
 #include <fmt/format.h>
 #include <ros/console.h>
 
@@ -30,9 +30,8 @@ bool looksLike(const std::vector<cobot_command::CellZone>& a, const std::vector<
 
 }  // namespace
 
-CellPictures::CellPictures(const ros::NodeHandle& node, cell::Cell cell,
-                           std::vector<cell::RobotBodies> bodies, std::optional<CellScene> scene)
-    : node_(node), cell_(std::move(cell)), bodies_(std::move(bodies)), scene_(std::move(scene)) {
+CellPictures::CellPictures(const ros::NodeHandle& node, cell::Cell cell, std::optional<CellScene> scene)
+    : node_(node), cell_(std::move(cell)), scene_(std::move(scene)) {
   closest_ = node_.advertise<MarkerArray>("closest", 1, true);
   claims_topic_ = node_.advertise<MarkerArray>("claims", 1, true);
   show_claims_ = node_.advertiseService("show_claims", &CellPictures::showClaims, this);
@@ -83,7 +82,7 @@ void CellPictures::publishClaims() {
 }
 
 void CellPictures::show(const WatchView& view) {
-  const auto way = shortestWay(bodies_, view);
+  const auto way = shortestWay(view);
   if (way || is_way_shown_) closest_.publish(toDistanceMarkers(way, ros::Time::now()));
   is_way_shown_ = way.has_value();
   const bool are_found =

@@ -1,29 +1,28 @@
-#include "cell_watch/shortest_way.h"
+#include "cell_watch/pictures/shortest_way.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cobot_command::ros_adapter {
 namespace {
 
 using Eigen::Vector3d;
 
-std::optional<std::size_t> indexOf(const WatchView& view, const std::string& name) {
-  for (std::size_t robot = 0; robot < view.robots.size(); ++robot) {
-    if (view.robots[robot].name == name) return robot;
-  }
-  return std::nullopt;
+bool isMover(const WatchView& view, const std::string& name) {
+  return std::any_of(view.movers.begin(), view.movers.end(),
+                     [&](const WatchView::Mover& mover) { return mover.name == name; });
 }
 
-/// The bodies of that name, where they were measured.
-cell::Capsules named(const cell::RobotBodies& robot, const std::string& name,
-                     const arm::JointVector& joints) {
-  const cell::Capsules placed = robot.at(joints).capsules;
+/// The bodies of that name of that thing, where they were measured.
+cell::Capsules bodiesOf(const WatchView& view, const std::string& thing, const std::string& name) {
   cell::Capsules found;
-  for (std::size_t body = 0; body < placed.size(); ++body) {
-    if (robot.bodies()[body].name == name) found.push_back(placed[body]);
+  for (const cell::SeenBodies& seen : view.bodies) {
+    for (std::size_t body = 0; seen.name == thing && body < seen.capsules.size(); ++body) {
+      if (seen.body_names[body] == name) found.push_back(seen.capsules[body]);
+    }
   }
   return found;
 }
@@ -56,7 +55,7 @@ std::pair<Vector3d, Vector3d> nearestOnCores(const cell::Capsule& a, const cell:
 const cell::PairStatus* closestPair(const WatchView& view) {
   const cell::PairStatus* closest = nullptr;
   for (const cell::PairStatus& pair : view.status.pairs) {
-    if (!pair.known || !pair.exact || !indexOf(view, pair.second)) continue;
+    if (!pair.known || !pair.exact || !isMover(view, pair.second)) continue;
     if (closest == nullptr || pair.distance < closest->distance) closest = &pair;
   }
   return closest;
@@ -64,14 +63,11 @@ const cell::PairStatus* closestPair(const WatchView& view) {
 
 }  // namespace
 
-std::optional<ShortestWay> shortestWay(const std::vector<cell::RobotBodies>& bodies, const WatchView& view) {
+std::optional<ShortestWay> shortestWay(const WatchView& view) {
   const cell::PairStatus* const pair = closestPair(view);
   if (pair == nullptr) return std::nullopt;
-  const std::size_t one = *indexOf(view, pair->first);
-  const std::size_t other = *indexOf(view, pair->second);
-  if (!view.robots[one].joints || !view.robots[other].joints) return std::nullopt;
-  const cell::Capsules here = named(bodies[one], pair->first_body, *view.robots[one].joints);
-  const cell::Capsules there = named(bodies[other], pair->second_body, *view.robots[other].joints);
+  const cell::Capsules here = bodiesOf(view, pair->first, pair->first_body);
+  const cell::Capsules there = bodiesOf(view, pair->second, pair->second_body);
   if (here.empty() || there.empty()) return std::nullopt;
   const cell::Nearest nearest = cell::nearestOf(here, there);
   auto [from, to] = nearestOnCores(here[nearest.first], there[nearest.second]);
