@@ -16,7 +16,7 @@ from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
 from visualization_msgs.msg import Marker, MarkerArray
 
-from cobot_command.msg import CellDistances, CellState, CellZone, StopActionGoal
+from cobot_command.msg import CellDistances, CellRobot, CellState, CellZone, StopActionGoal
 from cobot_goals import to_joints, turn
 from cobot_test import Latest, OutcomeTestCase, Robot, program
 from own_nodes import Heard, Process
@@ -69,6 +69,29 @@ class Pallet:
         while not self._is_over.wait(0.02):
             self.position += max(-self.STEP, min(self.STEP, self.target - self.position))
             self._told.publish(self.position)
+
+
+class SupervisorOfThePallet:
+    """Tells that the robot is at home and runs its program, twenty times a second."""
+
+    def __init__(self, artifact):
+        with open(artifact, encoding="utf-8") as file:
+            robot = CellRobot(name="RA", state=CellRobot.READY, place="HOME")
+            self._state = CellState(hash=json.loads(file.readline())["hash"], instance=1, mode=CellState.RUNNING, robots=[robot])
+        self._told = rospy.Publisher("/cell/state", CellState, queue_size=1)
+        self._is_over = threading.Event()
+        self._thread = threading.Thread(target=self._tell)
+        self._thread.start()
+
+    def end(self):
+        self._is_over.set()
+        self._thread.join()
+        self._told.unregister()
+
+    def _tell(self):
+        while not self._is_over.wait(0.05):
+            self._state.number += 1
+            self._told.publish(self._state)
 
 
 class CellMonitor(OutcomeTestCase):
@@ -165,6 +188,19 @@ class CellMonitor(OutcomeTestCase):
         self.assertIn("PALLET moved when it was heard last", alarmed.text)
         self.assertEqual(wrist.finish()[0], GoalStatus.PREEMPTED)
 
+    def test_takes_a_robot_for_carrying_what_it_has_at_its_place_while_the_supervisor_tells_it(self):
+        artifact = os.path.join(self.folder.name, "pallet.artifact")
+        subprocess.run([program("tm_cell"), "build", cell_file("pallet"), "-o", artifact], check=True)
+        self.start_pallet(artifact=artifact)
+        with_sheet = self.distances.wait_for(lambda m: m.pairs[0].known and m.pairs[0].exact, "the distance").pairs[0].now
+        supervisor = SupervisorOfThePallet(artifact)
+        self.addCleanup(supervisor.end)
+        self.distances.wait_for(lambda m: m.pairs[0].now > with_sheet + 0.01, "the distance without the sheet")
+        self.assert_carried("nothing")
+        supervisor.end()
+        self.distances.wait_for(lambda m: m.pairs[0].now < with_sheet + 0.001, "the distance with the sheet")
+        self.assert_carried("all that it may carry, as nobody can tell")
+
     def test_only_warns_where_it_is_told_to(self):
         self.start_monitor(mode="warn")
         self.assert_done(self.robots["RA"].run(to_joints(*T1)))
@@ -242,11 +278,11 @@ class CellMonitor(OutcomeTestCase):
         self.robots[name] = Robot(name)
         self.robots[name].establish()
 
-    def start_pallet(self):
+    def start_pallet(self, artifact=""):
         """The monitor of its cell, too."""
         pallet = Pallet()
         self.addCleanup(pallet.end)
-        self.start_monitor(cell_file=cell_file("pallet"), artifact="", stop_distance=-1)
+        self.start_monitor(cell_file=cell_file("pallet"), artifact=artifact, stop_distance=-1)
         return pallet
 
     def start_monitor(self, **changes):
@@ -267,6 +303,10 @@ class CellMonitor(OutcomeTestCase):
         wait_until(one_step, "room between the robots")
         answer = call("/cell/reset_monitor", Trigger)
         self.assertTrue(answer.success, answer.message)
+
+    def assert_carried(self, words):
+        diagnostics = Latest("/diagnostics", DiagnosticArray)
+        diagnostics.wait_for(lambda m: any(v.key == "carried by RA" and v.value == words for s in m.status for v in s.values), words)
 
     def assert_diagnosed(self, level):
         diagnostics = Latest("/diagnostics", DiagnosticArray)

@@ -90,7 +90,7 @@ void Monitor::takePosition(const std::string& mechanism, double position, Durati
   parts_->takePosition(mechanism, position, age, now);
 }
 
-bool Monitor::setCarried(const std::string& robot, const Carried& parts) {
+bool Monitor::setCarried(const std::string& robot, const std::optional<Carried>& parts) {
   return parts_->setCarried(robot, parts);
 }
 

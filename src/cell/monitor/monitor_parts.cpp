@@ -88,9 +88,12 @@ void Monitor::Parts::count(Track::Taken taken, Instant now) {
   }
 }
 
-bool Monitor::Parts::setCarried(const std::string& robot, const Carried& parts) {
+bool Monitor::Parts::setCarried(const std::string& robot, const std::optional<Carried>& parts) {
   const auto found = robots_.find(robot);
-  if (found == robots_.end() || !found->second->carry(parts)) return false;
+  if (found == robots_.end()) return false;
+  RobotTrack& track = *found->second;
+  if (parts == track.carried()) return true;
+  if (!track.carry(parts)) return false;
   if (!news_) news_ = ticked_;
   return true;
 }
@@ -122,22 +125,24 @@ void Monitor::Parts::judge(PairWatch& pair, Instant now) {
   pair.known = isHeard(pair.first) && isHeard(pair.second);
   if (!pair.known) return;
   pair.gap = gapBetween(setOf(pair.first), setOf(pair.second), settings_.exact_within, pair.gap);
-  if (pair.gap.distance < pair.least) pair.keepLeast(bodiesOf(pair), now);
+  // At once, as what one carries may change before anybody asks.
+  pair.bodies = bodiesOf(pair);
+  if (pair.gap.distance < pair.least) pair.keepLeast(now);
   const Threshold::Passed margin = pair.margin.see(pair.gap.lowest, settings_.margin);
-  if (margin == Threshold::Passed::Down) begin(pair, bodiesOf(pair), now);
+  if (margin == Threshold::Passed::Down) begin(pair, now);
   if (margin == Threshold::Passed::Up) end(pair, now);
-  if (pair.breach) pair.keepBreach(bodiesOf(pair), now);
+  if (pair.breach) pair.keepBreach(now);
   if (pair.stop.see(pair.gap.lowest, stop_distance_) == Threshold::Passed::Down) {
     alarm_.raise(sentenceOf(pair, stop_distance_, "stop distance"), now);
   }
 }
 
-void Monitor::Parts::begin(PairWatch& pair, const Names& bodies, Instant now) {
+void Monitor::Parts::begin(PairWatch& pair, Instant now) {
   Breach breach;
   breach.first = nameOf(pair.first);
   breach.second = nameOf(pair.second);
-  breach.first_body = bodies.first;
-  breach.second_body = bodies.second;
+  breach.first_body = pair.bodies.first;
+  breach.second_body = pair.bodies.second;
   breach.start = now;
   breach.least = pair.gap.lowest;
   breach.distance = pair.gap.distance;

@@ -28,7 +28,7 @@ class Monitor::Parts {
   void take(const std::string& robot, const arm::JointVector& joints,
             const std::optional<arm::JointVector>& velocities, Duration age, Instant now);
   void takePosition(const std::string& mechanism, double position, Duration age, Instant now);
-  bool setCarried(const std::string& robot, const Carried& parts);
+  bool setCarried(const std::string& robot, const std::optional<Carried>& parts);
   void tick(Instant now);
   ResetAnswer reset(Instant now);
 
@@ -55,12 +55,13 @@ class Monitor::Parts {
   void count(monitor::Track::Taken taken, Instant now);
   void judgeAge(Mover& mover, Instant now);
   void judge(monitor::PairWatch& pair, Instant now);
-  void begin(monitor::PairWatch& pair, const monitor::Names& bodies, Instant now);
+  void begin(monitor::PairWatch& pair, Instant now);
   void end(monitor::PairWatch& pair, Instant now);
 
   [[nodiscard]] const monitor::BodySet& setOf(std::size_t thing) const;
   [[nodiscard]] const std::string& nameOf(std::size_t thing) const;
   [[nodiscard]] bool isHeard(std::size_t thing) const;
+  /// Precondition: the gap is of the bodies of now.
   [[nodiscard]] monitor::Names bodiesOf(const monitor::PairWatch& pair) const;
   [[nodiscard]] std::string bodyName(std::size_t thing, std::size_t body) const;
   [[nodiscard]] std::string sentenceOf(const monitor::PairWatch& pair, double limit,

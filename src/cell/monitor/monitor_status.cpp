@@ -30,9 +30,8 @@ PairStatus Monitor::Parts::statusOf(const PairWatch& pair) const {
   status.distance = pair.gap.distance;
   status.uncertainty = pair.gap.uncertainty();
   status.exact = pair.gap.exact;
-  Names bodies = bodiesOf(pair);
-  status.first_body = std::move(bodies.first);
-  status.second_body = std::move(bodies.second);
+  status.first_body = pair.bodies.first;
+  status.second_body = pair.bodies.second;
   status.least = pair.least;
   status.least_at = pair.least_at;
   status.least_first_body = pair.least_bodies.first;
@@ -62,12 +61,11 @@ std::string Monitor::Parts::bodyName(std::size_t thing, std::size_t body) const 
 }
 
 std::string Monitor::Parts::sentenceOf(const PairWatch& pair, double limit, const char* limit_name) const {
-  const Names bodies = bodiesOf(pair);
   return fmt::format(
       "{} ({}) and {} ({}) are {:.1f} mm from each other, less {:.1f} mm for the age of the "
       "data: below the {} of {:.1f} mm.",
-      nameOf(pair.first), bodies.first, nameOf(pair.second), bodies.second, mToMm(pair.gap.distance),
-      mToMm(pair.gap.uncertainty()), limit_name, mToMm(limit));
+      nameOf(pair.first), pair.bodies.first, nameOf(pair.second), pair.bodies.second,
+      mToMm(pair.gap.distance), mToMm(pair.gap.uncertainty()), limit_name, mToMm(limit));
 }
 
 std::string Monitor::Parts::staleSentence(const Mover& mover) const {

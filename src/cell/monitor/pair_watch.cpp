@@ -10,13 +10,13 @@ Threshold::Passed Threshold::see(double value, double limit) {
   return below_ ? Passed::Down : Passed::Up;
 }
 
-void PairWatch::keepLeast(const Names& bodies, Instant now) {
+void PairWatch::keepLeast(Instant now) {
   least = gap.distance;
   least_at = now;
   least_bodies = bodies;
 }
 
-void PairWatch::keepBreach(const Names& bodies, Instant now) {
+void PairWatch::keepBreach(Instant now) {
   if (gap.lowest >= breach->least) return;
   breach->least = gap.lowest;
   breach->distance = gap.distance;

@@ -37,6 +37,7 @@ struct PairWatch {
   std::size_t second = 0;  ///< another one, or behind all of those an obstacle
   bool known = false;
   Gap gap;
+  Names bodies;  ///< of the gap; empty where that is not exact
 
   double least = std::numeric_limits<double>::infinity();  ///< [m]
   Instant least_at;
@@ -46,10 +47,10 @@ struct PairWatch {
   Threshold margin;
   std::optional<Breach> breach;  ///< that lasts
 
-  /// Keeps the least distance; `bodies` are those of the gap.
-  void keepLeast(const Names& bodies, Instant now);
+  /// Keeps the least distance.
+  void keepLeast(Instant now);
   /// Goes on with the breach.
-  void keepBreach(const Names& bodies, Instant now);
+  void keepBreach(Instant now);
 };
 
 }  // namespace cobot_command::cell::monitor

@@ -34,13 +34,13 @@ Track::Taken RobotTrack::take(const arm::JointVector& joints,
   return note(joints, velocities ? std::optional<Axes>(*velocities) : std::nullopt, age, now, most);
 }
 
-bool RobotTrack::carry(const Carried& parts) {
+bool RobotTrack::carry(const std::optional<Carried>& parts) {
   std::vector<FlangeCapsules> carried;
   for (const FlangeCapsules& part : may_carry_) {
-    if (parts.count(part.name) == 0) continue;
-    carried.push_back(part);
+    if (!parts || parts->count(part.name) > 0) carried.push_back(part);
   }
-  if (carried.size() != parts.size()) return false;
+  if (parts && carried.size() != parts->size()) return false;
+  carried_ = parts;
   robot_ = bare_.carrying(carried);
   if (heard()) place();
   return true;

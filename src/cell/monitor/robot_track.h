@@ -21,8 +21,9 @@ class RobotTrack : public Track {
   /// As Monitor::take(). The speed of a joint is that of Track::note().
   Taken take(const arm::JointVector& joints, const std::optional<arm::JointVector>& velocities, Duration age,
              Instant now, Duration most);
-  /// False: there is no such part.
-  bool carry(const Carried& parts);
+  /// Nothing: all that it may carry. False: there is no such part.
+  bool carry(const std::optional<Carried>& parts);
+  [[nodiscard]] const std::optional<Carried>& carried() const { return carried_; }
 
   [[nodiscard]] const std::string& bodyName(std::size_t body) const override {
     return robot_.bodies()[body].name;
@@ -34,7 +35,8 @@ class RobotTrack : public Track {
 
   RobotBodies bare_;
   std::vector<FlangeCapsules> may_carry_;
-  RobotBodies robot_;  ///< with what it carries
+  std::optional<Carried> carried_;
+  RobotBodies robot_;  ///< with that
   PlacedRobot placed_;
 };
 

@@ -87,6 +87,9 @@ void describeMonitor(diagnostic_updater::DiagnosticStatusWrapper& status, const 
   }
   status.add("mode", mode == cell::MonitorSettings::Mode::Stop ? "stop" : "warn");
   addPairs(status, view.status);
+  for (const WatchView::Mover& mover : view.movers) {
+    if (!mover.carries.empty()) status.add("carried by " + mover.name, mover.carries);
+  }
   const cell::MonitorCounts& counts = view.status.counts;
   status.add("joint states and positions that were malformed", counts.malformed);
   status.add("joint states and positions that were old", counts.old);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cell_watch/base_frames.h"
+#include "cell_watch/carried_parts.h"
 #include "cell_watch/distance_messages.h"
 #include "cell_watch/pictures/cell_pictures.h"
 #include "cell_watch/watch.h"
@@ -22,17 +23,18 @@ using Faults = std::vector<std::string>;
 /// So often pictures, and what diagnostics say of the alarm, are looked at [s].
 constexpr double kPicturePeriod = 0.1;
 
-/// Nothing: there is no artifact.
-Result<std::optional<CellScene>, Faults> readScene(const std::string& file, const cell::Cell& cell) {
-  if (file.empty()) return std::optional<CellScene>();
-  const auto artifact = runtime::readArtifact(file);
+/// nullptr: there is none.
+Result<std::shared_ptr<const cell::Artifact>, Faults> artifactOf(const std::string& file,
+                                                                 const cell::Cell& cell) {
+  if (file.empty()) return std::shared_ptr<const cell::Artifact>();
+  auto artifact = runtime::readArtifact(file);
   if (!artifact) return refuse(artifact.error());
   if (artifact->hash != cell::hashOf(cell)) {
     return refuse(Faults{"~artifact: " + file +
                          " was made of another cell than ~cell_file; build it anew: "
                          "tm_cell build CELL -o FILE"});
   }
-  return std::optional<CellScene>(sceneOf(*artifact));
+  return std::make_shared<const cell::Artifact>(std::move(*artifact));
 }
 
 }  // namespace
@@ -43,6 +45,7 @@ class MonitorNode::Impl {
     cell::Cell cell;
     cell::Monitor monitor;
     Whereabouts whereabouts;
+    std::optional<CarriedParts> carried;
     std::optional<CellScene> scene;
   };
   [[nodiscard]] static Result<Made, Faults> make(const MonitorParameters& parameters);
@@ -53,7 +56,7 @@ class MonitorNode::Impl {
         period_(parameters.diagnostic_period),
         frames_(made.cell),
         pictures_(node, made.cell, std::move(made.scene)),
-        watch_(node, std::move(made.monitor), std::move(made.whereabouts),
+        watch_(node, std::move(made.monitor), std::move(made.whereabouts), std::move(made.carried),
                [this, is_told = parameters.publish_frames](std::size_t robot, const std::string& prefix) {
                  if (is_told) frames_.tell(robot, prefix);
                }),
@@ -103,9 +106,18 @@ Result<MonitorNode::Impl::Made, Faults> MonitorNode::Impl::make(const MonitorPar
   if (!monitor) return refuse(Faults{monitor.error()});
   auto whereabouts = Whereabouts::of(*cell);
   if (!whereabouts) return refuse(Faults{whereabouts.error()});
-  auto scene = readScene(parameters.artifact, *cell);
-  if (!scene) return refuse(scene.error());
-  return Made{std::move(*cell), std::move(*monitor), std::move(*whereabouts), std::move(*scene)};
+  auto artifact = artifactOf(parameters.artifact, *cell);
+  if (!artifact) return refuse(artifact.error());
+  std::optional<CarriedParts> carried;
+  std::optional<CellScene> scene;
+  if (*artifact) {
+    auto parts = CarriedParts::of(*artifact);
+    if (!parts) return refuse(parts.error());
+    carried = std::move(*parts);
+    scene = sceneOf(**artifact);
+  }
+  return Made{std::move(*cell), std::move(*monitor), std::move(*whereabouts), std::move(carried),
+              std::move(scene)};
 }
 
 Result<std::unique_ptr<MonitorNode>, Faults> MonitorNode::of(const ros::NodeHandle& node,

@@ -44,7 +44,9 @@ SettingTable settingsTable(MonitorParameters& p) {
           {"stop_distance", distanceOrNone(p.stop_distance),
            "closer than this stops all; at most the margin of the cell; -1: half of that"},
           {"artifact", text(p.artifact, orEmpty(absolutePath())),
-           "what `tm_cell build` has made of that file, for the pictures of zones; empty: there are none"},
+           "what `tm_cell build` has made of that file, for what robots carry, and the pictures of zones; "
+           "empty: they "
+           "carry all that they may, and there are none"},
           {"publish_frames", flag(p.publish_frames),
            "tells tf where in `world` the base of each robot is, once its joint states have told its prefix"},
           {"diagnostic_period", real(p.diagnostic_period, 0.1, 3600, "s"), "of `/diagnostics`"}};

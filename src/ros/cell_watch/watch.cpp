@@ -9,6 +9,7 @@
 #include "cell_watch/distance_messages.h"
 #include "cell_watch/joint_reading.h"
 #include "shared/steady_now.h"
+#include <fmt/format.h>
 #include <ros/console.h>
 
 #include "cobot_command/CellDistances.h"
@@ -24,6 +25,7 @@ constexpr double kAtOnce = 1e-4;
 /// A newer one says more than one that has to wait.
 constexpr std::uint32_t kMeasured = 1;
 constexpr std::uint32_t kReports = 100;
+constexpr std::uint32_t kStates = 10;
 
 /// The monitor drops and counts that.
 arm::JointVector malformedJoints() {
@@ -37,10 +39,12 @@ std::string topicOf(const Whereabouts::Mover& mover) {
 }  // namespace
 
 Watch::Watch(const ros::NodeHandle& node, cell::Monitor monitor, Whereabouts whereabouts,
-             PrefixTold prefix_told)
+             std::optional<CarriedParts> carried, PrefixTold prefix_told)
     : node_(node),
       monitor_(std::move(monitor)),
       whereabouts_(std::move(whereabouts)),
+      carried_(std::move(carried)),
+      beliefs_(whereabouts_.movers().size()),
       prefix_told_(std::move(prefix_told)),
       is_prefix_told_(whereabouts_.movers().size()),
       measured_(whereabouts_.movers().size()) {
@@ -59,6 +63,9 @@ void Watch::start() {
     listenTo(mover);
   }
   reports_ = node_.subscribe("reports", kReports, &Watch::hear, this);
+  if (carried_) {
+    states_ = node_.subscribe("state", kStates, &Watch::hearState, this, ros::TransportHints().tcpNoDelay());
+  }
   reset_ = node_.advertiseService("reset_monitor", &Watch::reset, this);
   timer_ = node_.createSteadyTimer(
       ros::WallDuration(kAtOnce),
@@ -78,6 +85,7 @@ void Watch::stop() {
   for (ros::Subscriber& one : measured_) one.shutdown();
   for (const auto& line : stop_lines_) line->end();
   reports_.shutdown();
+  states_.shutdown();
   reset_.shutdown();
   spinner_->stop();
   spinner_.reset();
@@ -112,6 +120,8 @@ void Watch::take(std::size_t robot, const sensor_msgs::JointState& message) {
     whereabouts_.heard(robot, now);
     // By the arrival here: what others write into a stamp is theirs.
     monitor_.take(name, reading->joints, reading->velocities, Duration(0), now);
+    if (carried_) carried_->measured(name, reading->joints, now);
+    believe(robot, now);
     if (!is_prefix_told_[robot]) {
       is_prefix_told_[robot] = true;
       prefix_told_(robot, reading->prefix);
@@ -141,6 +151,31 @@ void Watch::hear(const ros::MessageEvent<cobot_command::CellReport const>& event
   listenTo(*mover);
 }
 
+void Watch::hearState(const ros::MessageEvent<cobot_command::CellState const>& event) {
+  const Instant now = steadyNow();
+  carried_->hear(*event.getConstMessage(), event.getPublisherName(), now);
+  for (std::size_t mover = 0; mover < beliefs_.size(); ++mover) believe(mover, now);
+  advance(now);
+}
+
+void Watch::believe(std::size_t robot, Instant now) {
+  const std::string& name = whereabouts_.movers()[robot].name;
+  if (!carried_ || !carried_->mayCarry(name)) return;
+  auto belief = carried_->beliefOf(name, now);
+  const bool is_known = belief && monitor_.setCarried(name, belief->parts);
+  if (!is_known) {
+    belief.reset();
+    monitor_.setCarried(name, std::nullopt);
+  }
+  beliefs_[robot] = std::move(belief);
+}
+
+void Watch::forget(Instant now) {
+  for (std::size_t mover = 0; mover < beliefs_.size(); ++mover) {
+    if (beliefs_[mover] && beliefs_[mover]->until < now) believe(mover, now);
+  }
+}
+
 bool Watch::reset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
   const Instant now = steadyNow();
   const cell::ResetAnswer answer = monitor_.reset(now);
@@ -153,6 +188,7 @@ bool Watch::reset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Re
 }
 
 void Watch::advance(Instant now) {
+  forget(now);
   const auto due = monitor_.nextDeadline();
   if (due && *due <= now) {
     monitor_.tick(now);
@@ -187,7 +223,7 @@ void Watch::tell(Instant now) {
   for (std::size_t mover = 0; mover < measured_.size(); ++mover) {
     const Whereabouts::Mover& known = whereabouts_.movers()[mover];
     view.movers.push_back({known.name, known.space, topicOf(known), known.heard.has_value(),
-                           stop_lines_[mover]->isConnected()});
+                           stop_lines_[mover]->isConnected(), carriedBy(mover)});
   }
   cobot_command::CellDistances message = toMessage(view.status);
   // Its thread alone writes it, so that it reads it without the lock.
@@ -201,9 +237,19 @@ void Watch::tell(Instant now) {
   distances_.publish(message);
 }
 
+std::string Watch::carriedBy(std::size_t mover) const {
+  if (!carried_ || !carried_->mayCarry(whereabouts_.movers()[mover].name)) return "";
+  if (!beliefs_[mover]) return "all that it may carry, as nobody can tell";
+  const cell::Carried& parts = beliefs_[mover]->parts;
+  return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
 void Watch::arm(Instant now) {
   auto next = monitor_.nextDeadline();
   if (is_news_) next = std::min(next.value_or(Instant::max()), told_at_ + kTellPeriod);
+  for (const auto& belief : beliefs_) {
+    if (belief) next = std::min(next.value_or(Instant::max()), belief->until + Duration(1));
+  }
   if (!next) return;
   if (armed_ && *armed_ <= *next) return;  // it comes soon enough
   timer_.stop();

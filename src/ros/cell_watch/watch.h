@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cell_watch/carried_parts.h"
 #include "cell_watch/pictures/watch_view.h"
 #include "cell_watch/stop_line.h"
 #include "cell_watch/whereabouts.h"
@@ -23,6 +24,7 @@
 #include <std_srvs/Trigger.h>
 
 #include "cobot_command/CellReport.h"
+#include "cobot_command/CellState.h"
 #include "cobot_command/cell/monitor/monitor.h"
 
 namespace cobot_command::ros_adapter {
@@ -32,8 +34,9 @@ class Watch {
   /// Of a robot that is heard for the first time, the prefix of its names. On the watch's thread.
   using PrefixTold = std::function<void(std::size_t robot, const std::string& prefix)>;
 
-  /// Topics and services are relative to `node`.
-  Watch(const ros::NodeHandle& node, cell::Monitor monitor, Whereabouts whereabouts, PrefixTold prefix_told);
+  /// Topics and services are relative to `node`. Without `carried` all robots carry all that they may.
+  Watch(const ros::NodeHandle& node, cell::Monitor monitor, Whereabouts whereabouts,
+        std::optional<CarriedParts> carried, PrefixTold prefix_told);
   ~Watch();  ///< stop()
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
@@ -49,23 +52,34 @@ class Watch {
   void take(std::size_t robot, const sensor_msgs::JointState& message);
   void takePosition(std::size_t mechanism, double position);
   void hear(const ros::MessageEvent<cobot_command::CellReport const>& event);
+  void hearState(const ros::MessageEvent<cobot_command::CellState const>& event);
+  /// Has the monitor take the robot for carrying what it carries by what is known now.
+  void believe(std::size_t robot, Instant now);
+  /// What is too old to be relied on is believed no longer.
+  void forget(Instant now);
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   /// Looks, where that is due, does what follows, and has itself called again.
   void advance(Instant now);
   void carryOut();
   void stopAll(const std::string& why);
   void tell(Instant now);
+  /// For people; empty: its program has it carry nothing.
+  [[nodiscard]] std::string carriedBy(std::size_t mover) const;
   void arm(Instant now);
 
   ros::NodeHandle node_;
   ros::CallbackQueue queue_;
   cell::Monitor monitor_;
   Whereabouts whereabouts_;
+  std::optional<CarriedParts> carried_;
+  std::vector<std::optional<CarriedParts::Belief>>
+      beliefs_;  ///< by mover; nothing: it carries all that it may
   PrefixTold prefix_told_;
   std::vector<bool> is_prefix_told_;
   std::vector<std::unique_ptr<StopLine>> stop_lines_;
   std::vector<ros::Subscriber> measured_;
   ros::Subscriber reports_;
+  ros::Subscriber states_;
   ros::ServiceServer reset_;
   ros::Publisher distances_;
   ros::SteadyTimer timer_;

@@ -115,17 +115,39 @@ TEST(MonitorDistance, countsAllThatMayBeCarriedUntilItIsTold) {
       nearestOf(leftBodies().carrying({bar}).at(kT1).capsules, rightBodies().at(kHome).capsules).distance;
   EXPECT_NEAR(monitor.status().pairs.front().distance, with, 1e-12);
   EXPECT_LT(with, 0.17);
-  EXPECT_FALSE(monitor.setCarried("left", {"foo"}));
-  EXPECT_FALSE(monitor.setCarried("foo", {}));
-  EXPECT_FALSE(monitor.setCarried("left", {"bar", "foo"}));
-  EXPECT_FALSE(monitor.nextDeadline().has_value());
-  EXPECT_TRUE(monitor.setCarried("left", {}));
+  EXPECT_FALSE(monitor.setCarried("left", Carried{"foo"}));
+  EXPECT_FALSE(monitor.setCarried("foo", Carried{}));
+  EXPECT_FALSE(monitor.setCarried("foo", std::nullopt));
+  EXPECT_FALSE(monitor.setCarried("left", Carried{"bar", "foo"}));
+  EXPECT_TRUE(monitor.setCarried("left", std::nullopt));
+  EXPECT_FALSE(monitor.nextDeadline().has_value()) << "nothing has changed";
+  EXPECT_TRUE(monitor.setCarried("left", Carried{}));
   ASSERT_TRUE(monitor.nextDeadline().has_value());
   monitor.tick(*monitor.nextDeadline());
   EXPECT_NEAR(mToMm(monitor.status().pairs.front().distance), 180, 1);
-  EXPECT_TRUE(monitor.setCarried("left", {"bar"}));
+  EXPECT_TRUE(monitor.setCarried("left", Carried{}));
+  EXPECT_FALSE(monitor.nextDeadline().has_value()) << "that is known";
+  EXPECT_TRUE(monitor.setCarried("left", Carried{"bar"}));
   monitor.tick(at(1));
   EXPECT_NEAR(monitor.status().pairs.front().distance, with, 1e-12);
+  EXPECT_TRUE(monitor.setCarried("left", Carried{}));
+  EXPECT_TRUE(monitor.setCarried("left", std::nullopt)) << "nobody can tell any more";
+  monitor.tick(at(2));
+  EXPECT_NEAR(monitor.status().pairs.front().distance, with, 1e-12);
+}
+
+TEST(MonitorDistance, isThatOfTheLastLookUntilTheNextWhateverIsSetDownMeanwhile) {
+  const FlangeCapsules bar{"bar", {{{-0.4, 0, 0}, {0.4, 0, 0}, 0.02}, {{0, -0.4, 0}, {0, 0.4, 0}, 0.02}}};
+  Monitor monitor = monitorOf({{"left", leftBodies(), {bar}}, {"right", rightBodies(), {}}});
+  stand(monitor, kT1, kHome, at(0));
+  const PairStatus with = monitor.status().pairs.front();
+  EXPECT_EQ(with.first_body, "bar");
+  monitor.setCarried("left", Carried{});
+  EXPECT_EQ(monitor.status().pairs.front().first_body, "bar");
+  EXPECT_EQ(monitor.status().pairs.front().distance, with.distance);
+  EXPECT_EQ(monitor.bodies().front().body_names.back(), "tool");
+  monitor.tick(at(1));
+  EXPECT_NE(monitor.status().pairs.front().first_body, "bar");
 }
 
 TEST(MonitorUncertainty, isNoneOfDataOfNowAndOfRobotsThatStand) {

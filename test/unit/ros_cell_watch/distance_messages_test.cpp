@@ -8,6 +8,7 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Level = diagnostic_msgs::DiagnosticStatus;
 using Mode = cell::MonitorSettings::Mode;
 
@@ -28,9 +29,9 @@ WatchView viewOf(const cell::PairStatus& pair) {
   WatchView view;
   view.status.pairs = {pair};
   view.status.diagnosis = "how it stands";
-  view.movers = {{"RA", "/RA", "/RA/joint_states", true, true},
-                 {"RB", "/RB", "/RB/joint_states", true, true},
-                 {"PALLET", "/plc", "/plc/position", true, true}};
+  view.movers = {{"RA", "/RA", "/RA/joint_states", true, true, "sheet"},
+                 {"RB", "/RB", "/RB/joint_states", true, true, ""},
+                 {"PALLET", "/plc", "/plc/position", true, true, ""}};
   return view;
 }
 
@@ -116,6 +117,8 @@ TEST(DiagnosticsOfTheMonitor, areFineOtherwiseAndHaveTheDistances) {
   for (const auto& value : status.values) all += value.key + "=" + value.value + "\n";
   EXPECT_THAT(all, HasSubstr("RA and RB=50.0 mm, at least 40.0 mm ever"));
   EXPECT_THAT(all, HasSubstr("mode=stop"));
+  EXPECT_THAT(all, HasSubstr("carried by RA=sheet"));
+  EXPECT_THAT(all, Not(HasSubstr("carried by RB"))) << "it never carries anything";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ WatchView viewOf(const cell::Monitor& monitor, const std::vector<std::string>& m
   WatchView view;
   view.status = monitor.status();
   view.bodies = monitor.bodies();
-  for (const std::string& name : movers) view.movers.push_back({name, "/" + name, "", true, true});
+  for (const std::string& name : movers) view.movers.push_back({name, "/" + name, "", true, true, ""});
   return view;
 }
 

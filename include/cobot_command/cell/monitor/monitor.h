@@ -85,9 +85,9 @@ class Monitor {
   /// Where a mechanism was measured on or about its axis [m, or rad of one that turns]. All else is as of the
   /// joints of a robot whose velocities nobody tells.
   void takePosition(const std::string& mechanism, double position, Duration age, Instant now);
-  /// From now on the robot carries just these of what it may carry. False, and nothing changes, when there is
-  /// no such robot or part.
-  bool setCarried(const std::string& robot, const Carried& parts);
+  /// From now on the robot carries just these of what it may carry; nothing: nobody can tell, so all of it.
+  /// False, and nothing changes, when there is no such robot or part.
+  bool setCarried(const std::string& robot, const std::optional<Carried>& parts);
   /// Looks at all pairs.
   void tick(Instant now);
   /// Looks at all pairs, and ends the latch; refused while what it was for lasts, or anything else that stops

@@ -17,7 +17,7 @@ struct MonitorParameters {
   std::string cell_file;                                                 ///< absolute
   cell::MonitorSettings::Mode mode = cell::MonitorSettings::Mode::Stop;  ///< whether it stops, or only warns
   std::optional<double> stop_distance;                                   ///< [m]; nothing: half of the margin
-  std::string artifact;            ///< absolute; empty: no pictures of zones
+  std::string artifact;                                                  ///< absolute; empty: none
   bool publish_frames = true;      ///< where the bases of the robots are, in tf
   double diagnostic_period = 1.0;  ///< [s]
 

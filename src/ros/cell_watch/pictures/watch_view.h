@@ -17,6 +17,7 @@ struct WatchView {
     std::string topic;  ///< by which it is heard
     bool is_heard = false;
     bool takes_stops = false;  ///< somebody listens to them
+    std::string carries;       ///< for people; empty: it never carries anything
   };
   cell::MonitorStatus status;
   std::vector<Mover> movers;             ///< robots, then mechanisms; both in the order of the cell
