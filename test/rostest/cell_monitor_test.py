@@ -2,6 +2,7 @@
 """The monitor of a cell beside robots and a mechanism that nothing else keeps apart. In real time, as it judges by the age of what it hears."""
 import json
 import os
+import re
 import signal
 import subprocess
 import tempfile
@@ -246,6 +247,26 @@ class CellMonitor(OutcomeTestCase):
         claims.wait_for(lambda m: len(m.markers) == 1, "the end of the claims")
         closest = Latest("/cell/closest", MarkerArray)
         closest.wait_for(lambda m: any(t.text in ("658 mm", "659 mm", "660 mm") for t in m.markers), "the shortest way")
+
+    def test_shows_robots_whatever_they_are_called(self):
+        with open(cell_file("handover"), encoding="utf-8") as file:
+            text = file.read()
+        for name, space, other in (("RA", "RA", "left_arm"), ("RB", "/RB", "ARM_2")):
+            text = re.sub(rf"\b{name}\b", other, text).replace(f"namespace: {other}", f"namespace: {space}")
+        path = os.path.join(self.folder.name, "names.yaml")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        self.start_monitor(cell_file=path, artifact="")
+        bodies = Latest("/cell/bodies", MarkerArray)
+        shown = bodies.wait_for(lambda m: {n.ns for n in m.markers} >= {"left_arm", "ARM_2"}, "both robots").markers
+        self.assertEqual({m.header.frame_id for m in shown}, {"world"})
+        for name, side in (("left_arm", -1), ("ARM_2", 1)):
+            core = next(m for m in shown if m.ns == name and m.type == Marker.CYLINDER)
+            self.assertAlmostEqual(core.pose.position.x, 0.72 * side, delta=0.1)
+        self.monitor.end(signal.SIGTERM)
+        self.start_monitor(cell_file=cell_file("pallet"), artifact="")
+        obstacles = Latest("/cell/obstacles", MarkerArray)
+        obstacles.wait_for(lambda m: any(n.text == "fence" for n in m.markers), "the fence")
 
     def test_tells_tf_where_the_robots_stand(self):
         self.start_monitor()

@@ -1,6 +1,6 @@
 #include "cell_watch/base_frames.h"
 
-#include "cell_watch/pictures/cell_markers.h"
+#include "cell_watch/pictures/marker_parts.h"
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
 

@@ -1,14 +1,13 @@
 #include "cell_watch/pictures/cell_markers.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 
+#include "cell_watch/pictures/marker_parts.h"
 #include <fmt/format.h>
 
 #include "cobot_command/common/units.h"
-#include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -20,59 +19,10 @@ using ZoneMessage = cobot_command::CellZone;
 // [m]
 constexpr double kEdgeWidth = 0.004;
 constexpr double kWaitWidth = 0.012;
-constexpr double kLetter = 0.07;
 /// Of the edge of a voxel: neighbours do not flicker where they touch.
 constexpr double kShownPart = 0.98;
 constexpr float kZoneAlpha = 0.5F;
 constexpr float kClaimAlpha = 0.12F;
-
-struct Tint {
-  float r, g, b;
-};
-constexpr Tint kGrey{0.55F, 0.58F, 0.62F};
-constexpr Tint kRed{0.9F, 0.05F, 0.05F};
-constexpr Tint kDark{0.12F, 0.13F, 0.15F};
-constexpr Tint kAmber{0.95F, 0.6F, 0.05F};
-/// Of the robots, in their order; none of them grey or red.
-constexpr std::array<Tint, 8> kOfRobots{{{0.06F, 0.45F, 0.95F},
-                                         {0.98F, 0.62F, 0.05F},
-                                         {0.1F, 0.7F, 0.25F},
-                                         {0.6F, 0.25F, 0.8F},
-                                         {0.0F, 0.72F, 0.72F},
-                                         {0.95F, 0.45F, 0.7F},
-                                         {0.6F, 0.5F, 0.1F},
-                                         {0.45F, 0.3F, 0.2F}}};
-
-geometry_msgs::Point toPoint(const Eigen::Vector3d& place) {
-  geometry_msgs::Point point;
-  point.x = place.x();
-  point.y = place.y();
-  point.z = place.z();
-  return point;
-}
-
-Marker markerOf(const char* name, std::size_t id, int type, const Tint& tint, const ros::Time& stamp) {
-  Marker marker;
-  marker.header.stamp = stamp;
-  marker.header.frame_id = kWorldFrame;
-  marker.ns = name;
-  marker.id = static_cast<int>(id);
-  marker.type = type;
-  marker.action = Marker::ADD;
-  marker.pose = toPoseMessage(arm::Pose::Identity());
-  marker.color.r = tint.r;
-  marker.color.g = tint.g;
-  marker.color.b = tint.b;
-  marker.color.a = 1.0F;
-  return marker;
-}
-
-MarkerArray cleared(const ros::Time& stamp) {
-  MarkerArray array;
-  array.markers.push_back(markerOf("", 0, Marker::CUBE, kGrey, stamp));
-  array.markers.back().action = Marker::DELETEALL;
-  return array;
-}
 
 Marker cubesOf(const char* name, std::size_t id, const VoxelHull& hull, const Tint& tint,
                const ros::Time& stamp) {
@@ -80,15 +30,6 @@ Marker cubesOf(const char* name, std::size_t id, const VoxelHull& hull, const Ti
   cubes.scale.x = cubes.scale.y = cubes.scale.z = kShownPart * hull.edge;
   cubes.points = hull.centres;
   return cubes;
-}
-
-Marker textAt(const char* name, std::size_t id, const Eigen::Vector3d& place, std::string words,
-              const Tint& tint, const ros::Time& stamp) {
-  Marker text = markerOf(name, id, Marker::TEXT_VIEW_FACING, tint, stamp);
-  text.scale.z = kLetter;
-  text.pose.position = toPoint(place);
-  text.text = std::move(words);
-  return text;
 }
 
 /// From each corner along each axis, if that leads to the other side.
@@ -113,10 +54,6 @@ std::optional<std::size_t> indexOf(const Things& things, const std::string& name
       std::find_if(things.begin(), things.end(), [&](const auto& one) { return one.name == name; });
   if (found == things.end()) return std::nullopt;
   return static_cast<std::size_t>(found - things.begin());
-}
-
-Tint tintOfRobot(std::size_t robot) {
-  return kOfRobots[robot % kOfRobots.size()];
 }
 
 class ZonePicture {

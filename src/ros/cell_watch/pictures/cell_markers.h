@@ -15,8 +15,6 @@
 
 namespace cobot_command::ros_adapter {
 
-inline constexpr const char* kWorldFrame = "world";
-
 /// Voxels that can be seen: those that have a neighbour outside of the set.
 struct VoxelHull {
   double edge = 0;                            ///< [m]

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "cell_watch/pictures/body_markers.h"
+#include "cell_watch/pictures/marker_parts.h"
 #include "cell_watch/pictures/shortest_way.h"
 #include <fmt/format.h>
 #include <ros/console.h>
@@ -32,6 +34,8 @@ bool looksLike(const std::vector<cobot_command::CellZone>& a, const std::vector<
 
 CellPictures::CellPictures(const ros::NodeHandle& node, cell::Cell cell, std::optional<CellScene> scene)
     : node_(node), cell_(std::move(cell)), scene_(std::move(scene)) {
+  bodies_ = node_.advertise<MarkerArray>("bodies", 1, true);
+  obstacles_ = node_.advertise<MarkerArray>("obstacles", 1, true);
   closest_ = node_.advertise<MarkerArray>("closest", 1, true);
   claims_topic_ = node_.advertise<MarkerArray>("claims", 1, true);
   show_claims_ = node_.advertiseService("show_claims", &CellPictures::showClaims, this);
@@ -81,7 +85,24 @@ void CellPictures::publishClaims() {
       toClaimMarkers(are_shown ? *claims_ : none, cell_.parameters.voxel, ros::Time::now()));
 }
 
+void CellPictures::showBodies(const WatchView& view) {
+  const auto end_of_movers =
+      view.bodies.begin() + static_cast<std::ptrdiff_t>(std::min(view.movers.size(), view.bodies.size()));
+  const ros::Time now = ros::Time::now();
+  if (!are_obstacles_shown_ && !view.bodies.empty()) {
+    are_obstacles_shown_ = true;
+    obstacles_.publish(toBodyMarkers({end_of_movers, view.bodies.end()}, 0, now));
+  }
+  if (bodies_.getNumSubscribers() == 0) return;
+  MarkerArray bodies = toBodyMarkers({view.bodies.begin(), end_of_movers}, view.movers.size(), now);
+  MarkerArray told = areSameMarkers(bodies, shown_bodies_) ? MarkerArray() : cleared(now);
+  told.markers.insert(told.markers.end(), bodies.markers.begin(), bodies.markers.end());
+  bodies_.publish(told);
+  shown_bodies_ = std::move(bodies);
+}
+
 void CellPictures::show(const WatchView& view) {
+  showBodies(view);
   const auto way = shortestWay(view);
   if (way || is_way_shown_) closest_.publish(toDistanceMarkers(way, ros::Time::now()));
   is_way_shown_ = way.has_value();
