@@ -7,7 +7,6 @@
 #include <ros/console.h>
 #include <ros/this_node.h>
 
-#include "cobot_command/StopActionGoal.h"
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
@@ -24,13 +23,12 @@ std::string anyId(const std::string& robot) {
 }  // namespace
 
 StopLine::StopLine(const ros::NodeHandle& node, std::string robot, const std::string& space)
-    : node_(node), robot_(std::move(robot)), id_(anyId(robot_)) {
+    : node_(node), robot_(std::move(robot)), id_(anyId(robot_)), goals_(node) {
   moveTo(space);
 }
 
 void StopLine::moveTo(const std::string& space) {
-  space_ = space;
-  goals_ = node_.advertise<cobot_command::StopActionGoal>(space + "/stop/goal", kQueueSize);
+  goals_.moveTo(space);
   const boost::function<void(const cobot_command::StopActionResultConstPtr&)> take =
       [this](const cobot_command::StopActionResultConstPtr& message) { hear(*message); };
   results_ = node_.subscribe<cobot_command::StopActionResult>(
@@ -38,13 +36,9 @@ void StopLine::moveTo(const std::string& space) {
 }
 
 void StopLine::stop() {
-  cobot_command::StopActionGoal goal;
-  goal.header.stamp = ros::Time::now();
-  goal.goal_id.stamp = goal.header.stamp;
-  goal.goal_id.id = fmt::format("{}-{}", id_, ++sent_);
-  goals_.publish(goal);
+  goals_.send(fmt::format("{}-{}", id_, ++sent_));
   if (isConnected()) return;
-  ROS_ERROR_STREAM(robot_ << " cannot be told to stop: nobody listens to " << goals_.getTopic()
+  ROS_ERROR_STREAM(robot_ << " cannot be told to stop: nobody listens to " << goals_.topic()
                           << ". Make sure that it stands.");
 }
 

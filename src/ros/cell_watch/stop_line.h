@@ -1,12 +1,12 @@
-// The line to the `stop` action of a robot's command node. A goal is on its way as soon as it is published:
-// no robot waits for another one, nor for its answer.
+// The line to the `stop` action of a robot's command node, or of a mechanism's seat, with what its log tells
+// of the answers.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
+#include "shared/stop_goals.h"
 #include <ros/node_handle.h>
-#include <ros/publisher.h>
 #include <ros/subscriber.h>
 
 #include "cobot_command/StopActionResult.h"
@@ -24,7 +24,7 @@ class StopLine {
   void moveTo(const std::string& space);
   /// Where nobody is at the other end, an error in the log.
   void stop();
-  [[nodiscard]] bool isConnected() const { return goals_.getNumSubscribers() > 0; }
+  [[nodiscard]] bool isConnected() const { return goals_.isConnected(); }
   /// Nothing is heard any more.
   void end() { results_.shutdown(); }
 
@@ -33,10 +33,9 @@ class StopLine {
 
   ros::NodeHandle node_;
   std::string robot_;
-  std::string space_;
   std::string id_;  ///< in front of those of its goals
   std::uint64_t sent_ = 0;
-  ros::Publisher goals_;
+  StopGoals goals_;
   ros::Subscriber results_;
 };
 

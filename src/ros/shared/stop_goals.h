@@ -1,0 +1,29 @@
+// Goals of the action `stop` to one node: that of a robot, or the seat of a mechanism. A goal is on its way
+// as soon as it is published: nobody waits for another one, nor for an answer.
+#pragma once
+
+#include <string>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+namespace cobot_command::ros_adapter {
+
+class StopGoals {
+ public:
+  explicit StopGoals(const ros::NodeHandle& node) : node_(node) {}
+
+  /// From now on they go to the node in that namespace, "/RA"; before that to nobody.
+  void moveTo(const std::string& space);
+  /// `id`: of the goal, by which its answer is known; empty: whoever takes it gives it one.
+  void send(const std::string& id = "");
+  /// Whether somebody is at the other end.
+  [[nodiscard]] bool isConnected() const { return goals_ && goals_.getNumSubscribers() > 0; }
+  [[nodiscard]] std::string topic() const { return goals_.getTopic(); }
+
+ private:
+  ros::NodeHandle node_;
+  ros::Publisher goals_;
+};
+
+}  // namespace cobot_command::ros_adapter
