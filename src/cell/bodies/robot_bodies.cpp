@@ -36,6 +36,12 @@ Result<std::vector<Body>, BodyRefusal> bodiesOfLinks(const std::string& urdf, do
 
 RobotBodies::RobotBodies(const arm::ArmModel& arm, const arm::Pose& base) : chain_(arm), base_(base) {}
 
+bool isFixed(const Body& body) {
+  constexpr double kOnAxis = 1e-6;  // of joint 1, which is the z axis of link 1 [m]
+  const auto is_on_axis = [](const Eigen::Vector3d& end) { return end.head<2>().norm() < kOnAxis; };
+  return body.link == 0 || (body.link == 1 && is_on_axis(body.capsule.from) && is_on_axis(body.capsule.to));
+}
+
 Result<RobotBodies, BodyRefusal> RobotBodies::fromUrdf(const std::string& urdf, const arm::Pose& base,
                                                        const std::vector<Shape>& tool, double body_cell) {
   const auto arm = arm::ArmModel::fromUrdf(urdf);

@@ -64,7 +64,7 @@ void Sweep::claimFrame(const PlannedPath& path, std::size_t index) {
 }
 
 /// It stands there as long as the next frame is not sent, whatever comes then; with what it has taken, and
-/// with what it has not set down yet.
+/// with what it has not set down yet, and with both while it has.
 void Sweep::claimRests(const PlannedPath& path, const Made& made) {
   Made of_rest = made;
   of_rest.kind = Piece::Kind::Rest;
@@ -72,7 +72,9 @@ void Sweep::claimRests(const PlannedPath& path, const Made& made) {
   const bool is_last = made.frame + 1 == path.frames.size();
   const auto& next = is_last ? path.carried_at_end : path.frames[made.frame + 1].carried;
   if (next == path.frames[made.frame].carried) return;
-  of_rest.bodies = bodies_.carrying(next);
+  auto both = next;
+  both.insert(path.frames[made.frame].carried.begin(), path.frames[made.frame].carried.end());
+  of_rest.bodies = bodies_.carrying(both);
   pieces_.push_back(rest(standing_, of_rest));
 }
 

@@ -51,7 +51,7 @@ void RobotTrack::place() {
   BodySet& set = bodies();
   set.capsules = placed_.capsules;
   set.fixed.clear();
-  for (const Body& body : robot_.bodies()) set.fixed.push_back(body.link == 0 ? 1 : 0);
+  for (const Body& body : robot_.bodies()) set.fixed.push_back(isFixed(body) ? 1 : 0);
   set.standStill();
   set.encloseAll();
 }

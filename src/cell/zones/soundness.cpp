@@ -16,8 +16,6 @@ namespace cobot_command::cell {
 namespace {
 
 constexpr std::size_t kFaultsShown = 20;
-/// Of joint 1, which is the z axis of link 1 [m].
-constexpr double kOnAxis = 1e-6;
 
 /// Zones, as bits.
 class Holds {
@@ -65,16 +63,11 @@ struct Posture {
   }
 };
 
-/// A robot may stand on an obstacle: neither its base moves, nor what only turns about its own axis on it.
+/// Without what it may stand with on an obstacle.
 std::vector<std::size_t> movingOf(const Posture& posture) {
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < posture.capsules.size(); ++i) {
-    const Body* const body = posture.bodies != nullptr ? &(*posture.bodies)[i] : nullptr;
-    const auto is_on_axis = [](const Eigen::Vector3d& end) { return end.head<2>().norm() < kOnAxis; };
-    const bool is_fixed =
-        body != nullptr && (body->link == 0 || (body->link == 1 && is_on_axis(body->capsule.from) &&
-                                                is_on_axis(body->capsule.to)));
-    if (!is_fixed) moving.push_back(i);
+    if (posture.bodies == nullptr || !isFixed((*posture.bodies)[i])) moving.push_back(i);
   }
   return moving;
 }

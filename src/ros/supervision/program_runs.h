@@ -27,7 +27,7 @@ class ProgramRuns {
 
   /// The cell as it is told now.
   void follow(const cell::CellStatus& status, const cobot_command::CellState& told, Instant now);
-  /// The least of any two robots, as the monitor has measured it now [m].
+  /// The least of any two robots or mechanisms, as the monitor has measured it now [m].
   void heardDistance(double distance);
   /// Why the monitor has stopped all; empty: it has not.
   void heardAlarm(std::string why) { alarm_ = std::move(why); }

@@ -2,8 +2,6 @@
 
 #include <ros/names.h>
 
-#include "cobot_command/StopActionGoal.h"
-
 namespace cobot_command::ros_adapter {
 namespace {
 
@@ -16,7 +14,7 @@ void RobotContact::heardFrom(const std::string& publisher, bool moving, Instant 
   if (publisher != publisher_ && ros::names::validate(publisher, fault)) {
     publisher_ = publisher;
     const std::string space = ros::names::parentNamespace(publisher);
-    stops_ = node_.advertise<cobot_command::StopActionGoal>(ros::names::append(space, "stop/goal"), 10);
+    stops_.moveTo(space);
     programs_ = std::make_shared<ProgramClient>(node_, ros::names::append(space, "run_program"));
   }
   if (stop_told_ && now > *stop_told_ && !moving) is_stopping_ = false;
@@ -30,14 +28,9 @@ void RobotContact::stop(Instant now) {
 
 void RobotContact::settle(Instant now) {
   if (!is_stopping_ || (stop_told_ && now < *stop_told_ + kTellAgain)) return;
-  if (stops_ && stops_.getNumSubscribers() > 0) tellStop(now);
-}
-
-void RobotContact::tellStop(Instant now) {
+  if (!stops_.isConnected()) return;
   stop_told_ = now;
-  cobot_command::StopActionGoal goal;
-  goal.header.stamp = ros::Time::now();
-  stops_.publish(goal);
+  stops_.send();
 }
 
 std::shared_ptr<RobotContact::ProgramClient> RobotContact::programs() const {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "shared/stop_goals.h"
 #include <actionlib/client/action_client.h>
 #include <ros/node_handle.h>
-#include <ros/publisher.h>
 
 #include "cobot_command/RunProgramAction.h"
 #include "cobot_command/common/time.h"
@@ -21,7 +21,7 @@ class RobotContact {
   using ProgramClient = actionlib::ActionClient<cobot_command::RunProgramAction>;
   using ProgramHandle = ProgramClient::GoalHandle;
 
-  explicit RobotContact(const ros::NodeHandle& node) : node_(node) {}
+  explicit RobotContact(const ros::NodeHandle& node) : node_(node), stops_(node) {}
 
   /// A report of it came from that node ("/RA/command_node"), whose actions are in its namespace.
   void heardFrom(const std::string& publisher, bool moving, Instant now);
@@ -36,11 +36,9 @@ class RobotContact {
   [[nodiscard]] std::shared_ptr<ProgramClient> programs() const;
 
  private:
-  void tellStop(Instant now);
-
   ros::NodeHandle node_;
   std::string publisher_;
-  ros::Publisher stops_;
+  StopGoals stops_;
   std::shared_ptr<ProgramClient> programs_;
   bool is_stopping_ = false;
   std::optional<Instant> stop_told_;

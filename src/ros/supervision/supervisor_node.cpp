@@ -88,10 +88,11 @@ void SupervisorNode::takeState(const StateEvent& event) {
 void SupervisorNode::takeDistances(const cobot_command::CellDistances& message) {
   alarm_ = message.alarmed != 0 ? foreignText(message.text) : std::string();
   runs_->heardAlarm(alarm_);
-  const auto names = namesOf(supervisor_->artifact());
   for (const cobot_command::CellDistance& pair : message.pairs) {
-    const bool is_of_robots = std::count(names.begin(), names.end(), pair.other) > 0;
-    if (pair.known != 0 && is_of_robots) runs_->heardDistance(pair.now);
+    const auto& users = supervisor_->artifact().program.robots;
+    const bool is_of_users =
+        std::any_of(users.begin(), users.end(), [&](const auto& user) { return user.name == pair.other; });
+    if (pair.known != 0 && is_of_users) runs_->heardDistance(pair.now);
   }
 }
 

@@ -99,7 +99,7 @@ TEST(MonitorDistance, toAnObstacleIsWatchedButThatOfTheFixedBaseIsNot) {
   const PlacedRobot placed = robot.at(kHome);
   double distance = 1e9;
   for (std::size_t i = 0; i < placed.capsules.size(); ++i) {
-    if (robot.bodies()[i].link > 0) distance = std::min(distance, distanceBetween(placed.capsules[i], below));
+    if (!isFixed(robot.bodies()[i])) distance = std::min(distance, distanceBetween(placed.capsules[i], below));
   }
   const PairStatus pair = monitor.status().pairs.front();
   EXPECT_EQ(pair.second, "table");
@@ -185,7 +185,7 @@ double lowestOf(const PlacedRobot& left, const PlacedRobot& right, const arm::Jo
     const double moved = displacementBound(left.capsules[i], link, left.axes, widths);
     for (std::size_t j = 0; j < right.capsules.size(); ++j) {
       const std::size_t other = rightBodies().bodies()[j].link;
-      if (link == 0 && other == 0) continue;
+      if (isFixed(leftBodies().bodies()[i]) && isFixed(rightBodies().bodies()[j])) continue;
       const double others = displacementBound(right.capsules[j], other, right.axes, widths);
       lowest = std::min(lowest, distanceBetween(left.capsules[i], right.capsules[j]) - moved - others);
     }

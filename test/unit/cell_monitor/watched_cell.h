@@ -71,7 +71,7 @@ inline double trueDistance(const RobotBodies& one, const PlacedRobot& here, cons
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < here.capsules.size(); ++i) {
     for (std::size_t j = 0; j < there.capsules.size(); ++j) {
-      if (one.bodies()[i].link == 0 && other.bodies()[j].link == 0) continue;
+      if (isFixed(one.bodies()[i]) && isFixed(other.bodies()[j])) continue;
       least = std::min(least, distanceBetween(here.capsules[i], there.capsules[j]));
     }
   }

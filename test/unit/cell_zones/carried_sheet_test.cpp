@@ -137,5 +137,21 @@ TEST(ASheetOnAPartThatHangsOnTheGripper, isInTheClaimAtEachMoment) {
   EXPECT_GT(cornersOutside(cell, without.planned, without.claims, at, 2), 0) << "else this finds nothing";
 }
 
+/// A gripper with two hands takes one before it sets down the other.
+TEST(AStepThatTakesOnePartAndSetsDownAnother, isClaimedWithBoth) {
+  const Part sheet = sheetOn("", {0, 0, 0.125});
+  Cell cell = carrying({hook(), sheet}, {"hook", "sheet"});
+  cell.robots.front().program.front().steps[1].detach = "hook";
+  const Claimed claimed(cell);
+  std::size_t most = 0;
+  for (const Piece& piece : claimed.claims.front().paths.front().pieces) {
+    if (piece.frame != 1 || piece.kind != Piece::Kind::Rest) continue;
+    std::set<std::string> names;
+    for (const Body& body : std::get<ArmPosture>(piece.posture).bodies->bodies()) names.insert(body.name);
+    most = std::max(most, names.count("hook") + names.count("sheet"));
+  }
+  EXPECT_EQ(most, 2U);
+}
+
 }  // namespace
 }  // namespace cobot_command::cell

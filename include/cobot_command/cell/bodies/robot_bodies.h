@@ -25,6 +25,10 @@ struct Body {
   std::string name;      ///< for people: of the link, "tool", or of the part
 };
 
+/// It never moves: with the base, or as it only turns about its own axis on it. A robot may stand with such
+/// bodies on an obstacle.
+[[nodiscard]] bool isFixed(const Body& body);
+
 /// Capsules of one thing in the flange, such as a tool or a part.
 struct FlangeCapsules {
   std::string name;
