@@ -44,8 +44,9 @@ const char* toString(CommandStatus::LinkState state) {
 
 std::string whyNotReady(const CommandStatus& status) {
   if (status.link == CommandStatus::LinkState::Ready) return "";
-  if (status.link == CommandStatus::LinkState::Disconnected && status.diagnosis.empty())
+  if (status.link == CommandStatus::LinkState::Disconnected && status.diagnosis.empty()) {
     return "not connected";
+  }
   return status.diagnosis.empty() ? toString(status.link) : status.diagnosis;
 }
 

@@ -230,7 +230,9 @@ FileFault faultOf(const std::string& name, const YamlFault& fault) {
 /// The library's words, without what it found in the text.
 FileFault faultOf(const std::string& name, const YAML::Exception& fault) {
   const std::string words = fault.msg.substr(0, fault.msg.find(':'));
-  return faultAt(name, fault.mark, "no YAML: " + words, {"", "is no YAML: " + words, "", ""});
+  return faultAt(name, fault.mark, "no YAML: " + words,
+                 {"", "is no YAML: " + words, "",
+                  "look for tabs, where YAML wants blanks, and at how the lines before are indented"});
 }
 
 }  // namespace cobot_command::files

@@ -14,6 +14,9 @@ inline constexpr std::size_t kForeignTextLimit = 256;  // [bytes]
 /// What an error quotes of something that is wrong.
 inline constexpr std::size_t kQuoteLimit = 64;  // [bytes]
 
+/// So many bytes "..." has, which stand behind a text that was cut.
+inline constexpr std::size_t kCutMark = 3;
+
 /// At most `limit` bytes of the text, escaped, and "..." when that is not all.
 [[nodiscard]] std::string foreignText(std::string_view bytes, std::size_t limit = kForeignTextLimit);
 

@@ -230,7 +230,7 @@ std::optional<RobotReport> Agent::Parts::takeReport(Instant now) {
   for (const ZoneIndex zone : where_.zones()) {
     report.touched_zones.push_back(static_cast<std::uint32_t>(zone));
   }
-  report.text = foreignText(failure_ ? failure_->found : readiness_.text(), kLongestText);
+  report.text = foreignText(failure_ ? failure_->found : readiness_.text(), kLongestText - kCutMark);
   reported_at_ = now;
   has_news_ = false;
   if (!measured_at_) return std::nullopt;  // nobody knows where it is: it is not there yet

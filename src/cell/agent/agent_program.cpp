@@ -23,7 +23,7 @@ std::optional<Failure> Agent::Parts::begin(const blocks::ProgramRequest& request
   failure_.reset();
   itinerary_ = Itinerary(program());
   waited_.clear();
-  if (const auto silent = states_.objection(now)) return Failure{own_error::kSupervisorSilent, *silent, ""};
+  if (const auto silent = states_.silence(now)) return Failure{own_error::kSupervisorSilent, *silent, ""};
   const RobotStatus* const mine = states_.mine();
   if (mine != nullptr && mine->session != 0 && mine->session != session_) {
     return Failure{own_error::kRecoveryNeeded, "the supervisor knows another session: " + mine->text, ""};

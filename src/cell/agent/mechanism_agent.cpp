@@ -41,6 +41,7 @@ class MechanismAgent::Parts {
   /// Until it was recovered.
   void stop() {
     is_stopped_ = true;
+    stop_report_ = report_number_ + 1;
     stays_at_ = position_;
     has_news_ = true;
   }
@@ -73,6 +74,8 @@ class MechanismAgent::Parts {
   [[nodiscard]] bool hasGoneBack() const;
   /// From the beginning of its path [m or rad].
   [[nodiscard]] double progress() const;
+  void follow();
+  void forgetProgress();
   [[nodiscard]] bool mayMove() const { return joins_ && !rests_ && condition() == RobotCondition::Ok; }
   void restart(const RobotStatus& mine);
 
@@ -90,8 +93,10 @@ class MechanismAgent::Parts {
   int off_path_ = 0;                ///< measurements in a row by which it is where it may not be
   std::optional<double> stays_at_;  ///< where it is since it may not go on
   std::optional<double> farthest_;  ///< progress on its path
+  std::optional<double> last_;      ///< the same as measured last
   bool rests_ = false;              ///< it was recovered while the cell was held
   bool is_stopped_ = false;
+  std::uint64_t stop_report_ = 0;  ///< the first that told of the stop
   bool is_running_ = false;
   int cycles_done_ = 0;
   std::uint64_t report_number_ = 0;
@@ -164,10 +169,8 @@ void MechanismAgent::Parts::measure(double position, bool moving, Instant now) {
   if (off_path_ == kMeasurementsInARow) has_news_ = true;
   // Whoever moves it: it is never told to go back.
   const bool has_moved = !stays_at_ || std::abs(position - *stays_at_) > kMechanismWithin;
-  if (mayMove() || has_moved) stays_at_ = position;
-  if (off_path_ == 0)
-    farthest_ = walk_.place().station ? std::nullopt
-                                      : std::optional(std::max(progress(), farthest_.value_or(progress())));
+  if (mayMove() || moving || has_moved) stays_at_ = position;
+  if (off_path_ == 0) follow();
   ++behind_;
   goOn();
 }
@@ -180,11 +183,11 @@ void MechanismAgent::Parts::hear(const CellStatus& state, std::uint64_t number, 
     joins_.reset();
   } else if (joins_ != mine->joins) {
     restart(*mine);
-  } else {
-    walk_.acknowledge(mine->acknowledged);
   }
   const bool is_let_go_on =
       states_.mode() == SupervisorMode::Ready || states_.mode() == SupervisorMode::Running;
+  // What is granted counts while the supervisor knows how things stand, and lets the cell go on.
+  if (joins_ && is_let_go_on && !states_.objection(now)) walk_.acknowledge(mine->acknowledged);
   if (is_let_go_on) rests_ = false;
   goOn();
 }
@@ -192,10 +195,11 @@ void MechanismAgent::Parts::hear(const CellStatus& state, std::uint64_t number, 
 /// It was let in, or a person has said where it is. On its way it does not go on before the cell does.
 void MechanismAgent::Parts::restart(const RobotStatus& mine) {
   if (walk_.restart(mine.place, mine.acknowledged)) off_path_ = 0;
-  is_stopped_ = false;
+  // A stop that came after what this answers counts.
+  if (mine.report >= stop_report_) is_stopped_ = false;
   rests_ = !walk_.place().station;
   stays_at_ = position_;
-  farthest_.reset();
+  forgetProgress();
   joins_ = mine.joins;
   has_news_ = true;
 }
@@ -238,7 +242,7 @@ bool MechanismAgent::Parts::goOnPath() {
 
 void MechanismAgent::Parts::tell(automata::EventIndex event, bool is_asked_for) {
   behind_ = 0;
-  if (walk_.place().station) farthest_.reset();
+  if (walk_.place().station) forgetProgress();
   if (is_asked_for) {
     walk_.want(event);
   } else {
@@ -268,6 +272,20 @@ bool MechanismAgent::Parts::isWhereItHasToBe() const {
   arm::JointVector joints = arm::JointVector::Zero();
   joints[0] = *position_;
   return !joins_ || (placeFits(*artifact_, user_, walk_.place(), joints) && !hasGoneBack());
+}
+
+/// One measurement that is far ahead may be wrong: it counts with the next one.
+void MechanismAgent::Parts::follow() {
+  if (walk_.place().station) return forgetProgress();
+  const double now = progress();
+  const double sure = std::min(now, last_.value_or(now));
+  farthest_ = std::max(sure, farthest_.value_or(sure));
+  last_ = now;
+}
+
+void MechanismAgent::Parts::forgetProgress() {
+  farthest_.reset();
+  last_.reset();
 }
 
 bool MechanismAgent::Parts::hasGoneBack() const {

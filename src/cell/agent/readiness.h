@@ -44,8 +44,8 @@ class Readiness {
       case Halt::None:
         break;
     }
-    if (!unlinked_.empty()) return RobotCondition::Unlinked;
     if (watch.manualMode()) return RobotCondition::Manual;
+    if (!unlinked_.empty()) return RobotCondition::Unlinked;
     return watch.held() ? RobotCondition::Paused : RobotCondition::Ok;
   }
 

@@ -42,13 +42,20 @@ bool StateWatch::hear(const CellStatus& state, std::uint64_t number, Instant now
   return true;
 }
 
-std::optional<std::string> StateWatch::objection(Instant now) const {
+std::optional<std::string> StateWatch::silence(Instant now) const {
   if (heard_other_ && now - *heard_other_ <= lease_) return other_;
   if (!heard_) return heard_other_ ? other_ : "no supervisor was heard";
   if (now - *heard_ > lease_) {
     return fmt::format("the supervisor is silent for {:.1f} s", toSeconds(now - *heard_));
   }
-  if (isOfThisSession() && known_at_ && now - *known_at_ > lease_) {
+  return std::nullopt;
+}
+
+std::optional<std::string> StateWatch::objection(Instant now) const {
+  if (auto silent = silence(now)) return silent;
+  if (!isOfThisSession()) return std::nullopt;  // that it is not let in is said elsewhere
+  if (!known_at_) return "what the supervisor tells knows none of the robot's last reports";
+  if (now - *known_at_ > lease_) {
     return fmt::format("what the supervisor tells is {:.1f} s old", toSeconds(now - *known_at_));
   }
   return std::nullopt;

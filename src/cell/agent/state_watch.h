@@ -28,6 +28,8 @@ class StateWatch {
   [[nodiscard]] bool isFinishing() const { return is_finishing_; }
   /// Of the supervisor that it keeps to; 0: none was heard yet.
   [[nodiscard]] std::uint64_t instance() const { return heard_ ? instance_ : 0; }
+  /// Why nobody can be asked now; nothing: there is a supervisor.
+  [[nodiscard]] std::optional<std::string> silence(Instant now) const;
   /// Why nothing may be done on it now; nothing: it may. By when it was heard, and by which of the robot's
   /// own reports it knows: what a broken network keeps and brings in the end, all at once, is old.
   [[nodiscard]] std::optional<std::string> objection(Instant now) const;

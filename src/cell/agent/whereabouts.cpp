@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cobot_command/cell/artifact/place_fit.h"
+#include "cobot_command/cell/artifact/place_parts.h"
 
 namespace cobot_command::cell {
 
@@ -54,7 +55,13 @@ bool Whereabouts::see(const CellPlace& place, const arm::JointVector& joints) {
 
 bool Whereabouts::lookAtZones(const CellPlace& place, const arm::JointVector& joints, ZoneWatch::Of whose) {
   const std::vector<ZoneIndex> before = zones_.touched();
-  zones_.see(joints, carriedAt(place), whose);
+  if (whose == ZoneWatch::Of::Everyone) {
+    // Off its way nobody knows what it has taken or set down of what it may have had there.
+    const Carried all = cell::carriedAt(*artifact_, robot_, place);
+    zones_.see(joints, {all.begin(), all.end()}, whose);
+  } else {
+    zones_.see(joints, carriedAt(place), whose);
+  }
   return before != zones_.touched();
 }
 

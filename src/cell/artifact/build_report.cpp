@@ -63,8 +63,14 @@ std::vector<std::string> CellBuild::reportPlan() const {
                                 frames, toSeconds(all)));
   }
   for (const Mechanism& mechanism : cell_.mechanisms) {
-    lines.push_back(fmt::format("{}: a mechanism, {} paths between {} positions", mechanism.name,
-                                mechanism.program.size(), stationsOf(mechanism).size()));
+    const auto stations = stationsOf(mechanism);
+    const auto [low, high] = std::minmax_element(
+        stations.begin(), stations.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+    const bool turns = mechanism.axis == Mechanism::Axis::Revolute;
+    const auto shown = [turns](double value) { return turns ? radToDeg(value) : mToMm(value); };
+    lines.push_back(fmt::format("{}: a mechanism, {} paths between {} positions, {:.1f} to {:.1f} {}",
+                                mechanism.name, mechanism.program.size(), stations.size(), shown(low->value),
+                                shown(high->value), turns ? "deg" : "mm"));
   }
   return lines;
 }
@@ -129,6 +135,10 @@ std::vector<std::string> CellBuild::reportSupervisors() const {
                     fmt::join(robots, ", "), part.counts.states, part.counts.transitions,
                     part.is_compressed ? " (compressed)" : "", part.counts.frontier,
                     part.counts.refused_by_spec, part.counts.refused_beyond_spec));
+    if (part.never.empty()) continue;
+    lines.push_back(
+        fmt::format("  {} never happens: paths with it are never taken, as there would be no way home",
+                    fmt::join(part.never, ", ")));
   }
   lines.push_back(fmt::format("{} bytes", bytes_.size()));
   return lines;

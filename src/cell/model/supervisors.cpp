@@ -30,6 +30,18 @@ std::string conflictWords(const automata::StateSpace& space, const automata::Pro
       names.empty() ? "the beginning" : fmt::format("{}", fmt::join(names, ", ")));
 }
 
+/// Of the problem's events those that never happen in the automaton.
+std::vector<std::string> namesWithout(const automata::Automaton& automaton,
+                                      const automata::Problem& problem) {
+  std::vector<bool> happens(problem.events.size(), false);
+  for (const automata::Transition& transition : automaton.transitions) happens[transition.event] = true;
+  std::vector<std::string> names;
+  for (std::size_t event = 0; event < happens.size(); ++event) {
+    if (!happens[event]) names.push_back(problem.events[event].name);
+  }
+  return names;
+}
+
 enum class Found { Done, TooLarge };
 
 /// Fills in what is found of the part.
@@ -45,6 +57,7 @@ Result<Found, std::string> synthesizePart(const PartProblem& part, std::size_t m
   found.fingerprint =
       automata::canonicalFormOf(automaton, part.problem().events).fingerprint(part.problem().events);
   found.counts = synthesis.counts();
+  found.never = namesWithout(automaton, part.problem());
   return Found::Done;
 }
 

@@ -102,8 +102,9 @@ std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex ro
     return fmt::format("{} is {}: end that at its pendant first", nameOf(robot),
                        toString(watch.report().condition));
   }
-  if (!watch.isLinked())
+  if (!watch.isLinked()) {
     return fmt::format("nothing can be sent to {}: {}", nameOf(robot), watch.report().text);
+  }
   if (watch.report().instance != 0 && watch.report().instance != record_.instance()) {
     return nameOf(robot) + " keeps to a supervisor whose journal is gone: start its node anew";
   }

@@ -18,11 +18,11 @@ namespace {
 constexpr std::size_t kFaultsShown = 20;
 
 /// Zones, as bits.
-class Holds {
+class HeldZones {
  public:
-  explicit Holds(std::size_t zones) : words_((zones + 63) / 64) {}
+  explicit HeldZones(std::size_t zones) : words_((zones + 63) / 64) {}
   void add(ZoneIndex zone) { words_[zone / 64] |= std::uint64_t{1} << (zone % 64); }
-  [[nodiscard]] bool meets(const Holds& other) const {
+  [[nodiscard]] bool meets(const HeldZones& other) const {
     for (std::size_t word = 0; word < words_.size(); ++word) {
       if ((words_[word] & other.words_[word]) != 0) return true;
     }
@@ -54,7 +54,7 @@ struct Posture {
   Capsules capsules;
   AlignedBox box;
   double displacement = 0.0;
-  Holds holds;
+  HeldZones holds;
   std::string name;
   const std::vector<Body>* bodies = nullptr;  ///< of an arm, by capsule
 
@@ -100,14 +100,14 @@ class Check {
     const RobotProgram& program = held_.program.robots[robot];
     const HeldRobot& held = held_.robots[robot];
     for (std::size_t station = 0; station < claim.stations.size(); ++station) {
-      Holds holds(held_.program.zones.size());
+      HeldZones holds(held_.program.zones.size());
       for (const ZoneIndex zone : held.at_stations[station]) holds.add(zone);
       add(robot, claim.stations[station], std::move(holds),
           fmt::format("{} at {}", program.name, program.stations[station]));
     }
     for (std::size_t path = 0; path < claim.paths.size(); ++path) {
       for (std::size_t piece = 0; piece < claim.paths[path].pieces.size(); ++piece) {
-        Holds holds(held_.program.zones.size());
+        HeldZones holds(held_.program.zones.size());
         for (const Hold& hold : held.paths[path].holds) {
           if (hold.covers(piece)) holds.add(hold.zone);
         }
@@ -123,7 +123,7 @@ class Check {
     return fmt::format("{}, step {}", path, piece.frame + 1);
   }
 
-  void add(RobotIndex robot, const Piece& piece, Holds holds, std::string name) {
+  void add(RobotIndex robot, const Piece& piece, HeldZones holds, std::string name) {
     Capsules capsules = piece.capsulesAtCentre();
     const AlignedBox box = boxAround(capsules);
     const auto* arm = std::get_if<ArmPosture>(&piece.posture);

@@ -105,14 +105,14 @@ std::optional<CarriedParts::Belief> CarriedParts::beliefOf(const std::string& ro
 
 std::optional<cell::Carried> CarriedParts::partsOf(cell::RobotIndex index, const Robot& robot) const {
   if (robot.place == nullptr) return std::nullopt;
-  cell::Carried parts = cell::carriedAt(*artifact_, index, *robot.place);
-  if (cell::placeFits(*artifact_, index, *robot.place, robot.joints)) return parts;
-  // The state may be newer than the joints by what the robot has told last.
-  if (robot.place->station || robot.place->behind == 0) return std::nullopt;
-  cell::CellPlace before = *robot.place;
-  --before.behind;
-  if (!cell::placeFits(*artifact_, index, before, robot.joints)) return std::nullopt;
-  parts.merge(cell::carriedAt(*artifact_, index, before));
+  // The state may be newer than the joints by what the robot has told last, maybe several releases at once.
+  cell::CellPlace place = *robot.place;
+  cell::Carried parts = cell::carriedAt(*artifact_, index, place);
+  while (!cell::placeFits(*artifact_, index, place, robot.joints)) {
+    if (place.station || place.behind == 0) return std::nullopt;
+    --place.behind;
+    parts.merge(cell::carriedAt(*artifact_, index, place));
+  }
   return parts;
 }
 

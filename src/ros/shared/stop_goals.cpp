@@ -19,7 +19,7 @@ void StopGoals::send(const std::string& id) {
   if (!goals_) return;
   cobot_command::StopActionGoal goal;
   goal.header.stamp = ros::Time::now();
-  goal.goal_id.stamp = goal.header.stamp;
+  // Without a stamp: a cancel of all goals before some time, of another clock, would recall it.
   goal.goal_id.id = id;
   goals_.publish(goal);
 }

@@ -6,6 +6,8 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr Duration kTellAgain = std::chrono::milliseconds(250);
+/// For the connection to a node that has just come up. One that comes later is another story.
+constexpr Duration kReachableWithin = std::chrono::seconds(5);
 
 }  // namespace
 
@@ -22,11 +24,13 @@ void RobotContact::heardFrom(const std::string& publisher, bool moving, Instant 
 
 void RobotContact::stop(Instant now) {
   is_stopping_ = true;
+  ordered_at_ = now;
   stop_told_.reset();
   settle(now);
 }
 
 void RobotContact::settle(Instant now) {
+  if (!stop_told_ && now > ordered_at_ + kReachableWithin) is_stopping_ = false;
   if (!is_stopping_ || (stop_told_ && now < *stop_told_ + kTellAgain)) return;
   if (!stops_.isConnected()) return;
   stop_told_ = now;

@@ -41,6 +41,7 @@ class RobotContact {
   StopGoals stops_;
   std::shared_ptr<ProgramClient> programs_;
   bool is_stopping_ = false;
+  Instant ordered_at_;
   std::optional<Instant> stop_told_;
 };
 

@@ -106,8 +106,9 @@ void SupervisorNode::settle(Instant now) {
   for (const auto& contact : contacts_) contact->settle(now);
   cell::CellStatus status = core.status(now);
   if (!alarm_.empty()) {
-    status.diagnosis =
-        "the monitor has stopped all: " + alarm_ + "; bring them apart, and call reset_monitor";
+    status.diagnosis +=
+        (status.diagnosis.empty() ? "" : "; ") +
+        ("the monitor has stopped all: " + alarm_ + "; bring them apart, and call reset_monitor");
   }
   const bool is_due = now >= told_at_ + supervisor_->artifact().parameters.report_period / 2;
   if (!told_ || is_due || !cell::areAlike(*told_, status)) tell(status, now);

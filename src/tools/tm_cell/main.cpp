@@ -161,7 +161,8 @@ class Commands {
           return askArtifact(given_.ask);
         });
     ask->add_option("WHAT", given_.ask.what,
-                    "robots, mechanisms, speed [%]; or of one of them: model, urdf, tcp [mm, deg], home [deg; m or rad], places")
+                    "robots, mechanisms, speed [%]; or of one of them: model, urdf, tcp [mm, deg], home "
+                    "[deg; m or rad], places")
         ->required()
         ->check(CLI::IsMember({"robots", "mechanisms", "speed", "model", "urdf", "tcp", "home", "places"}));
     ask->add_option("ROBOT", given_.ask.robot, "Its name, or that of a mechanism");

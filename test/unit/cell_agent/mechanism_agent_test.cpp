@@ -50,8 +50,10 @@ class Pallet : public ::testing::Test {
     tell();
   }
   void tell() {
+    status_.robots[1].report = report_.number;
     agent_->hear(status_, ++number_, now_);
-    events_ = agent_->takeReport(now_)->events;
+    if (auto report = agent_->takeReport(now_)) report_ = *report;
+    events_ = report_.events;
   }
   /// Grants all that was told.
   void grant() {
@@ -245,6 +247,61 @@ TEST_F(Pallet, doesNotGoOnWhereItIsRecoveredBeforeTheCellDoes) {
   status_.mode = SupervisorMode::Running;
   tell();
   EXPECT_EQ(agent_->target(), 1.0);
+}
+
+TEST_F(Pallet, doesNotSetOutByALeaveOfBeforeTheCellWasHeld) {
+  letIn();
+  agent_->run(true);
+  measure(0.0, false);
+  status_.mode = SupervisorMode::Holding;
+  grant();
+  EXPECT_EQ(agent_->target(), 0.0);
+  status_.mode = SupervisorMode::Running;
+  tell();
+  EXPECT_EQ(agent_->target(), 1.0);
+}
+
+TEST_F(Pallet, doesNotSetOutByALeaveThatANetworkHasKept) {
+  letIn();
+  agent_->run(true);
+  measure(0.0, false);
+  status_.robots[1].acknowledged = events_.back().number;
+  const std::uint64_t old = report_.number;
+  for (int i = 0; i < 20; ++i) measure(0.0, false);
+  status_.robots[1].report = old;
+  agent_->hear(status_, ++number_, now_);
+  EXPECT_EQ(agent_->target(), 0.0) << "the state knows only a report of a second ago";
+}
+
+TEST_F(Pallet, staysStoppedWhereTheStopCameBehindWhatLetItGoOn) {
+  sendIn();
+  measure(0.2);
+  const std::uint64_t before = report_.number;
+  agent_->stop();
+  status_.robots[1].joins = 2;
+  status_.robots[1].place = agent_->place();
+  status_.robots[1].report = before;
+  agent_->hear(status_, ++number_, now_);
+  measure(0.2, false);
+  EXPECT_EQ(report_.condition, RobotCondition::Stopped);
+  EXPECT_EQ(agent_->target(), 0.2);
+}
+
+TEST_F(Pallet, isNotToldToGoBackByWhatItHasRunOn) {
+  sendIn();
+  measure(0.2);
+  agent_->stop();
+  measure(0.204);
+  measure(0.204, false);
+  EXPECT_EQ(agent_->target(), 0.204);
+}
+
+TEST_F(Pallet, isNotOffItsPathByOneMeasurementThatIsWrong) {
+  sendIn();
+  measure(0.2);
+  measure(0.4);
+  measure(0.22, true, 2);
+  EXPECT_EQ(report_.condition, RobotCondition::Ok);
 }
 
 TEST_F(Pallet, fallsSilentWhenNobodyMeasuresIt) {

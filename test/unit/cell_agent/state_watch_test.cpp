@@ -20,6 +20,7 @@ class StateWatchTest : public testing::Test {
     RobotStatus mine;
     mine.name = "RA";
     mine.session = 11;
+    mine.report = 1;
     mine.acknowledged = 5;
     state.robots = {other, mine};
   }
@@ -36,6 +37,7 @@ TEST_F(StateWatchTest, knowsNothingBeforeAnythingWasHeard) {
 }
 
 TEST_F(StateWatchTest, reliesOnAStateUntilTheLeaseIsOver) {
+  watch.told(1, now);
   EXPECT_TRUE(watch.hear(state, 1, now));
   ASSERT_NE(watch.mine(), nullptr);
   EXPECT_EQ(watch.mine()->acknowledged, 5U);
@@ -73,6 +75,7 @@ TEST_F(StateWatchTest, keepsToTheSupervisorThatItHeardFirstAndObjectsWhileThereI
   state.instance = 7;
   EXPECT_TRUE(watch.hear(state, 2, now + 200ms));
   EXPECT_THAT(*watch.objection(now + 600ms), HasSubstr("second supervisor"));
+  watch.told(1, now + 600ms);
   EXPECT_TRUE(watch.hear(state, 3, now + 601ms));
   EXPECT_EQ(watch.objection(now + 601ms), std::nullopt);
 }
@@ -103,6 +106,14 @@ TEST_F(StateWatchTest, reliesOnNoStateThatKnowsOnlyOldReports) {
   EXPECT_TRUE(watch.hear(state, 3, now + 700ms));
   EXPECT_EQ(watch.objection(now + 900ms), std::nullopt);
   EXPECT_NE(watch.objection(now + 901ms), std::nullopt);
+}
+
+TEST_F(StateWatchTest, reliesOnNoStateThatNeverKnewANewReport) {
+  watch.told(1, now);
+  watch.told(2, now + 2s);
+  EXPECT_TRUE(watch.hear(state, 1, now + 2s));
+  EXPECT_EQ(watch.silence(now + 2s), std::nullopt);
+  EXPECT_THAT(*watch.objection(now + 2s), HasSubstr("knows none of the robot's last reports"));
 }
 
 TEST_F(StateWatchTest, isToldNothingByReportsOfAnotherSession) {

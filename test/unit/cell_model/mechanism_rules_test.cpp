@@ -11,6 +11,7 @@ using automata::Decision;
 using automata::EventIndex;
 using automata::Tuple;
 using test_support::pallet;
+using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using Verdict = Decision::Verdict;
@@ -110,8 +111,10 @@ TEST(AMechanismThatBeginsByItself, hasToAskForItsZonesOrNobodyElseEnters) {
   // It may come at any time: the robot never gets the zone, so that there is no way home once it set out.
   Cell never(program);
   EXPECT_EQ(never.decide("RA_g_T1"), Verdict::WouldBlock);
+  EXPECT_THAT(never.parts().front().never, Contains("RA_g_T1")) << "which a build tells";
   program.robots[1].paths[0].steps[0].uncontrollable = false;
   Cell asks(program);
+  EXPECT_THAT(asks.parts().front().never, IsEmpty());
   asks.make({"RA_g_T1", "RA_b_Z", "PALLET_g_IN"});
   EXPECT_EQ(asks.decide("PALLET_b_Z"), Verdict::SpecBlocks) << "it waits in front of the zone";
 }

@@ -67,6 +67,8 @@ class BookingRobot {
     return true;
   }
   void hear(const Told& told, Instant now) {
+    // How old a state is by the robot's own reports is not looked at here.
+    states_.told(told.state.robots[index_].report, now);
     if (!states_.hear(told.state, told.number, now)) return;
     heard_ = told.number;
     const RobotStatus& mine = *states_.mine();

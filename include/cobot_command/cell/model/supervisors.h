@@ -35,6 +35,7 @@ struct PartSupervisor {
   std::vector<automata::Tuple> frontier;  ///< ascending
   std::string fingerprint;                ///< of a Supervisor
   automata::SynthesisCounts counts;
+  std::vector<std::string> never;  ///< names of events that programs have, and a Supervisor never lets happen
 };
 
 /// With Policy::Supervisor, a part whose states are more than `max_states` is compressed, and one that is too
