@@ -155,7 +155,10 @@ bool TrialRobot::takeActions() {
             [this](const command::SendBytes& known) { send(known); },
             [this](const command::GoalProgressed& known) { progress_[known.goal].push_back(known.progress); },
             [this](const command::GoalEnded& known) { ended_[known.goal] = known.outcome; },
-            [this](const command::StatusChanged& known) { take(known.status); },
+            [this](const command::StatusChanged& known) {
+              status_ = known.status;
+              agent_->linked(command::whyNotReady(status_), now_);
+            },
             [this](const command::RobotStatusReceived& known) { observe(known.status); },
             [this](const command::FrameTraced& known) { note(known); }, [](const auto& /*others*/) {}},
         action);
@@ -212,11 +215,6 @@ void TrialRobot::observe(const link::RobotStatus& status) {
   has_seen_ = true;
   agent_->observe(status, now_);
   core_->advance(now_);
-}
-
-void TrialRobot::take(const command::CommandStatus& status) {
-  status_ = status;
-  agent_->linked(command::whyNotReady(status), now_);
 }
 
 void TrialRobot::note(const command::FrameTraced& action) {

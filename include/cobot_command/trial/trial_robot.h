@@ -78,7 +78,6 @@ class TrialRobot {
   void close(const command::CloseConnection& action);
   void send(const command::SendBytes& action);
   void observe(const link::RobotStatus& status);
-  void take(const command::CommandStatus& status);
   void note(const command::FrameTraced& action);
   /// By its client at the controller; 0: there is none any more.
   [[nodiscard]] link::ConnectionId connectionOf(simulator::ClientId client) const;

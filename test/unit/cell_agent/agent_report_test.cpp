@@ -1,8 +1,8 @@
 // What an agent tells of itself.
-#include "cobot_command/cell/agent/agent.h"
-
 #include "made_path.h"
 #include <gmock/gmock.h>
+
+#include "cobot_command/cell/agent/agent.h"
 
 namespace cobot_command::cell {
 namespace {

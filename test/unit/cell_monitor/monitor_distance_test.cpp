@@ -99,8 +99,9 @@ TEST(MonitorDistance, toAnObstacleIsWatchedButThatOfTheFixedBaseIsNot) {
   const PlacedRobot placed = robot.at(kHome);
   double distance = 1e9;
   for (std::size_t i = 0; i < placed.capsules.size(); ++i) {
-    if (!isFixed(robot.bodies()[i]))
+    if (!isFixed(robot.bodies()[i])) {
       distance = std::min(distance, distanceBetween(placed.capsules[i], below));
+    }
   }
   const PairStatus pair = monitor.status().pairs.front();
   EXPECT_EQ(pair.second, "table");
