@@ -1,6 +1,7 @@
 #include "supervision/granting.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cobot_command::cell {
 
@@ -24,7 +25,35 @@ std::optional<RobotIndex> Granting::next(Instant now) const {
   return std::nullopt;
 }
 
+Situation Granting::situation(Instant now) const {
+  Situation situation{record_.tuple(), {}, {}, conditions_.grants, conditions_.is_finishing};
+  for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
+    const auto& request = robots_[robot].request;
+    Situation::Robot known;
+    known.is_able = conditions_.is_able(robot);
+    if (request) {
+      known.number = request->event.number;
+      known.since = request->since;
+      known.is_aged = now - request->since >= conditions_.aging;
+    }
+    situation.robots.push_back(known);
+  }
+  for (ZoneIndex zone = 0; zone < rules_.model().program.zones.size(); ++zone) {
+    situation.intruders.push_back(conditions_.intruder(zone));
+  }
+  return situation;
+}
+
 std::optional<Hindrance> Granting::hindranceOf(RobotIndex robot, Instant now) const {
+  conditions_.memo->follow(situation(now));
+  // Whose turn it is by the schedule changes with time alone.
+  if (conditions_.turns->isUsed()) return findHindrance(robot, now);
+  const auto known = conditions_.memo->found.find(robot);
+  if (known != conditions_.memo->found.end()) return known->second;
+  return conditions_.memo->found.emplace(robot, findHindrance(robot, now)).first->second;
+}
+
+std::optional<Hindrance> Granting::findHindrance(RobotIndex robot, Instant now) const {
   if (!conditions_.grants || !conditions_.is_able(robot)) return Hindrance{WaitReason::Holding, {}};
   auto own = ownHindrance(robot);
   if (own) return own;
@@ -89,13 +118,29 @@ bool Granting::canBeHelped(RobotIndex robot, const std::vector<RobotIndex>& ahea
          !ahead.empty() && std::all_of(ahead.begin(), ahead.end(), conditions_.is_able);
 }
 
+std::vector<Helped> Granting::findHelped(Instant now) const {
+  std::vector<Helped> helped;
+  for (const RobotIndex robot : queue()) {
+    if (now - robots_[robot].request->since < conditions_.aging) break;
+    if (!conditions_.is_able(robot)) continue;
+    auto ahead = rules_.aheadOf(record_.tuple(), robot);
+    if (canBeHelped(robot, ahead)) helped.push_back({robot, std::move(ahead)});
+  }
+  return helped;
+}
+
 std::optional<RobotIndex> Granting::agedBefore(RobotIndex robot, Instant now) const {
-  for (const RobotIndex other : queue()) {
-    if (other == robot || now - robots_[other].request->since < conditions_.aging) break;
-    if (!rules_.haveToDoWithEachOther(robot, other) || !conditions_.is_able(other)) continue;
-    const auto ahead = rules_.aheadOf(record_.tuple(), other);
-    if (std::find(ahead.begin(), ahead.end(), robot) != ahead.end()) continue;
-    if (canBeHelped(other, ahead)) return other;
+  auto& helped = conditions_.memo->helped;
+  if (!helped) helped = findHelped(now);
+  for (const Helped& other : *helped) {
+    const bool is_behind = std::pair(robots_[other.robot].request->since, other.robot) >=
+                           std::pair(robots_[robot].request->since, robot);
+    if (is_behind) break;
+    if (!rules_.haveToDoWithEachOther(robot, other.robot)) continue;
+    // The one that waits for longest comes first: who helps it waits for nobody else's sake. Else the helpers
+    // of two that have waited for long could wait for each other.
+    const bool helps = std::find(other.ahead.begin(), other.ahead.end(), robot) != other.ahead.end();
+    return helps ? std::nullopt : std::optional(other.robot);
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "supervision/cell_record.h"
+#include "supervision/hindrance_memo.h"
 #include "supervision/robot_watch.h"
 #include "supervision/zone_turns.h"
 
@@ -14,12 +15,6 @@
 #include "cobot_command/cell/supervision/cell_state.h"
 
 namespace cobot_command::cell {
-
-/// Why a request is not granted.
-struct Hindrance {
-  WaitReason reason = WaitReason::None;
-  std::vector<RobotIndex> robots;
-};
 
 struct GrantingConditions {
   bool grants = true;         ///< nothing holds the whole cell
@@ -30,6 +25,7 @@ struct GrantingConditions {
   /// Who stands in a zone that is not its own; nobody, mostly.
   std::function<std::optional<RobotIndex>(ZoneIndex)> intruder;
   const ZoneTurns* turns = nullptr;  ///< lives longer
+  HindranceMemo* memo = nullptr;     ///< likewise
 };
 
 /// So long a robot that stands at home and asks for nothing may still come for its turn.
@@ -53,6 +49,10 @@ class Granting {
  private:
   /// Another one's than that of a robot that waits, by the schedule.
   [[nodiscard]] std::optional<RobotIndex> whoseTurn(RobotIndex robot, Instant now) const;
+  [[nodiscard]] Situation situation(Instant now) const;
+  [[nodiscard]] std::optional<Hindrance> findHindrance(RobotIndex robot, Instant now) const;
+  /// Those who have waited for long, and for whose sake others wait.
+  [[nodiscard]] std::vector<Helped> findHelped(Instant now) const;
   /// What is in its way besides those who have waited for longer.
   [[nodiscard]] std::optional<Hindrance> ownHindrance(RobotIndex robot) const;
   [[nodiscard]] std::optional<Hindrance> hindranceByZones(const CellEvent& event) const;

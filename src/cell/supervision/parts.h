@@ -85,6 +85,7 @@ class Supervision::Parts {
   CellRecord record_;
   ZoneTurns turns_;
   std::vector<RobotWatch> robots_;
+  mutable HindranceMemo memo_;
   std::vector<std::optional<RobotIndex>> zone_holders_;  ///< by zone
   std::vector<std::optional<RobotIndex>> intruders_;     ///< by zone: who is in it, though it is not its own
   std::set<std::array<std::size_t, 3>> intrusions_;      ///< zone, robot, other: that last, and were stopped

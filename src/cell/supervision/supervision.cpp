@@ -131,6 +131,7 @@ Granting Supervision::Parts::granting(Instant now) const {
   conditions.is_able = [this, now](RobotIndex robot) { return isAble(robot, now); };
   conditions.intruder = [this](ZoneIndex zone) { return intruders_[zone]; };
   conditions.turns = &turns_;
+  conditions.memo = &memo_;
   return {rules_, record_, robots_, std::move(conditions)};
 }
 

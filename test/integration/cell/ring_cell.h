@@ -47,7 +47,8 @@ namespace cobot_command::trial {
                                        : "*program");
   }
   return fmt::format(
-      "cell: ring\nparameters: {{voxel: 40, step_bound: 20, max_states: 100000}}\nrobots:\n{}"
+      "cell: ring\nparameters: {{voxel: 40, step_bound: 20, max_states: 100000, wait_timeout: "
+      "3600}}\nrobots:\n{}"
       "stations:\n{}programs:\n{}",
       bases, stations, programs);
 }

@@ -27,6 +27,16 @@ TEST(ARingOfRobots, endsAllCyclesBySafeOrdersWithinTheMargin) {
             << " s; least distance " << 1000.0 * rig.trial->least().distance << " mm\n";
 }
 
+/// Those who help the one that waits for longest do not wait for the sake of another.
+TEST(ARingOfRobots, endsAllCyclesWhereMostHaveWaitedForLong) {
+  TrialSettings settings;
+  settings.policy = cell::Policy::SafeOrder;
+  const auto impatient = [](cell::Parameters& parameters) { parameters.aging = 5s; };
+  RunRig rig(artifactOfText(ringCell(20), impatient, cell::Policy::SafeOrder), settings);
+  rig.begin(4);
+  EXPECT_TRUE(rig.endsAll(std::chrono::minutes(30)));
+}
+
 /// As each holds one zone and wants the next one.
 TEST(ARingOfRobots, blocksWhereWhateverIsFreeIsGranted) {
   TrialSettings settings;
