@@ -23,7 +23,9 @@ class Cell {
         rules_(*modelOf(program), parts_, Policy::Supervisor),
         state_(rules_.initial()) {}
 
-  Verdict decide(const std::string& name) const { return rules_.decide(state_, eventOf(name)).verdict; }
+  [[nodiscard]] Verdict decide(const std::string& name) const {
+    return rules_.decide(state_, eventOf(name)).verdict;
+  }
   /// It is granted, and happens.
   void make(std::initializer_list<const char*> names) {
     for (const char* name : names) {
@@ -32,7 +34,9 @@ class Cell {
       state_ = std::move(decision.next);
     }
   }
-  Tuple behind(const std::string& name) const { return rules_.decide(state_, eventOf(name)).next; }
+  [[nodiscard]] Tuple behind(const std::string& name) const {
+    return rules_.decide(state_, eventOf(name)).next;
+  }
 
   [[nodiscard]] const std::vector<PartSupervisor>& parts() const { return parts_; }
   [[nodiscard]] const Rules& rules() const { return rules_; }

@@ -119,7 +119,7 @@ class SupervisedCell {
  public:
   explicit SupervisedCell(const CellProgram& program, Policy policy = Policy::Supervisor,
                           SupervisionSettings settings = {})
-      : program_(program), policy_(policy), settings_(settings), model_(*modelOf(program)) {
+      : program_(program), policy_(policy), settings_(std::move(settings)), model_(*modelOf(program)) {
     start();
     for (RobotIndex robot = 0; robot < model_.robots(); ++robot) {
       robots.emplace_back(model_, robot, 100 + robot);
