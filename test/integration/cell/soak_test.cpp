@@ -161,10 +161,13 @@ class Soak {
       cycles_ += report.cycles_done;
       rig_.order(robot, 1 + static_cast<int>(anyOf(4)));
     }
+    const simulator::RobotState state = rig_.robot(robot).state();
     ASSERT_LT(rig_.trial->now() - ended_[robot], kPatience)
-        << rig_.robot(robot).name() << " is at " << rig_.placeOf(robot) << ": "
-        << rig_.robot(robot).agent().stand(rig_.trial->now()).text << "; the cell is "
-        << (rig_.trial->hasSupervisor() ? toString(rig_.mode()) : "without a supervisor");
+        << (state.in_motion ? "moving " : "") << (state.project_paused ? "paused " : "")
+        << (state.project_running ? "" : "stopped ") << (state.listening ? "" : "elsewhere ")
+        << state.project_speed_percent << " % " << rig_.robot(robot).name() << " is at "
+        << rig_.placeOf(robot) << ": " << rig_.robot(robot).agent().stand(rig_.trial->now()).text
+        << "; the cell is " << (rig_.trial->hasSupervisor() ? toString(rig_.mode()) : "without a supervisor");
   }
 
   [[nodiscard]] bool needsRecovery(cell::RobotIndex robot) const {
