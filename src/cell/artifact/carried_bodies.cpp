@@ -1,7 +1,7 @@
 #include "artifact/carried_bodies.h"
 
-#include "cobot_command/cell/bodies/part_tree.h"
 #include "cobot_command/cell/bodies/shape_capsules.h"
+#include "cobot_command/cell/claims/cell_bodies.h"
 
 namespace cobot_command::cell {
 
@@ -19,16 +19,7 @@ std::vector<FlangeCapsules> partsOf(const Cell& cell, const PlannedRobot& robot)
     for (const PlannedFrame& frame : path.frames) carried.insert(frame.carried.begin(), frame.carried.end());
     carried.insert(path.carried_at_end.begin(), path.carried_at_end.end());
   }
-  std::vector<CarriedPart> parts;
-  for (const Part& part : cell.parts) {
-    parts.push_back({part.name, part.shapes, part.on.empty() ? kOnFlange : part.on, part.at});
-  }
-  return PartTree::of(parts, cell.parameters.body_cell)->bodiesOf(carried);
-}
-
-MechanismBodies bodiesOf(const Parameters& parameters, const Mechanism& mechanism) {
-  const MotionAxis axis{mechanism.axis == Mechanism::Axis::Revolute, mechanism.at, mechanism.direction};
-  return *MechanismBodies::of(axis, mechanism.shapes, parameters.body_cell);
+  return partTreeOf(cell)->bodiesOf(carried);
 }
 
 }  // namespace cobot_command::cell

@@ -1,9 +1,8 @@
-// What a robot has at its flange, always and by its program; and what a mechanism consists of.
+// What a robot has at its flange, always and by its program.
 #pragma once
 
 #include <vector>
 
-#include "cobot_command/cell/bodies/mechanism_bodies.h"
 #include "cobot_command/cell/bodies/robot_bodies.h"
 #include "cobot_command/cell/plan/planned_cell.h"
 #include "cobot_command/cell/program/cell.h"
@@ -15,7 +14,5 @@ namespace cobot_command::cell {
 
 /// All parts that it carries somewhere, by name.
 [[nodiscard]] std::vector<FlangeCapsules> partsOf(const Cell& cell, const PlannedRobot& robot);
-
-[[nodiscard]] MechanismBodies bodiesOf(const Parameters& parameters, const Mechanism& mechanism);
 
 }  // namespace cobot_command::cell

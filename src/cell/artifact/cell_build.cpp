@@ -6,6 +6,7 @@
 #include "artifact/carried_bodies.h"
 #include <fmt/format.h>
 
+#include "cobot_command/cell/claims/cell_bodies.h"
 #include "cobot_command/cell/program/canonical.h"
 #include "cobot_command/common/units.h"
 
@@ -165,7 +166,7 @@ std::vector<ZoneIndex> CellBuild::touchedBy(const Piece& piece, RobotIndex user)
 
 ArtifactMechanism CellBuild::mechanismOf(const Mechanism& mechanism, RobotIndex user) const {
   ArtifactMechanism artifact;
-  artifact.bodies = bodiesOf(cell_.parameters, mechanism);
+  artifact.bodies = *mechanismBodiesOf(cell_.parameters, mechanism);
   const std::vector<MechanismPosition> stations = stationsOf(mechanism);
   for (std::size_t station = 0; station < stations.size(); ++station) {
     artifact.stations.push_back({stations[station].value, held_.robots[user].at_stations[station]});

@@ -5,6 +5,7 @@
 
 #include "claims/sweep.h"
 
+#include "cobot_command/cell/claims/cell_bodies.h"
 #include "cobot_command/cell/sweep/capsule_claim.h"
 
 namespace cobot_command::cell {
@@ -75,8 +76,7 @@ class MechanismSweep {
 }  // namespace
 
 Result<RobotClaim, std::string> claimMechanism(const Parameters& parameters, const Mechanism& mechanism) {
-  const MotionAxis axis{mechanism.axis == Mechanism::Axis::Revolute, mechanism.at, mechanism.direction};
-  auto bodies = MechanismBodies::of(axis, mechanism.shapes, parameters.body_cell);
+  auto bodies = mechanismBodiesOf(parameters, mechanism);
   if (!bodies) return refuse(bodies.error().message);
   return MechanismSweep(parameters, mechanism, std::move(*bodies)).claim();
 }

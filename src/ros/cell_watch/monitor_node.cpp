@@ -8,12 +8,12 @@
 #include "cell_watch/distance_messages.h"
 #include "cell_watch/pictures/cell_pictures.h"
 #include "cell_watch/watch.h"
-#include "cell_watch/watched_cell.h"
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/steady_timer.h>
 
 #include "cobot_command/cell/program/canonical.h"
 #include "cobot_command/runtime/cell/cell_files.h"
+#include "cobot_command/runtime/cell/cell_watch.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -102,7 +102,7 @@ class MonitorNode::Impl {
 Result<MonitorNode::Impl::Made, Faults> MonitorNode::Impl::make(const MonitorParameters& parameters) {
   auto cell = runtime::readCellFile(parameters.cell_file);
   if (!cell) return refuse(cell.error());
-  auto monitor = watchedCell(*cell, parameters.mode, parameters.stop_distance);
+  auto monitor = runtime::monitorOf(*cell, parameters.mode, parameters.stop_distance);
   if (!monitor) return refuse(Faults{monitor.error()});
   auto whereabouts = Whereabouts::of(*cell);
   if (!whereabouts) return refuse(Faults{whereabouts.error()});

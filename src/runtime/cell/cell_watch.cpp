@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/arm_model.h"
-#include "cobot_command/cell/bodies/part_tree.h"
 #include "cobot_command/cell/bodies/shape_capsules.h"
+#include "cobot_command/cell/claims/cell_bodies.h"
 
 namespace cobot_command::runtime {
 namespace {
@@ -23,14 +23,14 @@ cell::Carried attachedBy(const cell::Robot& robot) {
   return attached;
 }
 
-Result<cell::PartTree, std::string> partsOf(const cell::Cell& cell) {
-  std::vector<cell::CarriedPart> parts;
-  for (const cell::Part& part : cell.parts) {
-    parts.push_back({part.name, part.shapes, part.on.empty() ? cell::kOnFlange : part.on, part.at});
+Result<std::vector<cell::WatchedMechanism>, std::string> watchedMechanisms(const cell::Cell& cell) {
+  std::vector<cell::WatchedMechanism> mechanisms;
+  for (const cell::Mechanism& mechanism : cell.mechanisms) {
+    auto bodies = cell::mechanismBodiesOf(cell.parameters, mechanism);
+    if (!bodies) return refuse(fmt::format("mechanisms.{}: {}", mechanism.name, bodies.error().message));
+    mechanisms.push_back({mechanism.name, std::move(*bodies)});
   }
-  auto tree = cell::PartTree::of(parts, cell.parameters.body_cell);
-  if (!tree) return refuse("parts: " + tree.error().message);
-  return std::move(*tree);
+  return mechanisms;
 }
 
 Result<std::vector<cell::WatchedObstacle>, std::string> watchedObstacles(const cell::Cell& cell) {
@@ -46,8 +46,8 @@ Result<std::vector<cell::WatchedObstacle>, std::string> watchedObstacles(const c
 }  // namespace
 
 Result<std::vector<cell::WatchedRobot>, std::string> watchedRobots(const cell::Cell& cell) {
-  const auto parts = partsOf(cell);
-  if (!parts) return refuse(parts.error());
+  const auto parts = cell::partTreeOf(cell);
+  if (!parts) return refuse("parts: " + parts.error().message);
   std::vector<cell::WatchedRobot> robots;
   for (const cell::Robot& robot : cell.robots) {
     auto bodies = cell::RobotBodies::fromUrdf(arm::ArmModel::urdfOf(robot.model), robot.base, robot.tool,
@@ -62,6 +62,8 @@ Result<cell::Monitor, std::string> monitorOf(const cell::Cell& cell, cell::Monit
                                              std::optional<double> stop_distance) {
   auto robots = watchedRobots(cell);
   if (!robots) return refuse(robots.error());
+  auto mechanisms = watchedMechanisms(cell);
+  if (!mechanisms) return refuse(mechanisms.error());
   const auto obstacles = watchedObstacles(cell);
   if (!obstacles) return refuse(obstacles.error());
   cell::MonitorSettings settings;
@@ -69,7 +71,7 @@ Result<cell::Monitor, std::string> monitorOf(const cell::Cell& cell, cell::Monit
   settings.mode = mode;
   settings.stop_distance = stop_distance;
   settings.exact_within = std::max(settings.exact_within, settings.margin);
-  auto monitor = cell::Monitor::of(std::move(*robots), *obstacles, settings);
+  auto monitor = cell::Monitor::of(std::move(*robots), *obstacles, settings, std::move(*mechanisms));
   if (!monitor) return refuse(monitor.error().message);
   return std::move(*monitor);
 }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "cell_watch/watched_cell.h"
 #include "source_tree.h"
 #include <gmock/gmock.h>
 
 #include "cobot_command/runtime/cell/cell_files.h"
+#include "cobot_command/runtime/cell/cell_watch.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -28,7 +28,7 @@ class ShortestWayOfTheHandover : public ::testing::Test {
  protected:
   ShortestWayOfTheHandover()
       : cell(*runtime::readCellFile(test_support::inSourceTree("config/cells/handover.yaml"))),
-        monitor(*watchedCell(cell, cell::MonitorSettings::Mode::Warn, std::nullopt)) {}
+        monitor(*runtime::monitorOf(cell, cell::MonitorSettings::Mode::Warn, std::nullopt)) {}
 
   WatchView viewAt(const arm::JointVector& left, const arm::JointVector& right) {
     const Instant now(std::chrono::seconds(1));
@@ -68,7 +68,7 @@ TEST_F(ShortestWayOfTheHandover, isNoneWhileARobotWasNotHeard) {
 TEST(ShortestWayOfThePallet, leadsFromTheRobotToThePalletAndNotToTheFence) {
   const auto cell = runtime::readCellFile(test_support::inSourceTree("config/cells/pallet.yaml"));
   ASSERT_TRUE(cell);
-  auto monitor = *watchedCell(*cell, cell::MonitorSettings::Mode::Warn, std::nullopt);
+  auto monitor = *runtime::monitorOf(*cell, cell::MonitorSettings::Mode::Warn, std::nullopt);
   const Instant now(std::chrono::seconds(1));
   monitor.take("RA", kT1, arm::JointVector::Zero(), Duration(0), now);
   monitor.takePosition("PALLET", 0.9, Duration(0), now);

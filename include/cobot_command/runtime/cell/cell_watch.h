@@ -15,9 +15,9 @@ namespace cobot_command::runtime {
 /// attaches as one that they may carry. A fault is a sentence: a shape that cannot be made of capsules.
 [[nodiscard]] Result<std::vector<cell::WatchedRobot>, std::string> watchedRobots(const cell::Cell& cell);
 
-/// Robots and obstacles of a cell under watch, by its margin. Mechanisms are not watched: nobody measures
-/// where they are. `stop_distance` [m]; nothing: half of the margin. A fault is a sentence: as of
-/// watchedRobots(), or a stop distance that is no part of the margin.
+/// Robots, mechanisms and obstacles of a cell under watch, by its margin. `stop_distance` [m]; nothing: half
+/// of the margin. A fault is a sentence: a shape that cannot be made of capsules, or a stop distance that is
+/// no part of the margin.
 [[nodiscard]] Result<cell::Monitor, std::string> monitorOf(const cell::Cell& cell,
                                                            cell::MonitorSettings::Mode mode,
                                                            std::optional<double> stop_distance);
