@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iostream>
 #include <random>
+#include <set>
 
 #include "run_rig.h"
 #include "thorough.h"
@@ -113,6 +114,7 @@ class Soak {
     switch (anyOf(4)) {
       case 0:
         rig_.robot(robot).restart(1000 + static_cast<std::uint64_t>(faults_));
+        without_goal_.insert(robot);  // that goes with its node, and nobody is told an end of it
         return [] {};
       case 1:
         rig_.trial->cut(robot, true);
@@ -154,13 +156,7 @@ class Soak {
     // As behind an intrusion: one that people move may be in a zone of others.
     const bool is_held = rig_.trial->hasSupervisor() && rig_.mode() == cell::SupervisorMode::Holding;
     if (is_held && !is_in_trouble_) static_cast<void>(rig_.supervision().hold(false, rig_.trial->now()));
-    if (rig_.robot(robot).hasEnded()) {
-      ended_[robot] = rig_.trial->now();
-      ++goals_[robot];
-      const auto report = rig_.robot(robot).lastOutcome()->detail.as<blocks::ProgramReport>();
-      cycles_ += report.cycles_done;
-      rig_.order(robot, 1 + static_cast<int>(anyOf(4)));
-    }
+    attendToGoal(robot);
     const simulator::RobotState state = rig_.robot(robot).state();
     ASSERT_LT(rig_.trial->now() - ended_[robot], kPatience)
         << (state.in_motion ? "moving " : "") << (state.project_paused ? "paused " : "")
@@ -168,6 +164,17 @@ class Soak {
         << state.project_speed_percent << " % " << rig_.robot(robot).name() << " is at "
         << rig_.placeOf(robot) << ": " << rig_.robot(robot).agent().stand(rig_.trial->now()).text
         << "; the cell is " << (rig_.trial->hasSupervisor() ? toString(rig_.mode()) : "without a supervisor");
+  }
+
+  void attendToGoal(cell::RobotIndex robot) {
+    const bool is_gone = without_goal_.erase(robot) != 0;
+    if (!is_gone && !rig_.robot(robot).hasEnded()) return;
+    if (!is_gone) {
+      ended_[robot] = rig_.trial->now();
+      ++goals_[robot];
+      cycles_ += rig_.robot(robot).lastOutcome()->detail.as<blocks::ProgramReport>().cycles_done;
+    }
+    rig_.order(robot, 1 + static_cast<int>(anyOf(4)));
   }
 
   [[nodiscard]] bool needsRecovery(cell::RobotIndex robot) const {
@@ -196,6 +203,7 @@ class Soak {
   cell::CellModel model_ = *cell::modelOf(rig_.artifact->program);
   std::vector<Instant> ended_;  ///< by robot: when it ended a goal last
   std::vector<int> goals_;
+  std::set<cell::RobotIndex> without_goal_;
   int cycles_ = 0;
   int faults_ = 0;
   int recoveries_ = 0;
