@@ -11,18 +11,19 @@ import process_watch
 from cobot_command.msg import StopActionGoal
 from cobot_test import program
 from own_cell import kill
-from own_nodes import Heard
+from waiting import wait_until
 
 LONGEST = 10.0  # [s]
 
 
 class CellFaults:
-    """`case` has the cell, and `starts` what is started anew. The first robot's node and the monitor are left alone, so that what they
+    """`case` has the cell, and starts what is started anew. The first robot's node and the monitor are left alone, so that what they
     take of the machine can be measured."""
 
     def __init__(self, case, seed):
         self._case = case
         self._random = random.Random(seed)
+        self._stops = {robot: rospy.Publisher(f"/{robot}/stop/goal", StopActionGoal, queue_size=1) for robot in case.robots}
         self.counts = {}
 
     def make(self):
@@ -53,6 +54,7 @@ class CellFaults:
         return f"{name} ({robot})"
 
     def _lasts(self):
+        """So long, whatever comes of it."""
         time.sleep(self._random.uniform(0.5, LONGEST))
 
     def _operator(self, robot, trouble, *relief):
@@ -67,12 +69,8 @@ class CellFaults:
         self._case.robots[robot].fault(fault, active=False)
 
     def _stop(self, robot):
-        stops = rospy.Publisher(f"/{robot}/stop/goal", StopActionGoal, queue_size=1)
-        while stops.get_num_connections() == 0:
-            time.sleep(0.01)
-        stops.publish(StopActionGoal())
-        time.sleep(0.5)
-        stops.unregister()
+        wait_until(lambda: self._stops[robot].get_num_connections() > 0, f"the node of {robot}")
+        self._stops[robot].publish(StopActionGoal())
 
     def _hang(self, robot):
         pid = process_watch.pid_of(f"/{robot}/command_node")
@@ -86,7 +84,7 @@ class CellFaults:
         name = f"/{robot}/command_node"
         kill(name)
         self._lasts()
-        self._case.keep(Heard(program("command_node"), f"__ns:=/{robot}", "__name:=command_node"))
+        self._case.start(program("command_node"), f"__ns:=/{robot}", "__name:=command_node")
         self._case.forget(robot)
 
     def _kill_supervisor(self):

@@ -20,6 +20,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 from cobot_command.msg import CellDistances, CellRobot, CellState, CellZone, FrameTrace, StopActionGoal
 from cobot_goals import to_joints, turn
 from cobot_test import Latest, OutcomeTestCase, Robot, program
+from figure import print_figure
 from own_nodes import Heard, Process
 from waiting import DEADLINE, wait_until
 
@@ -129,7 +130,7 @@ class CellMonitor(OutcomeTestCase):
         self.assertIn("RB", alarmed.text)
         for sent in (wrist, towards):
             self.assertEqual(sent.finish()[0], GoalStatus.PREEMPTED)
-        self.print_figure(alarmed, frames)
+        self.measure_stop(alarmed, frames)
         for robot in self.robots.values():
             robot.wait_for_standstill()
         stands = self.distances.message.pairs[0]
@@ -292,14 +293,13 @@ class CellMonitor(OutcomeTestCase):
                 self.assertIn(words, self.monitor.output())
 
     # --- Helpers.
-    def print_figure(self, alarmed, frames):
+    def measure_stop(self, alarmed, frames):
         """P8 of doc/cell.md: from the joints by which two were too close to the last of the stops on the wires."""
         data = max(m.header.stamp for robot in self.robots.values() for m in robot.joints.all() if m.header.stamp <= alarmed.header.stamp)
         stops = [next(m.header.stamp for m in latest.all() if m.sent and "StopAndClearBuffer" in m.text and m.header.stamp >= data)
                  for latest in frames.values()]
-        took = 1000 * (max(stops) - data).to_sec()
-        print(f"figure: | P8 | from measured joints that are too close to the stop frames of both robots, over ROS | 1 | {took:.3g} | {took:.3g} "
-              f"| {took:.3g} | ms | all 50 | |", flush=True)
+        print_figure("P8", "from measured joints that are too close to the stop frames of both robots, over ROS",
+                     [1000 * (max(stops) - data).to_sec()], "ms", 50)
 
     def start_robot(self, name):
         if rospy.has_param(f"/{name}/command_node"):

@@ -2,7 +2,6 @@
 """An iris for minutes or hours, as nodes, with a fault every now and then and a person who sets right what that has left;
 `scripts/soak cell` runs it. Parameters: ~minutes, ~fault_period [s], ~seed (0: another one each time)."""
 import random
-import signal
 import time
 
 import rospy
@@ -17,7 +16,7 @@ from soak_test import settled, slope
 
 PATIENCE = 300.0  # [s] within which each robot ends a goal, whatever fails
 MARGIN = 0.02  # [m]
-LOOK_EVERY = 0.5  # [s]
+LOOK_EVERY = 0.5  # [s]; as a person looks, and no condition to wait for
 MOST_SLOPE = 0.1  # [MiB/h]
 MOST_GROWTH = 4.0  # [MiB] of a run that is too short for a slope
 SHORTEST_SLOPE = 2400.0  # [s] of measuring
@@ -65,14 +64,6 @@ class CellSoak(CellTestCase):
     def cancel(self, robot):
         if self.sent[robot]:
             self.sent[robot].cancel()
-
-    def keep(self, process):
-        def end():
-            if process.is_alive():
-                process.end(signal.SIGTERM)
-            process.clear_away()
-
-        self.addCleanup(end)
 
     def forget(self, robot):
         """Its node is another one: what was sent to the one before has no end."""

@@ -18,8 +18,10 @@ struct JointRange {
 
   [[nodiscard]] arm::JointVector centre() const { return 0.5 * (lower + upper); }
   [[nodiscard]] arm::JointVector widths() const { return upper - lower; }
-  [[nodiscard]] bool contains(const arm::JointVector& joints) const {
-    return (joints.array() >= lower.array()).all() && (joints.array() <= upper.array()).all();
+  /// `tolerance`: so far outside each joint may be [rad, not negative].
+  [[nodiscard]] bool contains(const arm::JointVector& joints, double tolerance = 0.0) const {
+    return (joints.array() >= lower.array() - tolerance).all() &&
+           (joints.array() <= upper.array() + tolerance).all();
   }
   /// Contains them, too, from then on.
   void include(const arm::JointVector& joints) { include(of(joints)); }

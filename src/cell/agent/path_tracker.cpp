@@ -23,10 +23,10 @@ std::optional<PathTracker> PathTracker::located(const ArtifactPath& path, const 
                                                 std::size_t behind, const arm::JointVector& joints) {
   PathTracker tracker(path, start, tracking);
   const PieceSpan span = piecesBehind(path, program, behind);
-  if (span.first == 0 && tracker.isIn(motion::JointRange::of(start), joints)) return tracker;
+  if (span.first == 0 && motion::JointRange::of(start).contains(joints, tracking)) return tracker;
   for (std::size_t index = span.first; index < span.end; ++index) {
     const ArtifactPiece& piece = path.pieces[index];
-    if (!tracker.isIn(piece.range, joints)) continue;
+    if (!piece.range.contains(joints, tracking)) continue;
     tracker.piece_ = index;
     tracker.next_frame_ = piece.frame + 1;
     if (tracker.isAtEnd(joints)) return tracker;
@@ -44,11 +44,6 @@ void PathTracker::sent() {
   resumes_within_.reset();
 }
 
-bool PathTracker::isIn(const motion::JointRange& range, const arm::JointVector& joints) const {
-  return (joints.array() >= range.lower.array() - tracking_).all() &&
-         (joints.array() <= range.upper.array() + tracking_).all();
-}
-
 std::size_t PathTracker::endOfSent() const {
   const auto end = std::find_if(path_->pieces.begin(), path_->pieces.end(),
                                 [this](const ArtifactPiece& piece) { return piece.frame >= next_frame_; });
@@ -56,15 +51,15 @@ std::size_t PathTracker::endOfSent() const {
 }
 
 bool PathTracker::see(const arm::JointVector& joints) {
-  if (resumes_within_) return isIn(*resumes_within_, joints);
-  if (next_frame_ == 0) return isIn(motion::JointRange::of(start_), joints);
+  if (resumes_within_) return resumes_within_->contains(joints, tracking_);
+  if (next_frame_ == 0) return motion::JointRange::of(start_).contains(joints, tracking_);
   const std::size_t end = endOfSent();
   for (std::size_t index = piece_; index < end; ++index) {
-    if (!isIn(path_->pieces[index].range, joints)) continue;
+    if (!path_->pieces[index].range.contains(joints, tracking_)) continue;
     piece_ = index;
     is_at_rest_ = true;
     for (std::size_t behind = index; behind < end; ++behind) {
-      is_at_rest_ = is_at_rest_ && isIn(path_->pieces[behind].range, joints);
+      is_at_rest_ = is_at_rest_ && path_->pieces[behind].range.contains(joints, tracking_);
     }
     return true;
   }
@@ -88,9 +83,9 @@ bool PathTracker::willTouch(ZoneIndex zone) const {
 
 bool PathTracker::isAtEnd(const arm::JointVector& joints) const {
   if (resumes_within_) return false;
-  if (next_frame_ == 0) return isIn(motion::JointRange::of(start_), joints);
+  if (next_frame_ == 0) return motion::JointRange::of(start_).contains(joints, tracking_);
   const std::size_t end = endOfSent();
-  return end > 0 && isIn(path_->pieces[end - 1].range, joints);
+  return end > 0 && path_->pieces[end - 1].range.contains(joints, tracking_);
 }
 
 Duration PathTracker::remaining() const {

@@ -48,7 +48,6 @@ class PathTracker {
   [[nodiscard]] const ArtifactPath& path() const { return *path_; }
 
  private:
-  [[nodiscard]] bool isIn(const motion::JointRange& range, const arm::JointVector& joints) const;
   /// Of the pieces of all frames that were sent.
   [[nodiscard]] std::size_t endOfSent() const;
 

@@ -18,7 +18,7 @@ arm::JointVector Whereabouts::startOf(PathIndex path) const {
   return made().stations[artifact_->program.robots[robot_].paths[path].from].joints;
 }
 
-const std::vector<std::string>& Whereabouts::carriedAt(const CellPlace& place) const {
+const std::vector<std::string>& Whereabouts::carriedByProgram(const CellPlace& place) const {
   if (place.station) return made().stations[*place.station].carried;
   const std::size_t next = tracker_ ? tracker_->nextFrame() : 0;
   return made().paths[place.path].frames[next > 0 ? next - 1 : 0].carried;
@@ -57,10 +57,10 @@ bool Whereabouts::lookAtZones(const CellPlace& place, const arm::JointVector& jo
   const std::vector<ZoneIndex> before = zones_.touched();
   if (whose == ZoneWatch::Of::Everyone) {
     // Off its way nobody knows what it has taken or set down of what it may have had there.
-    const Carried all = cell::carriedAt(*artifact_, robot_, place);
+    const Carried all = carriedAt(*artifact_, robot_, place);
     zones_.see(joints, {all.begin(), all.end()}, whose);
   } else {
-    zones_.see(joints, carriedAt(place), whose);
+    zones_.see(joints, carriedByProgram(place), whose);
   }
   return before != zones_.touched();
 }

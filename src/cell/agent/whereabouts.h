@@ -44,7 +44,7 @@ class Whereabouts {
  private:
   [[nodiscard]] const ArtifactRobot& made() const { return artifact_->robots[robot_]; }
   [[nodiscard]] arm::JointVector startOf(PathIndex path) const;
-  [[nodiscard]] const std::vector<std::string>& carriedAt(const CellPlace& place) const;
+  [[nodiscard]] const std::vector<std::string>& carriedByProgram(const CellPlace& place) const;
 
   std::shared_ptr<const Artifact> artifact_;
   RobotIndex robot_;

@@ -6,11 +6,6 @@
 namespace cobot_command::cell {
 namespace {
 
-bool isWithin(const motion::JointRange& range, const arm::JointVector& joints, double tolerance) {
-  return (joints.array() >= range.lower.array() - tolerance).all() &&
-         (joints.array() <= range.upper.array() + tolerance).all();
-}
-
 /// Which part of a path it has passed nobody knows: all of it is where it may be.
 bool mechanismFits(const ArtifactMechanism& made, const CellPlace& place, double position) {
   if (place.station) return std::abs(position - made.stations[*place.station].value) <= kMechanismWithin;
@@ -45,17 +40,17 @@ bool placeFits(const Artifact& artifact, RobotIndex robot, const CellPlace& plac
   const double tracking = artifact.parameters.tracking;
   if (place.station) {
     const motion::JointRange station = motion::JointRange::of(made.stations[*place.station].joints);
-    return isWithin(station, joints, std::max(kStandsWithin, tracking));
+    return station.contains(joints, std::max(kStandsWithin, tracking));
   }
   const ArtifactPath& path = made.paths[place.path];
   const PathProgram& program = artifact.program.robots[robot].paths[place.path];
   const PieceSpan span = piecesBehind(path, program, place.behind);
-  if (span.first == 0 && isWithin(motion::JointRange::of(made.stations[program.from].joints), joints,
-                                  std::max(kStandsWithin, tracking))) {
+  if (span.first == 0 && motion::JointRange::of(made.stations[program.from].joints)
+                             .contains(joints, std::max(kStandsWithin, tracking))) {
     return true;
   }
   for (std::size_t piece = span.first; piece < span.end; ++piece) {
-    if (isWithin(path.pieces[piece].range, joints, tracking)) return true;
+    if (path.pieces[piece].range.contains(joints, tracking)) return true;
   }
   return false;
 }

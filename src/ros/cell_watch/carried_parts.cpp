@@ -4,12 +4,13 @@
 
 #include "cobot_command/cell/artifact/place_fit.h"
 #include "cobot_command/cell/artifact/place_parts.h"
+#include "cobot_command/cell/monitor/monitor.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
 
-/// Of a robot that was not heard for longer nobody knows where it is; as in the monitor.
-constexpr Duration kStale = std::chrono::milliseconds(500);
+/// Of a robot that was not heard for longer nobody knows where it is.
+constexpr Duration kStale = cell::MonitorSettings().stale_after;
 
 /// In the others not all robots are where the state has them.
 bool arePlacesCertain(const cobot_command::CellState& state) {

@@ -85,8 +85,7 @@ bool isInAPieceOf(RunRig& rig, cell::RobotIndex robot, cell::ZoneIndex zone) {
   const auto& pieces = rig.artifact->robots[robot].paths.back().pieces;
   return std::any_of(pieces.begin(), pieces.end(), [&](const cell::ArtifactPiece& piece) {
     const bool touches = std::binary_search(piece.zones.begin(), piece.zones.end(), zone);
-    return touches && (joints.array() >= piece.range.lower.array()).all() &&
-           (joints.array() <= piece.range.upper.array()).all();
+    return touches && piece.range.contains(joints);
   });
 }
 
