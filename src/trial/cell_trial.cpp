@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 
 #include "mail.h"
 #include <fmt/format.h>
@@ -143,7 +144,8 @@ void CellTrial::exchange() {
   if (supervision_) {
     const auto reports = mail_->takeReports(now_);
     for (const auto& report : reports) supervision_->take(report, now_);
-    supervision_->tick(now_);
+    const bool is_late = supervision_->nextDeadline().value_or(Instant::max()) <= now_;
+    if (is_late || !reports.empty()) supervision_->tick(now_);
     for (const auto& order : supervision_->takeStopOrders()) {
       if (order.robot < robots_.size()) {
         static_cast<void>(robots_[order.robot]->submit(blocks::StopGoal{}));
@@ -206,8 +208,11 @@ void CellTrial::measure() {
   for (std::size_t mechanism = 0; mechanism < mechanisms_.size(); ++mechanism) {
     bodies.push_back(artifact_->mechanisms[mechanism].bodies.at(mechanisms_[mechanism]->position()));
   }
+  std::vector<cell::AlignedBox> boxes;
+  std::transform(bodies.begin(), bodies.end(), std::back_inserter(boxes), cell::boxAround);
   for (std::size_t one = 0; one < bodies.size(); ++one) {
     for (std::size_t other = one + 1; other < bodies.size(); ++other) {
+      if (cell::distanceBetween(boxes[one], boxes[other]) >= least_.distance) continue;
       const double distance = cell::nearestOf(bodies[one], bodies[other]).distance;
       if (distance >= least_.distance) continue;
       const auto& users = artifact_->program.robots;
@@ -228,17 +233,24 @@ void CellTrial::disturb() {
   }
 }
 
+bool CellTrial::step(Instant until) {
+  const Instant next = nextEvent();
+  if (next > until) return false;
+  stepTo(next);
+  return true;
+}
+
 void CellTrial::pass(Duration duration) {
   const Instant until = now_ + duration;
-  while (nextEvent() <= until) stepTo(nextEvent());
+  while (step(until)) {
+  }
   if (now_ < until) stepTo(until);
 }
 
 bool CellTrial::passUntil(const std::function<bool()>& done, Duration most) {
   const Instant until = now_ + most;
   while (!done()) {
-    if (nextEvent() > until) return false;
-    stepTo(nextEvent());
+    if (!step(until)) return false;
   }
   return true;
 }

@@ -124,6 +124,7 @@ Instant TrialRobot::nextEvent() const {
 
 void TrialRobot::advanceTo(Instant instant) {
   now_ = std::max(now_, instant);
+  if (nextEvent() > now_) return;
   controller_.advance(now_);
   takeOutputs();
   agent_->advance(now_);
@@ -131,8 +132,13 @@ void TrialRobot::advanceTo(Instant instant) {
   settle();
 }
 
-cell::Capsules TrialRobot::bodies() const {
-  return bodies_.at(controller_.state().joints).capsules;
+simulator::RobotState TrialRobot::state() {
+  controller_.advance(now_);  // which else only its own events do
+  return controller_.state();
+}
+
+cell::Capsules TrialRobot::bodies() {
+  return bodies_.at(state().joints).capsules;
 }
 
 const blocks::Outcome* TrialRobot::outcome(blocks::GoalId goal) const {

@@ -105,6 +105,8 @@ class CellTrial {
   bool append(const std::string& line);
   /// If it is due, or something has changed.
   void tellNews(bool is_due);
+  /// To what happens next. False: nothing does until then.
+  bool step(Instant until);
   void stepTo(Instant instant);
   void exchange();
   [[nodiscard]] std::optional<cell::RobotReport> takeReport(cell::RobotIndex user);

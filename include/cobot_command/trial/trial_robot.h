@@ -53,7 +53,7 @@ class TrialRobot {
   [[nodiscard]] const std::vector<blocks::Progress>& progress(blocks::GoalId goal) { return progress_[goal]; }
   /// The scripts that were sent, ids and tags included.
   [[nodiscard]] const std::vector<std::string>& scripts() const { return scripts_; }
-  [[nodiscard]] simulator::RobotState state() const { return controller_.state(); }
+  [[nodiscard]] simulator::RobotState state();
   [[nodiscard]] const cell::Agent& agent() const { return *agent_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   /// The one that was submitted last.
@@ -62,7 +62,7 @@ class TrialRobot {
   [[nodiscard]] const blocks::Outcome* lastOutcome() const { return outcome(goals_); }
   [[nodiscard]] bool hasEnded() const { return lastOutcome() != nullptr; }
   /// Where the arm truly is, in the world, as far as it is described: links and tool.
-  [[nodiscard]] cell::Capsules bodies() const;
+  [[nodiscard]] cell::Capsules bodies();
 
  private:
   struct Wire {

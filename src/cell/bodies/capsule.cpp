@@ -142,6 +142,17 @@ bool mayBeWithin(double distance, const Ball& a, const Ball& b) {
 
 }  // namespace
 
+AlignedBox boxAround(const Capsules& capsules) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  AlignedBox box{Vector3d::Constant(infinity), Vector3d::Constant(-infinity)};
+  for (const Capsule& capsule : capsules) {
+    const Vector3d radius = Vector3d::Constant(capsule.radius);
+    box.lower = box.lower.cwiseMin(capsule.from.cwiseMin(capsule.to) - radius);
+    box.upper = box.upper.cwiseMax(capsule.from.cwiseMax(capsule.to) + radius);
+  }
+  return box;
+}
+
 Capsule placed(const arm::Pose& frame, const Capsule& capsule) {
   return {frame * capsule.from, frame * capsule.to, capsule.radius};
 }
@@ -157,6 +168,10 @@ double coreDistance(const Capsule& a, const Capsule& b) {
 
 double distanceBetween(const Capsule& a, const Capsule& b) {
   return coreDistance(a, b) - a.radius - b.radius;
+}
+
+double distanceBetween(const AlignedBox& a, const AlignedBox& b) {
+  return (a.lower - b.upper).cwiseMax(b.lower - a.upper).cwiseMax(0.0).norm();
 }
 
 double coreDistance(const Capsule& capsule, const AlignedBox& box) {

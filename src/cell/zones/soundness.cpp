@@ -33,22 +33,6 @@ class HeldZones {
   std::vector<std::uint64_t> words_;
 };
 
-/// Around all bodies.
-AlignedBox boxAround(const Capsules& capsules) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  AlignedBox box{Eigen::Vector3d::Constant(infinity), Eigen::Vector3d::Constant(-infinity)};
-  for (const Capsule& capsule : capsules) {
-    const Eigen::Vector3d radius = Eigen::Vector3d::Constant(capsule.radius);
-    box.lower = box.lower.cwiseMin(capsule.from.cwiseMin(capsule.to) - radius);
-    box.upper = box.upper.cwiseMax(capsule.from.cwiseMax(capsule.to) + radius);
-  }
-  return box;
-}
-
-double gapBetween(const AlignedBox& one, const AlignedBox& other) {
-  return (one.lower - other.upper).cwiseMax(other.lower - one.upper).cwiseMax(0.0).norm();
-}
-
 /// A piece with what is needed of it here.
 struct Posture {
   Capsules capsules;
@@ -139,7 +123,7 @@ class Check {
         ++found_.pairs;
         const double displacement = first.displacement + second.displacement;
         // Nearer than their boxes they are not.
-        if (isOfNoConcern(gapBetween(first.box, second.box) - displacement)) continue;
+        if (isOfNoConcern(distanceBetween(first.box, second.box) - displacement)) continue;
         const Nearest nearest = nearestOf(first.capsules, second.capsules);
         note(nearest.distance - displacement, {first.name, second.name},
              first.bodyOf(nearest.first) + second.bodyOf(nearest.second));

@@ -24,6 +24,9 @@ struct AlignedBox {
   Eigen::Vector3d upper = Eigen::Vector3d::Zero();
 };
 
+/// The smallest one around all capsules. Of none: `lower` is above `upper`, infinitely far from all boxes.
+[[nodiscard]] AlignedBox boxAround(const Capsules& capsules);
+
 /// The same capsule seen from where `frame` is told.
 [[nodiscard]] Capsule placed(const arm::Pose& frame, const Capsule& capsule);
 
@@ -36,6 +39,9 @@ struct AlignedBox {
 
 /// Between the surfaces; negative where the capsules reach into each other.
 [[nodiscard]] double distanceBetween(const Capsule& a, const Capsule& b);
+
+/// 0 where they meet. No point of one is closer to a point of the other.
+[[nodiscard]] double distanceBetween(const AlignedBox& a, const AlignedBox& b);
 
 /// Between the core and the box, whatever the radius; 0 where they touch.
 [[nodiscard]] double coreDistance(const Capsule& capsule, const AlignedBox& box);

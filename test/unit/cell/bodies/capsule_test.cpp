@@ -131,6 +131,25 @@ TEST(NearestOf, areTheFirstOfAllPairsThatAreTheNearest) {
   }
 }
 
+TEST(BoxAround, holdsEachCapsuleAndTouchesOne) {
+  const AlignedBox box = boxAround({{{0, 0, 0}, {1, 0, 0}, 0.1}, {{0, 2, -1}, {0, 2, -1}, 0.5}});
+  EXPECT_TRUE(box.lower.isApprox(Vector3d(-0.5, -0.1, -1.5)));
+  EXPECT_TRUE(box.upper.isApprox(Vector3d(1.1, 2.5, 0.1)));
+}
+
+/// So that whoever compares boxes first leaves out no pair that matters.
+TEST(DistanceBetween, boxesIsNoMoreThanBetweenWhatIsInThem) {
+  RandomNumbers random(6);
+  for (int i = 0; i < 2000; ++i) {
+    const Capsules first(1, randomPair(random, i % 6).a);
+    const Capsules second{randomPair(random, 0).b, randomPair(random, 0).a};
+    ASSERT_LE(distanceBetween(boxAround(first), boxAround(second)),
+              std::max(0.0, nearestOf(first, second).distance) + 1e-12);
+  }
+  EXPECT_DOUBLE_EQ(distanceBetween(AlignedBox{{0, 0, 0}, {1, 1, 1}}, AlignedBox{{4, 5, 0.5}, {5, 6, 2}}), 5);
+  EXPECT_TRUE(std::isinf(distanceBetween(boxAround({}), boxAround({{{0, 0, 0}, {1, 0, 0}, 0.1}}))));
+}
+
 TEST(NearestOf, areFoundWhereAllIsAtOnePlace) {
   const Capsules points(3, Capsule{{1, 2, 3}, {1, 2, 3}, 0.1});
   EXPECT_DOUBLE_EQ(nearestOf(points, points).distance, -0.2);
