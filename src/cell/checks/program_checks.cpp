@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -24,20 +25,30 @@ std::string stepField(const std::string& field, std::size_t step) {
   return fmt::format("{}.steps[{}]", field, step);
 }
 
-/// By how much a path misses its station, by its last motion in joints.
-void checkEnd(const Path& path, std::size_t last, const Station& end, const std::string& field,
+/// Where a motion ends whose end is joints. Others end where planning finds them to.
+std::optional<arm::JointVector> endOf(const Step& step, const Robot& robot) {
+  if (!step.at.empty()) return find(robot.stations, step.at)->joints;
+  const auto* move = std::get_if<blocks::MoveAbsoluteGoal>(&step.goal);
+  if (move == nullptr || move->data_format != static_cast<int>(blocks::AbsoluteFormat::Jpp)) return {};
+  return arm::toJointVector(move->target);
+}
+
+/// By how much a path misses its station, by its last motion.
+void checkEnd(const Step& last, const Robot& robot, const Station& end, const std::string& field,
               FaultList& faults) {
-  const auto* move = std::get_if<blocks::MoveAbsoluteGoal>(&path.steps[last].goal);
-  if (move == nullptr || move->data_format != static_cast<int>(blocks::AbsoluteFormat::Jpp)) return;
-  const arm::JointVector gap = arm::toJointVector(move->target) - end.joints;
+  const auto joints = endOf(last, robot);
+  if (!joints) return;
+  const arm::JointVector gap = *joints - end.joints;
   Eigen::Index joint = 0;
   const double widest = gap.cwiseAbs().maxCoeff(&joint);
   if (widest <= kStationTolerance) return;
-  faults.add(path.steps[last].place, stepField(field, last),
-             {"target_position",
+  const char* key =
+      std::holds_alternative<blocks::MoveCircleGoal>(last.goal) ? "end_point" : "target_position";
+  faults.add(last.place, field,
+             {key,
               fmt::format("is {:.6g} deg of J{} away from station {}, where the path ends", radToDeg(widest),
                           joint + 1, end.name),
-              "the joints of the station, to 1e-6 rad", "write target_position: " + end.name});
+              "the joints of the station, to 1e-6 rad", fmt::format("write {}: {}", key, end.name)});
 }
 
 /// What there is of a robot at a station.
@@ -157,7 +168,7 @@ void checkPath(const Path& path, const Robot& robot, const std::string& field, F
                {"blending_enable", "blends at the end of a path, so the robot would not stand at its station",
                 "false for the last motion", "take it away, or make one path of two"});
   }
-  checkEnd(path, index, end, field, faults);
+  checkEnd(*last, robot, end, stepField(field, index), faults);
 }
 
 void checkProgram(const Robot& robot, const std::vector<Part>& parts, const Place& place,

@@ -5,6 +5,7 @@
 #include "checks/program_checks.h"
 #include "checks/step_checks.h"
 #include "reading/names.h"
+#include "reading/station_poses.h"
 #include "reading/step_goals.h"
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ double usualDwell(const YamlMap& path) {
 Step toStep(const YAML::Node& node, double usual_dwell, const Robot& robot, const ProgramReading& reading) {
   Step step;
   step.place = placeOf(reading.faults, node.Mark());
-  step.goal = toGoal(node, robot);
+  takeGoal(node, robot, step);
   const YamlMap map = mapOf(node);
   if (map.has("name")) step.name = nameForPeople(map);
   step.attach = partIn(map, "attach", reading.parts);
@@ -176,6 +177,7 @@ void readProgram(const YAML::Node& node, const std::string& field, Robot& robot,
   if (reading.faults.count() == before) {
     checkProgram(robot, reading.parts, placeOf(reading.faults, node.Mark()), field, reading.faults);
   }
+  if (reading.faults.count() == before) takeStationPoses(robot);
 }
 
 }  // namespace cobot_command::cell

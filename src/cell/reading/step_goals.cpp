@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <utility>
 
 #include "reading/names.h"
 #include "reading/shape_reading.h"
@@ -28,57 +29,65 @@ const Keys kAtTarget{"attach", "output", "input", "dwell", "detach"};
 const Keys kMotion{"command_id",      "data_format",    "speed",     "accel_time",
                    "blending_enable", "blending_value", "exit_node", "disable_precise_positioning"};
 
-/// The joints of a station, in place of six numbers.
-blocks::SixValues stationTarget(const YamlMap& map, const Robot& robot, int format) {
-  const YAML::Node node = map.required("target_position");
+const Station& stationIn(const YamlMap& map, const char* key, const Robot& robot) {
+  const YAML::Node node = map.required(key);
   const Station* station = find(robot.stations, node.Scalar());
   if (station == nullptr) {
-    refuseUnknown(node.Mark(), "target_position", node.Scalar(), "station of the robot, and no six numbers",
+    refuseUnknown(node.Mark(), key, node.Scalar(), "station of the robot, and no six numbers",
                   namesOf(robot.stations));
   }
-  if (format != static_cast<int>(blocks::AbsoluteFormat::Jpp)) {
-    refuseAt(node.Mark(), {"target_position", "is a station, which is joints", "with data_format JPP", ""});
-  }
-  return station->degrees;
+  return *station;
 }
 
-StepGoal moveAbsolute(const YamlMap& map, const Robot& robot) {
+/// Six numbers, or the pose of a station, which is found when all of the program is there.
+blocks::SixValues poseIn(const YamlMap& map, const char* key, const Robot& robot, Step& step) {
+  if (!map.required(key).IsScalar()) return files::toSix(map, key);
+  step.at = stationIn(map, key, robot).name;
+  return {};
+}
+
+blocks::SixValues jointsIn(const YamlMap& map, const char* key, const Robot& robot) {
+  return map.required(key).IsScalar() ? stationIn(map, key, robot).degrees : files::toSix(map, key);
+}
+
+void moveAbsolute(const YamlMap& map, const Robot& robot, Step& step) {
   blocks::MoveAbsoluteGoal goal;
   goal.movement_command = map.named("movement_command", files::movementNames());
   goal.data_format = map.named("data_format", files::absoluteFormatNames());
-  goal.target = map.required("target_position").IsScalar() ? stationTarget(map, robot, goal.data_format)
-                                                           : files::toSix(map, "target_position");
+  const bool has_joints = goal.data_format == static_cast<int>(blocks::AbsoluteFormat::Jpp);
+  goal.target =
+      has_joints ? jointsIn(map, "target_position", robot) : poseIn(map, "target_position", robot, step);
   files::takeMotion(map, goal);
   files::takePosture(map, goal);
-  return goal;
+  step.goal = std::move(goal);
 }
 
-StepGoal moveRelative(const YamlMap& map, const Robot& /*robot*/) {
+void moveRelative(const YamlMap& map, const Robot& /*robot*/, Step& step) {
   blocks::MoveRelativeGoal goal;
   goal.movement_command = map.named("movement_command", files::movementNames());
   goal.data_format = map.named("data_format", kRelativeFormats);
   goal.target = files::toSix(map, "target_position");
   files::takeMotion(map, goal);
-  return goal;
+  step.goal = std::move(goal);
 }
 
-StepGoal moveCircle(const YamlMap& map, const Robot& /*robot*/) {
+void moveCircle(const YamlMap& map, const Robot& robot, Step& step) {
   blocks::MoveCircleGoal goal;
   goal.data_format = map.named("data_format", kCircleFormats);
   goal.arc_point = files::toSix(map, "arc_point");
-  goal.end_point = files::toSix(map, "end_point");
+  goal.end_point = poseIn(map, "end_point", robot, step);
   if (map.has("arc_angle")) goal.arc_angle = map.number("arc_angle");
   files::takeMotion(map, goal);
-  return goal;
+  step.goal = std::move(goal);
 }
 
-StepGoal changeBase(const YamlMap& map, const Robot& /*robot*/) {
+void changeBase(const YamlMap& map, const Robot& /*robot*/, Step& step) {
   blocks::ChangeBaseGoal goal;
   goal.transformation = frameIn(map, "base", "base");
-  return goal;
+  step.goal = std::move(goal);
 }
 
-StepGoal changeTcp(const YamlMap& map, const Robot& /*robot*/) {
+void changeTcp(const YamlMap& map, const Robot& /*robot*/, Step& step) {
   blocks::ChangeTcpGoal goal;
   goal.tcp_offset = frameIn(map, "tcp", "TCP");
   if (map.has("weight")) goal.weight = map.number("weight");
@@ -89,14 +98,14 @@ StepGoal changeTcp(const YamlMap& map, const Robot& /*robot*/) {
     }
   }
   if (map.has("mass_center")) goal.mass_center = files::toSix(map, "mass_center");
-  return goal;
+  step.goal = std::move(goal);
 }
 
-StepGoal script(const YamlMap& map, const Robot& /*robot*/) {
+void script(const YamlMap& map, const Robot& /*robot*/, Step& step) {
   blocks::RunScriptGoal goal;
   goal.script = map.text("script");
   goal.await_motion = true;
-  return goal;
+  step.goal = std::move(goal);
 }
 
 Keys joinedKeys(std::initializer_list<Keys> lists) {
@@ -108,7 +117,7 @@ Keys joinedKeys(std::initializer_list<Keys> lists) {
 struct BlockRow {
   const char* name;
   Keys keys;
-  std::function<StepGoal(const YamlMap&, const Robot&)> read;
+  std::function<void(const YamlMap&, const Robot&, Step&)> read;
 };
 
 const std::array<BlockRow, 6>& blockRows() {
@@ -161,12 +170,12 @@ files::YamlMap mapOf(const YAML::Node& node) {
   return YamlMap(node, fmt::format("a {} step", row.name).c_str(), row.keys);
 }
 
-StepGoal toGoal(const YAML::Node& node, const Robot& robot) {
+void takeGoal(const YAML::Node& node, const Robot& robot, Step& step) {
   // First, as the other keys are known by the one that says the block.
   if (node.IsMap()) files::requireOwnKeys(node, "a step");
   files::refuseRetiredKey(node);
   refuseProjectNames(node);
-  return rowOf(node).read(mapOf(node), robot);
+  rowOf(node).read(mapOf(node), robot, step);
 }
 
 }  // namespace cobot_command::cell

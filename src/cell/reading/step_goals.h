@@ -6,11 +6,11 @@
 
 namespace cobot_command::cell {
 
-/// The goal that `node`, a step of that robot's program, describes. Throws a YamlFault; where a key is
-/// unknown it tells those of the step's block.
-[[nodiscard]] StepGoal toGoal(const YAML::Node& node, const Robot& robot);
+/// The goal that `node`, a step of that robot's program, describes, and the station that it names where it
+/// needs a pose (Step::at). Throws a YamlFault; where a key is unknown it tells those of the step's block.
+void takeGoal(const YAML::Node& node, const Robot& robot, Step& step);
 
-/// Of a step that toGoal() has read: the map with all its keys.
+/// Of a step whose goal was taken: the map with all its keys.
 [[nodiscard]] files::YamlMap mapOf(const YAML::Node& node);
 
 }  // namespace cobot_command::cell

@@ -230,11 +230,6 @@ TEST(CellFaults, tellOfDwellsThatNobodyNeedsToo) {
               HasSubstr("steps[4].dwell is \"maybe\"; allowed: true, false, or"));
 }
 
-TEST(CellFaults, tellOfStationsAsTargetsThatAreNoJoints) {
-  EXPECT_THAT(faultsWith("data_format: JPP", "data_format: CPP"),
-              HasSubstr("target_position is a station, which is joints; allowed: with data_format JPP"));
-}
-
 TEST(CellFaults, ofAFileThatIsNamedAreOfThatFile) {
   EXPECT_THAT(
       fullWith("steps_file: pick.yaml", "steps_file: pik.yaml"),

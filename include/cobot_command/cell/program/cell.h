@@ -48,7 +48,8 @@ using StepGoal = std::variant<blocks::MoveAbsoluteGoal, blocks::MoveRelativeGoal
 struct Step {
   std::string name;  ///< for people; may be empty
   StepGoal goal;
-  std::string attach;                             ///< a part that is carried from here on; empty: none
+  std::string at;      ///< the station that is named in place of a pose, which is in `goal`; empty: none
+  std::string attach;  ///< a part that is carried from here on; empty: none
   std::optional<blocks::SetOutputGoal> output;    ///< is set
   std::optional<blocks::WaitForInputGoal> input;  ///< is waited for
   double dwell = 0;                               ///< [s]
