@@ -25,15 +25,17 @@ REASONS = {CellRobot.ZONE_HELD: "{} has the zone", CellRobot.WOULD_BLOCK: "behin
 
 
 class Teller:
-    """Prints what is new in the state of the cell."""
+    """Prints what is new in the cell."""
 
     def __init__(self):
         self.begun = None
         self.robots = {}
         self.owners = {}
+        self.failures = 0
 
-    def tell(self, state):
+    def tell(self, feedback):
         self.begun = self.begun or rospy.Time.now()
+        state = feedback.state
         for zone in state.zones:
             owner = zone.owner if zone.state != CellZone.FREE else ""
             if self.owners.get(zone.name, "") != owner:
@@ -44,6 +46,9 @@ class Teller:
             if self.robots.get(robot.name) != words:
                 self.say(f"{robot.name}: {words}")
             self.robots[robot.name] = words
+        for failure in feedback.failures[self.failures:]:
+            self.say(f"failed: {failure}; the others go on to their end, Ctrl-C stops them")
+        self.failures = len(feedback.failures)
 
     def say(self, text):
         print(f"{(rospy.Time.now() - self.begun).to_sec():7.2f} s  {text}", flush=True)
@@ -67,7 +72,7 @@ def run(arguments):
         with changed:
             changed.notify_all()
 
-    handle = client.send_goal(RunCellGoal(cycles=arguments.cycles, robots=arguments.robots), note, lambda _, feedback: teller.tell(feedback.state))
+    handle = client.send_goal(RunCellGoal(cycles=arguments.cycles, robots=arguments.robots), note, lambda _, feedback: teller.tell(feedback))
     for number in END_SIGNALS:
         signal.signal(number, lambda *_: handle.cancel())
     with changed:

@@ -7,7 +7,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 from diagnostic_msgs.msg import DiagnosticArray
 
-from cobot_command.msg import BuildCellGoal, CellReport, CellRobot, CellState, CellZone, RunCellGoal, RunProgramGoal
+from cobot_command.msg import BuildCellGoal, CellReport, CellRobot, CellState, CellZone, RunCellGoal, RunProgramGoal, StopGoal
 from cobot_goals import turn
 from cobot_test import program
 from own_cell import NAMES, CellTestCase, kill, robot_in
@@ -149,6 +149,17 @@ class Cell(CellTestCase):
         self.wait_for_robot("RB", lambda r: r.state == CellRobot.MOVING, "on its way")
         sent.cancel()
         sent.finish()
+
+    def test_a_robot_that_fails_is_told_while_the_others_are_still_at_it(self):
+        sent = self.send_run(RunCellGoal(cycles=0)).wait_until_active()
+        self.wait_until_it_holds_a_zone("RA")
+        self.assert_done(self.robots["RB"].run(StopGoal()))
+        wait_until(lambda: any(f.failures for f in sent.feedback), "what has failed")
+        told = sent.feedback[-1]
+        self.assertEqual((len(told.failures), told.open), (1, 1))
+        self.assertTrue(told.failures[0].startswith("RB: "), told.failures)
+        sent.cancel()
+        self.assertEqual(sent.finish()[1].error_description, told.failures[0])
 
     def test_reports_that_nobody_could_mean_are_counted_and_change_nothing(self):
         diagnosed = []

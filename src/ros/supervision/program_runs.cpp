@@ -49,6 +49,7 @@ void ProgramRuns::follow(const cell::CellStatus& status, const cobot_command::Ce
   cobot_command::RunCellFeedback feedback;
   feedback.state = told;
   feedback.open = open();
+  for (const Fault& fault : faults_) feedback.failures.push_back(fault.found);
   goal_->publishFeedback(feedback);
   sendGoals();
   giveUpLost();
@@ -135,7 +136,7 @@ std::vector<std::size_t> ProgramRuns::membersOf(const cobot_command::RunCellGoal
 void ProgramRuns::begin(const Handle& goal) {
   result_ = {};
   result_.least_distance = kNotHeard;
-  fault_.reset();
+  faults_.clear();
   is_cancelled_ = false;
   begun_ = now_;
   members_.clear();
@@ -161,13 +162,15 @@ void ProgramRuns::sendGoals() {
           member.client->sendGoal(program, [this, number](const auto& handle) { onProgram(number, handle); });
     } else if (is_cancelled_) {
       member.is_open = false;
-      fail({supervisor_error::kCellNotReady, "cancelled", "Recover what has stopped, and run it again"});
+      faults_.push_back(
+          {supervisor_error::kCellNotReady, "cancelled", "Recover what has stopped, and run it again"});
     } else if (now_ > begun_ + kPatience) {
       member.is_open = false;
-      fail({supervisor_error::kCellNotReady,
-            fmt::format("{} reports by the node {}, which serves no run_program", robots_[member.robot],
-                        foreignText(contacts_[member.robot]->publisher(), kQuoteLimit)),
-            "See whether its node is what it has to be"});
+      faults_.push_back(
+          {supervisor_error::kCellNotReady,
+           fmt::format("{} reports by the node {}, which serves no run_program", robots_[member.robot],
+                       foreignText(contacts_[member.robot]->publisher(), kQuoteLimit)),
+           "See whether its node is what it has to be"});
     }
   }
   endIfOver();
@@ -193,17 +196,19 @@ void ProgramRuns::onProgram(std::size_t number, const RobotContact::ProgramHandl
   if (result) result_.cycles_done[number] = result->cycles_done;
   const std::string& name = robots_[member.robot];
   if (!member.is_done && result && result->error_id == blocks::motion_error::kOtherBlockBusy) {
-    fail({supervisor_error::kCellNotReady,
-          name + " runs a program already: by a client of its own, or since before the supervisor was "
-                 "started anew",
-          "Let it come to its end by finish, or stop it by stop; then run it again"});
+    faults_.push_back(
+        {supervisor_error::kCellNotReady,
+         name + " runs a program already: by a client of its own, or since before the supervisor was "
+                "started anew",
+         "Let it come to its end by finish, or stop it by stop; then run it again"});
   } else if (!member.is_done && result) {
     const bool is_error = result->error_id != 0;  // else it was stopped, or another command has taken it away
-    fail({is_error ? result->error_id : supervisor_error::kCellNotReady,
-          fmt::format("{}: {}", name, result->error_description),
-          is_error ? result->remedy : "Recover it where it is FAULT or LOST, and run it again"});
+    faults_.push_back({is_error ? result->error_id : supervisor_error::kCellNotReady,
+                       fmt::format("{}: {}", name, result->error_description),
+                       is_error ? result->remedy : "Recover it where it is FAULT or LOST, and run it again"});
   } else if (!member.is_done) {
-    fail({supervisor_error::kCellNotReady, name + ": its goal is lost", "See what its node says"});
+    faults_.push_back(
+        {supervisor_error::kCellNotReady, name + ": its goal is lost", "See what its node says"});
   }
   endIfOver();
 }
@@ -218,15 +223,11 @@ void ProgramRuns::giveUpLost() {
     });
     if (!is_alone) continue;
     member.is_open = false;
-    fail({supervisor_error::kCellNotReady,
-          fmt::format("{} is {}: {}", status.name, toString(status.state), status.text),
-          "See what its node says; recover it, or confirm that its zones are clear"});
+    faults_.push_back({supervisor_error::kCellNotReady,
+                       fmt::format("{} is {}: {}", status.name, toString(status.state), status.text),
+                       "See what its node says; recover it, or confirm that its zones are clear"});
   }
   endIfOver();
-}
-
-void ProgramRuns::fail(Fault fault) {
-  if (!fault_) fault_ = std::move(fault);
 }
 
 int ProgramRuns::open() const {
@@ -237,15 +238,15 @@ int ProgramRuns::open() const {
 void ProgramRuns::endIfOver() {
   if (!goal_ || open() > 0) return;
   result_.makespan = ros::Duration(toSeconds(now_ - begun_));
-  if (fault_) {
-    result_.error_id = fault_->id;
-    result_.error_description = fault_->found;
-    result_.remedy = fault_->remedy;
+  if (!faults_.empty()) {
+    result_.error_id = faults_.front().id;
+    result_.error_description = faults_.front().found;
+    result_.remedy = faults_.front().remedy;
   }
   Handle goal = *std::exchange(goal_, std::nullopt);
-  if (is_cancelled_ && fault_) {
+  if (is_cancelled_ && !faults_.empty()) {
     goal.setCanceled(result_, result_.error_description);
-  } else if (fault_) {
+  } else if (!faults_.empty()) {
     goal.setAborted(result_, result_.error_description);
   } else {
     goal.setSucceeded(result_);

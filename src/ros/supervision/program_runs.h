@@ -59,7 +59,6 @@ class ProgramRuns {
   void sendGoals();
   void onProgram(std::size_t member, const RobotContact::ProgramHandle& handle);
   void giveUpLost();
-  void fail(Fault fault);
   void endIfOver();
   void begin(const Handle& goal);
   [[nodiscard]] int open() const;
@@ -73,7 +72,7 @@ class ProgramRuns {
   // Of the goal that is under way.
   std::optional<Handle> goal_;
   std::vector<Member> members_;
-  std::optional<Fault> fault_;
+  std::vector<Fault> faults_;  ///< in the order in which they came
   bool is_cancelled_ = false;
   cobot_command::RunCellResult result_;
   Instant begun_;
