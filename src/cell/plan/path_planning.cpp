@@ -28,8 +28,12 @@ std::optional<motion::Blend> blendOfCommand(const Command& command) {
   }
 }
 
-bool isPLine(const script::ScriptCommand& command) {
-  return std::holds_alternative<script::PLine>(command) || std::holds_alternative<script::MovePLine>(command);
+/// What a PLine rounds at a corner depends on the project speed with which each of the two was planned.
+template <class Command>
+bool isPassedAsPLine(const Command& command) {
+  constexpr bool kIsPLine =
+      std::is_same_v<Command, script::PLine> || std::is_same_v<Command, script::MovePLine>;
+  return kIsPLine && blendOfCommand(command);
 }
 
 /// What the rules of its block say of a step, in the words of the catalogue.
@@ -99,8 +103,9 @@ void PathPlanning::planStep(const Step& step, std::size_t index, PlannedPath& pa
 }
 
 bool PathPlanning::planCommand(const script::ScriptCommand& command, const Step& step, PlannedFrame& frame) {
-  if (isPLine(command)) {
-    fault(step.place, "", "has a PLine", "use Line: what PLines round at a corner is not swept");
+  if (std::visit([](const auto& one) { return isPassedAsPLine(one); }, command)) {
+    fault(step.place, "", "has a PLine that blends: what it rounds depends on the speed, and is not swept",
+          "let it blend by 0, so that it stops, or use Line");
     return false;
   }
   const auto planned = separate_.append(command, separate_.duration() + kLate);
