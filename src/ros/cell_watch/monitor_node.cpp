@@ -44,7 +44,7 @@ class MonitorNode::Impl {
   struct Made {
     cell::Cell cell;
     cell::Monitor monitor;
-    Whereabouts whereabouts;
+    MoverNamespaces namespaces;
     std::optional<CarriedParts> carried;
     std::optional<CellScene> scene;
   };
@@ -56,7 +56,7 @@ class MonitorNode::Impl {
         period_(parameters.diagnostic_period),
         frames_(made.cell),
         pictures_(node, made.cell, std::move(made.scene)),
-        watch_(node, std::move(made.monitor), std::move(made.whereabouts), std::move(made.carried),
+        watch_(node, std::move(made.monitor), std::move(made.namespaces), std::move(made.carried),
                [this, is_told = parameters.publish_frames](std::size_t robot, const std::string& prefix) {
                  if (is_told) frames_.tell(robot, prefix);
                }),
@@ -104,8 +104,8 @@ Result<MonitorNode::Impl::Made, Faults> MonitorNode::Impl::make(const MonitorPar
   if (!cell) return refuse(cell.error());
   auto monitor = runtime::monitorOf(*cell, parameters.mode, parameters.stop_distance);
   if (!monitor) return refuse(Faults{monitor.error()});
-  auto whereabouts = Whereabouts::of(*cell);
-  if (!whereabouts) return refuse(Faults{whereabouts.error()});
+  auto namespaces = MoverNamespaces::of(*cell);
+  if (!namespaces) return refuse(Faults{namespaces.error()});
   auto artifact = artifactOf(parameters.artifact, *cell);
   if (!artifact) return refuse(artifact.error());
   std::optional<CarriedParts> carried;
@@ -116,7 +116,7 @@ Result<MonitorNode::Impl::Made, Faults> MonitorNode::Impl::make(const MonitorPar
     carried = std::move(*parts);
     scene = sceneOf(**artifact);
   }
-  return Made{std::move(*cell), std::move(*monitor), std::move(*whereabouts), std::move(carried),
+  return Made{std::move(*cell), std::move(*monitor), std::move(*namespaces), std::move(carried),
               std::move(scene)};
 }
 

@@ -32,22 +32,22 @@ arm::JointVector malformedJoints() {
   return arm::JointVector::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-std::string topicOf(const Whereabouts::Mover& mover) {
+std::string topicOf(const MoverNamespaces::Mover& mover) {
   return mover.space + (mover.is_mechanism ? "/position" : "/joint_states");
 }
 
 }  // namespace
 
-Watch::Watch(const ros::NodeHandle& node, cell::Monitor monitor, Whereabouts whereabouts,
+Watch::Watch(const ros::NodeHandle& node, cell::Monitor monitor, MoverNamespaces namespaces,
              std::optional<CarriedParts> carried, PrefixTold prefix_told)
     : node_(node),
       monitor_(std::move(monitor)),
-      whereabouts_(std::move(whereabouts)),
+      namespaces_(std::move(namespaces)),
       carried_(std::move(carried)),
-      beliefs_(whereabouts_.movers().size()),
+      beliefs_(namespaces_.movers().size()),
       prefix_told_(std::move(prefix_told)),
-      is_prefix_told_(whereabouts_.movers().size()),
-      measured_(whereabouts_.movers().size()) {
+      is_prefix_told_(namespaces_.movers().size()),
+      measured_(namespaces_.movers().size()) {
   node_.setCallbackQueue(&queue_);
 }
 
@@ -58,7 +58,7 @@ Watch::~Watch() {
 void Watch::start() {
   distances_ = node_.advertise<cobot_command::CellDistances>("distances", 10, true);
   for (std::size_t mover = 0; mover < measured_.size(); ++mover) {
-    const Whereabouts::Mover& known = whereabouts_.movers()[mover];
+    const MoverNamespaces::Mover& known = namespaces_.movers()[mover];
     stop_lines_.push_back(std::make_unique<StopLine>(node_, known.name, known.space));
     listenTo(mover);
   }
@@ -97,7 +97,7 @@ WatchView Watch::view() const {
 }
 
 void Watch::listenTo(std::size_t mover) {
-  const Whereabouts::Mover& known = whereabouts_.movers()[mover];
+  const MoverNamespaces::Mover& known = namespaces_.movers()[mover];
   const ros::TransportHints promptly = ros::TransportHints().tcpNoDelay();
   if (known.is_mechanism) {
     const boost::function<void(const std_msgs::Float64ConstPtr&)> take_position =
@@ -114,10 +114,10 @@ void Watch::listenTo(std::size_t mover) {
 
 void Watch::take(std::size_t robot, const sensor_msgs::JointState& message) {
   const Instant now = steadyNow();
-  const std::string& name = whereabouts_.movers()[robot].name;
+  const std::string& name = namespaces_.movers()[robot].name;
   const auto reading = readJoints(message);
   if (reading) {
-    whereabouts_.heard(robot, now);
+    namespaces_.heard(robot, now);
     // By the arrival here: what others write into a stamp is theirs.
     monitor_.take(name, reading->joints, reading->velocities, Duration(0), now);
     if (carried_) carried_->measured(name, reading->joints, now);
@@ -135,16 +135,16 @@ void Watch::take(std::size_t robot, const sensor_msgs::JointState& message) {
 void Watch::takePosition(std::size_t mechanism, double position) {
   const Instant now = steadyNow();
   // What is no position leaves it unheard, as joints that are none do.
-  if (std::isfinite(position)) whereabouts_.heard(mechanism, now);
-  monitor_.takePosition(whereabouts_.movers()[mechanism].name, position, Duration(0), now);
+  if (std::isfinite(position)) namespaces_.heard(mechanism, now);
+  monitor_.takePosition(namespaces_.movers()[mechanism].name, position, Duration(0), now);
   advance(now);
 }
 
 void Watch::hear(const ros::MessageEvent<cobot_command::CellReport const>& event) {
   const std::string& name = event.getConstMessage()->robot;
-  const auto mover = whereabouts_.reported(name, event.getPublisherName(), steadyNow());
+  const auto mover = namespaces_.reported(name, event.getPublisherName(), steadyNow());
   if (!mover) return;
-  const std::string& space = whereabouts_.movers()[*mover].space;
+  const std::string& space = namespaces_.movers()[*mover].space;
   ROS_WARN_STREAM(name << " reports from " << event.getPublisherName() << ", and nothing is heard where the "
                        << "file of the cell has it: it is listened to in " << space << "/ now");
   stop_lines_[*mover]->moveTo(space);
@@ -159,7 +159,7 @@ void Watch::hearState(const ros::MessageEvent<cobot_command::CellState const>& e
 }
 
 void Watch::believe(std::size_t robot, Instant now) {
-  const std::string& name = whereabouts_.movers()[robot].name;
+  const std::string& name = namespaces_.movers()[robot].name;
   if (!carried_ || !carried_->mayCarry(name)) return;
   auto belief = carried_->beliefOf(name, now);
   const bool is_known = belief && monitor_.setCarried(name, belief->parts);
@@ -221,7 +221,7 @@ void Watch::tell(Instant now) {
   view.status = monitor_.status();
   view.bodies = monitor_.bodies();
   for (std::size_t mover = 0; mover < measured_.size(); ++mover) {
-    const Whereabouts::Mover& known = whereabouts_.movers()[mover];
+    const MoverNamespaces::Mover& known = namespaces_.movers()[mover];
     view.movers.push_back({known.name, known.space, topicOf(known), known.heard.has_value(),
                            stop_lines_[mover]->isConnected(), carriedBy(mover)});
   }
@@ -238,7 +238,7 @@ void Watch::tell(Instant now) {
 }
 
 std::string Watch::carriedBy(std::size_t mover) const {
-  if (!carried_ || !carried_->mayCarry(whereabouts_.movers()[mover].name)) return "";
+  if (!carried_ || !carried_->mayCarry(namespaces_.movers()[mover].name)) return "";
   if (!beliefs_[mover]) return "all that it may carry, as nobody can tell";
   const cell::Carried& parts = beliefs_[mover]->parts;
   return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));

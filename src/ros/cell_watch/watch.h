@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cell_watch/carried_parts.h"
+#include "cell_watch/mover_namespaces.h"
 #include "cell_watch/pictures/watch_view.h"
 #include "cell_watch/stop_line.h"
-#include "cell_watch/whereabouts.h"
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
@@ -35,7 +35,7 @@ class Watch {
   using PrefixTold = std::function<void(std::size_t robot, const std::string& prefix)>;
 
   /// Topics and services are relative to `node`. Without `carried` all robots carry all that they may.
-  Watch(const ros::NodeHandle& node, cell::Monitor monitor, Whereabouts whereabouts,
+  Watch(const ros::NodeHandle& node, cell::Monitor monitor, MoverNamespaces namespaces,
         std::optional<CarriedParts> carried, PrefixTold prefix_told);
   ~Watch();  ///< stop()
   Watch(const Watch&) = delete;
@@ -70,7 +70,7 @@ class Watch {
   ros::NodeHandle node_;
   ros::CallbackQueue queue_;
   cell::Monitor monitor_;
-  Whereabouts whereabouts_;
+  MoverNamespaces namespaces_;
   std::optional<CarriedParts> carried_;
   std::vector<std::optional<CarriedParts::Belief>>
       beliefs_;  ///< by mover; nothing: it carries all that it may

@@ -281,30 +281,55 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
   return true;
 }
 
+// Connections and bytes are the runtime's own business.
 void CommandNode::onAction(const command::Action& action, Instant now) {
   const ClockPair clocks{ros::Time::now(), now};
+  tellGoals(action, clocks);
+  tellPaths(action);
+  tellRobot(action, clocks);
+}
+
+void CommandNode::tellGoals(const command::Action& action, const ClockPair& clocks) {
+  std::visit(
+      Overloaded{
+          [&](const command::GoalAccepted& a) { of(a.block).accepted(a.goal); },
+          [&](const command::GoalProgressed& a) { of(a.block).progressed(a.goal, a.progress, clocks); },
+          [&](const command::GoalEnded& a) { of(a.block).ended(a.goal, a.outcome, clocks); },
+          [&](const command::CommandsFell& a) {
+            const std::lock_guard<std::mutex> lock(fell_mutex_);
+            fell_.push_back(a);
+          },
+          [](const auto&) {},
+      },
+      action);
+}
+
+void CommandNode::tellPaths(const command::Action& action) {
   std::visit(Overloaded{
-                 [&](const command::GoalAccepted& a) { of(a.block).accepted(a.goal); },
-                 [&](const command::GoalProgressed& a) {
-                   of(a.block).progressed(a.goal, a.progress, clocks);
+                 [&](const command::GoalProgressed& a) { paths_->take(a); },
+                 [&](const command::GoalEnded& a) { paths_->take(a); },
+                 [&](const command::PathControlsChanged& a) {
+                   path_services_->take(a.controls);
                    paths_->take(a);
                  },
-                 [&](const command::GoalEnded& a) {
-                   of(a.block).ended(a.goal, a.outcome, clocks);
-                   paths_->take(a);
-                 },
-                 [&](const command::CommandsFell& a) {
-                   const std::lock_guard<std::mutex> lock(fell_mutex_);
-                   fell_.push_back(a);
-                 },
+                 [&](const command::PathPlanned& a) { paths_->take(a); },
+                 [&](const command::GoalPreviewed& a) { paths_->take(a); },
+                 [&](const command::RunTold& a) { paths_->take(a); },
+                 [](const auto&) {},
+             },
+             action);
+}
+
+void CommandNode::tellRobot(const command::Action& action, const ClockPair& clocks) {
+  std::visit(Overloaded{
                  [&](const command::RobotStatusReceived& a) {
-                   if (seat_) seat_->observe(a.status, now);
+                   if (seat_) seat_->observe(a.status, clocks.core_now);
                    publisher_.publish(a.status);
                    diagnostics_.take(a.status);
                    robot_data_->take(a.status);
                  },
                  [&](const command::StatusChanged& a) {
-                   if (seat_) seat_->observe(a.status, now);
+                   if (seat_) seat_->observe(a.status, clocks.core_now);
                    publisher_.publish(a.status, clocks);
                    diagnostics_.take(a.status);
                  },
@@ -314,13 +339,6 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                    arm_->take(a.arm);
                    robot_data_->armChanged();
                  },
-                 [&](const command::PathControlsChanged& a) {
-                   path_services_->take(a.controls);
-                   paths_->take(a);
-                 },
-                 [&](const command::PathPlanned& a) { paths_->take(a); },
-                 [&](const command::GoalPreviewed& a) { paths_->take(a); },
-                 [&](const command::RunTold& a) { paths_->take(a); },
                  [&](const command::FrameTraced& a) { publisher_.publish(a, clocks); },
                  [&](const command::LogMessage& a) { log(a); },
                  [&](const command::GroupStateChanged& a) {
@@ -329,7 +347,7 @@ void CommandNode::onAction(const command::Action& action, Instant now) {
                  },
                  [&](const command::MessageRaised& a) { messages_->take(a, clocks); },
                  [&](const command::PendingChanged& a) { messages_->take(a, clocks); },
-                 [](const auto&) {},  // connections and bytes are the runtime's own business
+                 [](const auto&) {},
              },
              action);
 }

@@ -84,7 +84,7 @@ std::optional<ProgramRuns::Fault> ProgramRuns::objectionTo(const cobot_command::
   }
   if (!alarm_.empty()) {
     return Fault{supervisor_error::kCellNotReady, "the monitor has stopped all: " + alarm_,
-                 "Bring the robots apart, and call reset_monitor"};
+                 "Bring the robots apart, and call reset_monitor; where the monitor has died, start it anew"};
   }
   for (const std::string& name : goal.robots) {
     if (std::count(robots_.begin(), robots_.end(), name) == 1) continue;

@@ -59,7 +59,12 @@ class CommandNode {
   void stop();
 
  private:
-  void onAction(const command::Action& action, Instant now);  // on the core's thread
+  // On the core's thread.
+  void onAction(const command::Action& action, Instant now);
+  void tellGoals(const command::Action& action, const ClockPair& clocks);
+  void tellPaths(const command::Action& action);
+  void tellRobot(const command::Action& action, const ClockPair& clocks);
+
   [[nodiscard]] command::CorePorts ports();
   [[nodiscard]] GoalSink sink();
   [[nodiscard]] GoalIntake::Core intakeCore();

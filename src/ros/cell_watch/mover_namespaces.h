@@ -15,10 +15,10 @@ namespace cobot_command::ros_adapter {
 /// The namespace that the file says, and of a mechanism, of which it says none, its name: until nothing is
 /// heard there. Then that of the node that reports for it. One that is heard keeps its node, so that nobody
 /// takes it away by a report.
-class Whereabouts {
+class MoverNamespaces {
  public:
   /// Refused where the namespace of one is no name of ROS, or that of two.
-  [[nodiscard]] static Result<Whereabouts, std::string> of(const cell::Cell& cell);
+  [[nodiscard]] static Result<MoverNamespaces, std::string> of(const cell::Cell& cell);
 
   struct Mover {
     std::string name;
@@ -36,7 +36,7 @@ class Whereabouts {
   std::optional<std::size_t> reported(const std::string& name, const std::string& node, Instant now);
 
  private:
-  explicit Whereabouts(std::vector<Mover> movers) : movers_(std::move(movers)) {}
+  explicit MoverNamespaces(std::vector<Mover> movers) : movers_(std::move(movers)) {}
 
   std::vector<Mover> movers_;
 };

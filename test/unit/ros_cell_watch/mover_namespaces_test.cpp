@@ -1,5 +1,5 @@
 // In which namespace the monitor listens to each robot and mechanism.
-#include "cell_watch/whereabouts.h"
+#include "cell_watch/mover_namespaces.h"
 
 #include <gmock/gmock.h>
 
@@ -28,17 +28,17 @@ cell::Cell withMechanism(cell::Cell cell, const std::string& name) {
   return cell;
 }
 
-class WhereaboutsOfACell : public ::testing::Test {
+class MoverNamespacesOfACell : public ::testing::Test {
  protected:
-  Whereabouts known = *Whereabouts::of(cellOf("RA", "/hall/RB"));
+  MoverNamespaces known = *MoverNamespaces::of(cellOf("RA", "/hall/RB"));
 };
 
-TEST_F(WhereaboutsOfACell, areAtFirstThoseOfTheFile) {
+TEST_F(MoverNamespacesOfACell, areAtFirstThoseOfTheFile) {
   EXPECT_EQ(known.movers()[0].space, "/RA");
   EXPECT_EQ(known.movers()[1].space, "/hall/RB");
 }
 
-TEST_F(WhereaboutsOfACell, areWhereItIsReportedFromIfNothingIsHeard) {
+TEST_F(MoverNamespacesOfACell, areWhereItIsReportedFromIfNothingIsHeard) {
   EXPECT_EQ(known.reported("RB", "/right/command_node", at(0)), 1U);
   EXPECT_EQ(known.movers()[1].space, "/right");
   EXPECT_EQ(known.reported("RB", "/right/command_node", at(1)), std::nullopt) << "it is there already";
@@ -46,20 +46,20 @@ TEST_F(WhereaboutsOfACell, areWhereItIsReportedFromIfNothingIsHeard) {
   EXPECT_EQ(known.movers()[0].space, "");
 }
 
-TEST_F(WhereaboutsOfACell, stayWhereARobotIsHeard) {
+TEST_F(MoverNamespacesOfACell, stayWhereARobotIsHeard) {
   known.heard(0, at(10));
   EXPECT_EQ(known.reported("RA", "/elsewhere/command_node", at(10.5)), std::nullopt);
   EXPECT_EQ(known.movers()[0].space, "/RA");
   EXPECT_EQ(known.reported("RA", "/elsewhere/command_node", at(12)), 0U) << "its node was moved";
 }
 
-TEST_F(WhereaboutsOfACell, areNeverThoseOfAnotherRobot) {
+TEST_F(MoverNamespacesOfACell, areNeverThoseOfAnotherRobot) {
   EXPECT_EQ(known.reported("RA", "/hall/RB/command_node", at(0)), std::nullopt);
   EXPECT_EQ(known.reported("RC", "/RC/command_node", at(0)), std::nullopt) << "there is no such robot";
 }
 
-TEST(WhereaboutsOfAMechanism, areTheNamespaceOfItsNameUntilOneReportsFromElsewhere) {
-  auto known = *Whereabouts::of(withMechanism(cellOf("RA", "RB"), "PALLET"));
+TEST(MoverNamespacesOfAMechanism, areTheNamespaceOfItsNameUntilOneReportsFromElsewhere) {
+  auto known = *MoverNamespaces::of(withMechanism(cellOf("RA", "RB"), "PALLET"));
   ASSERT_EQ(known.movers().size(), 3U);
   EXPECT_FALSE(known.movers()[1].is_mechanism);
   EXPECT_TRUE(known.movers()[2].is_mechanism);
@@ -69,18 +69,18 @@ TEST(WhereaboutsOfAMechanism, areTheNamespaceOfItsNameUntilOneReportsFromElsewhe
   EXPECT_EQ(known.movers()[2].space, "/plc");
 }
 
-TEST(WhereaboutsOfAMechanism, areRefusedWhereARobotIs) {
-  const auto refused = Whereabouts::of(withMechanism(cellOf("RA", "/PALLET"), "PALLET"));
+TEST(MoverNamespacesOfAMechanism, areRefusedWhereARobotIs) {
+  const auto refused = MoverNamespaces::of(withMechanism(cellOf("RA", "/PALLET"), "PALLET"));
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error(), HasSubstr("mechanisms.PALLET is looked for in the namespace of its name, "
                                          "\"/PALLET\", which is that of a robot; give"));
 }
 
-TEST(WhereaboutsOfAFile, areRefusedWhereTheyAreNoNamesOrThoseOfTwo) {
-  const auto no_name = Whereabouts::of(cellOf("RA", "R B"));
+TEST(MoverNamespacesOfAFile, areRefusedWhereTheyAreNoNamesOrThoseOfTwo) {
+  const auto no_name = MoverNamespaces::of(cellOf("RA", "R B"));
   ASSERT_FALSE(no_name);
   EXPECT_THAT(no_name.error(), HasSubstr("robots.RB.namespace is \"R B\"; allowed:"));
-  const auto same = Whereabouts::of(cellOf("RA", "/RA"));
+  const auto same = MoverNamespaces::of(cellOf("RA", "/RA"));
   ASSERT_FALSE(same);
   EXPECT_THAT(same.error(), HasSubstr("as that of another robot"));
 }

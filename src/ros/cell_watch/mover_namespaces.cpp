@@ -1,4 +1,4 @@
-#include "cell_watch/whereabouts.h"
+#include "cell_watch/mover_namespaces.h"
 
 #include <algorithm>
 #include <set>
@@ -27,7 +27,7 @@ std::string spaceOf(const std::string& node) {
 
 }  // namespace
 
-Result<Whereabouts, std::string> Whereabouts::of(const cell::Cell& cell) {
+Result<MoverNamespaces, std::string> MoverNamespaces::of(const cell::Cell& cell) {
   std::vector<Mover> movers;
   std::set<std::string> spaces;
   for (const cell::Robot& robot : cell.robots) {
@@ -56,11 +56,11 @@ Result<Whereabouts, std::string> Whereabouts::of(const cell::Cell& cell) {
     }
     movers.push_back({mechanism.name, space, true, std::nullopt});
   }
-  return Whereabouts(std::move(movers));
+  return MoverNamespaces(std::move(movers));
 }
 
-std::optional<std::size_t> Whereabouts::reported(const std::string& name, const std::string& node,
-                                                 Instant now) {
+std::optional<std::size_t> MoverNamespaces::reported(const std::string& name, const std::string& node,
+                                                     Instant now) {
   const std::string space = spaceOf(node);
   // One of them would be taken for the other.
   const auto is_there = [&](const Mover& one) { return one.name != name && one.space == space; };
