@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cobot_command/blocks/programs/program_guide.h"
 
@@ -29,7 +30,10 @@ class OneFrame final : public blocks::ProgramGuide {
   [[nodiscard]] const std::optional<blocks::Failure>& failure() const override { return failed; }
   [[nodiscard]] bool stopsRobot() const override { return stops_robot; }
   void finish() override { is_done_ = true; }
-  void end(Instant /*now*/) override { ++ends; }
+  std::vector<Duration> end(Instant /*now*/) override {
+    ++ends;
+    return waited;
+  }
   [[nodiscard]] blocks::ProgramStand stand(Instant /*now*/) const override {
     blocks::ProgramStand stand;
     stand.place = is_done_ ? "T1" : "HOME";
@@ -46,6 +50,7 @@ class OneFrame final : public blocks::ProgramGuide {
   std::optional<blocks::Failure> refusal;
   std::optional<blocks::Failure> failed;
   int ends = 0;
+  std::vector<Duration> waited;
 
  private:
   bool is_sent_ = false;

@@ -26,7 +26,7 @@ struct RunProgramGoal {
 struct ProgramReport {
   int cycles_done = 0;
   std::string place;
-  std::vector<Duration> waited;
+  std::vector<Duration> waited;  ///< for permits, in each of the last CycleWaits::kMost cycles
 };
 
 /// Detail of its progress.

@@ -1,6 +1,7 @@
 #include "programs/program_run.h"
 
 #include <utility>
+#include <vector>
 
 #include "list/block_kinds.h"
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ ProgramRun::ProgramRun(GoalId id, ProgramGuidePtr guide, const ProgramRequest& r
 }
 
 ProgramRun::~ProgramRun() {
-  if (state_ != State::Ended) guide_->end(now_);
+  if (state_ != State::Ended) static_cast<void>(guide_->end(now_));
 }
 
 std::optional<Command> ProgramRun::next() const {
@@ -289,7 +290,7 @@ void ProgramRun::tell(Progress progress, Instant now) {
 void ProgramRun::endAs(Ending ending, Instant now) {
   waits_until_.reset();
   wait_.reset();
-  guide_->end(now);
+  std::vector<Duration> waited = guide_->end(now);
   const ProgramStand stand = guide_->stand(now);
   Outcome outcome;
   if (ending == Ending::Aborted) {
@@ -298,7 +299,7 @@ void ProgramRun::endAs(Ending ending, Instant now) {
     outcome.ending = ending;
     outcome.error_description = cancelled_why_.value_or("");
   }
-  outcome.detail = Detail(ProgramReport{stand.cycles_done, stand.place, stand.waited});
+  outcome.detail = Detail(ProgramReport{stand.cycles_done, stand.place, std::move(waited)});
   outcome.actual = now - started_at_;
   end(std::move(outcome));
 }

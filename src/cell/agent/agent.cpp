@@ -99,8 +99,8 @@ bool Agent::stopsRobot() const {
 void Agent::finish() {
   parts_->finish();
 }
-void Agent::end(Instant now) {
-  parts_->end(now);
+std::vector<Duration> Agent::end(Instant now) {
+  return parts_->end(now);
 }
 blocks::ProgramStand Agent::stand(Instant now) const {
   return parts_->stand(now);

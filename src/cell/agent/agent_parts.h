@@ -13,6 +13,7 @@
 #include "agent/state_watch.h"
 #include "agent/whereabouts.h"
 
+#include "cobot_command/blocks/programs/cycle_waits.h"
 #include "cobot_command/cell/agent/agent.h"
 #include "cobot_command/cell/model/cell_model.h"
 #include "cobot_command/robot/robot_watch.h"
@@ -41,7 +42,7 @@ class Agent::Parts {
   void sent(Instant now);
   void done(Instant now);
   void finish();
-  void end(Instant now);
+  std::vector<Duration> end(Instant now);
   [[nodiscard]] bool isOver() const { return itinerary_.isOver(); }
   [[nodiscard]] const std::optional<blocks::Failure>& failure() const { return failure_; }
   [[nodiscard]] bool stopsRobot() const { return readiness_.halted() == Halt::OffPath; }
@@ -93,7 +94,7 @@ class Agent::Parts {
   std::optional<blocks::Failure> failure_;
   std::optional<Instant> waits_since_;
   std::optional<Instant> tried_another_at_;
-  std::vector<Duration> waited_;  ///< by cycle
+  blocks::CycleWaits waits_;
   std::uint64_t report_number_ = 0;
   std::optional<Instant> reported_at_;
   bool has_news_ = true;

@@ -22,7 +22,7 @@ constexpr Duration kTryAnotherAfter = std::chrono::milliseconds(500);
 std::optional<Failure> Agent::Parts::begin(const blocks::ProgramRequest& request, Instant now) {
   failure_.reset();
   itinerary_ = Itinerary(program());
-  waited_.clear();
+  waits_ = {};
   if (const auto silent = states_.silence(now)) return Failure{own_error::kSupervisorSilent, *silent, ""};
   const RobotStatus* const mine = states_.mine();
   if (mine != nullptr && mine->session != 0 && mine->session != session_) {
@@ -49,7 +49,7 @@ std::optional<Failure> Agent::Parts::begin(const blocks::ProgramRequest& request
   is_running_ = true;
   is_busy_ = false;
   waits_since_ = now;
-  waited_.assign(1, Duration::zero());
+  waits_.beginCycle();
   settle(now);
   return std::nullopt;
 }
@@ -89,7 +89,7 @@ bool Agent::Parts::goOnPath() {
     where_.leavePath();
     const int cycles = itinerary_.cyclesDone();
     itinerary_.reached(*walk_.place().station);
-    if (itinerary_.cyclesDone() > cycles && !itinerary_.isOver()) waited_.push_back(Duration::zero());
+    if (itinerary_.cyclesDone() > cycles && !itinerary_.isOver()) waits_.beginCycle();
     return true;
   }
   const ZonePlace& place = where_.tracker()->path().places[walk_.place().behind];
@@ -154,7 +154,7 @@ void Agent::Parts::countWaiting(Instant now) {
       is_running_ && !is_busy_ && !failure_ && !itinerary_.isOver() && is_kept && !watch_.held();
   if (waits && !waits_since_) waits_since_ = now;
   if (!waits && waits_since_) {
-    waited_.back() += now - *waits_since_;
+    waits_.add(now - *waits_since_);
     waits_since_.reset();
   }
   if (!waits_since_ || now - *waits_since_ < artifact_->parameters.wait_timeout) return;
@@ -181,20 +181,21 @@ void Agent::Parts::finish() {
   itinerary_.finish();
 }
 
-void Agent::Parts::end(Instant now) {
-  if (!is_running_) return;
+std::vector<Duration> Agent::Parts::end(Instant now) {
+  if (!is_running_) return {};
   const bool is_at_end =
       !where_.tracker() || (watch_.joints() && where_.tracker()->isAtEnd(*watch_.joints()));
   const bool is_left_over = where_.tracker() && (is_busy_ || !is_at_end);
   is_running_ = false;
   is_busy_ = false;
   permit_.reset();
-  if (waits_since_) waited_.back() += now - *waits_since_;
+  if (waits_since_) waits_.add(now - *waits_since_);
   waits_since_.reset();
   walk_.withdraw();
   if (walk_.place().station) where_.leavePath();
   if (is_left_over && !readiness_.isHalted()) readiness_.halt(Halt::Stopped);
   has_news_ = true;
+  return waits_.take();
 }
 
 blocks::ProgramStand Agent::Parts::stand(Instant now) const {
@@ -211,7 +212,6 @@ blocks::ProgramStand Agent::Parts::stand(Instant now) const {
   }
   stand.cycles_done = itinerary_.cyclesDone();
   stand.cycle = stand.cycles_done + 1;
-  stand.waited = waited_;
   stand.is_permitted = permit_.has_value();
   if (waits_since_) stand.waiting = now - *waits_since_;
   const RobotStatus* const mine = states_.mine();

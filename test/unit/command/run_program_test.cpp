@@ -15,6 +15,7 @@ namespace {
 
 using namespace blocks;
 using namespace command;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class RunProgramTest : public ::testing::Test {
@@ -63,6 +64,13 @@ TEST_F(RunProgramTest, WaitsForThePermitAsLongAsItTakes) {
   ASSERT_TRUE(rig.outcome(goal));
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
   EXPECT_EQ(report(goal).cycles_done, 1);
+}
+
+TEST_F(RunProgramTest, TellsAtItsEndHowLongItHasWaited) {
+  rig.program->waited = {2s, 0s, 3s};
+  const GoalId goal = rig.submit(RunProgramGoal{});
+  drive();
+  EXPECT_THAT(report(goal).waited, ElementsAre(2s, 0s, 3s));
 }
 
 TEST_F(RunProgramTest, WaitsForAnotherPermitWhereThatHasEndedBeforeTheGateLooked) {

@@ -44,9 +44,8 @@ struct ProgramStand {
   std::vector<std::string> blocked_by;  ///< robots
   int place_in_queue = 0;               ///< 1: next
   Duration waiting{};
-  std::string text;              ///< for people
-  int cycles_done = 0;           ///< whole ones
-  std::vector<Duration> waited;  ///< for permits, in each cycle
+  std::string text;     ///< for people
+  int cycles_done = 0;  ///< whole ones
 };
 
 /// All but objectionTo() on the core's thread.
@@ -76,8 +75,9 @@ class ProgramGuide {
   [[nodiscard]] virtual bool stopsRobot() const = 0;
   /// No other cycle is begun.
   virtual void finish() = 0;
-  /// Nothing of it is sent any more; what was not done stays undone.
-  virtual void end(Instant now) = 0;
+  /// Nothing of it is sent any more; what was not done stays undone. How long it has waited for permits, in
+  /// each of its last CycleWaits::kMost cycles.
+  virtual std::vector<Duration> end(Instant now) = 0;
 
   [[nodiscard]] virtual ProgramStand stand(Instant now) const = 0;
   /// When something of it changes by time alone.

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cobot_command/blocks/programs/program_guide.h"
 #include "cobot_command/cell/artifact/artifact.h"
@@ -64,7 +65,7 @@ class Agent final : public blocks::ProgramGuide {
   [[nodiscard]] const std::optional<blocks::Failure>& failure() const override;
   [[nodiscard]] bool stopsRobot() const override;
   void finish() override;
-  void end(Instant now) override;
+  std::vector<Duration> end(Instant now) override;
   [[nodiscard]] blocks::ProgramStand stand(Instant now) const override;
   [[nodiscard]] std::optional<Instant> nextDeadline() const override;
 
