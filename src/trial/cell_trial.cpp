@@ -43,8 +43,8 @@ Result<std::unique_ptr<CellTrial>, std::string> CellTrial::of(std::shared_ptr<co
   for (cell::RobotIndex robot = 0; robot < trial->artifact_->robots.size(); ++robot) {
     auto agent = cell::Agent::of(trial->artifact_, trial->artifact_->program.robots[robot].name, 1);
     if (!agent) return refuse(agent.error());
-    trial->robots_.push_back(
-        std::make_unique<TrialRobot>(trial->artifact_, robot, settings.seed + robot + 1, trial->now_));
+    trial->robots_.push_back(std::make_unique<TrialRobot>(trial->artifact_, robot, settings.seed + robot + 1,
+                                                          trial->now_, settings.not_streamed));
   }
   for (std::size_t mechanism = 0; mechanism < trial->artifact_->mechanisms.size(); ++mechanism) {
     trial->mechanisms_.push_back(std::make_unique<TrialMechanism>(
@@ -77,6 +77,7 @@ CellTrial::~CellTrial() = default;
 void CellTrial::startSupervisor() {
   cell::SupervisionPorts ports;
   ports.append = [this](const std::string& line) { return append(line); };
+  ports.replace = [this](const std::string& line) { return replace(line); };
   ports.fits = [this](cell::RobotIndex robot, automata::StateIndex place,
                       const std::array<double, 6>& joints) {
     const cell::CellPlace& where = model_.places[robot][place];
@@ -87,7 +88,8 @@ void CellTrial::startSupervisor() {
   journal_.resize(journal_.size() - contents->torn);
   supervision_ = std::make_unique<cell::Supervision>(
       *cell::rulesOf(*artifact_, settings_.policy), artifact_->hash, settings_.seed + 1, contents->records,
-      cell::SupervisionSettings{artifact_->parameters.lease, artifact_->parameters.aging, turns_},
+      cell::SupervisionSettings{artifact_->parameters.lease, artifact_->parameters.aging, turns_,
+                                settings_.most_records},
       std::move(ports));
 }
 
@@ -97,6 +99,12 @@ bool CellTrial::append(const std::string& line) {
   if (!journal_limit_ || end <= *journal_limit_) return true;
   journal_.resize(std::max(*journal_limit_, end - line.size()));
   return false;
+}
+
+bool CellTrial::replace(const std::string& line) {
+  if (journal_limit_ && line.size() > *journal_limit_) return false;
+  journal_ = line;
+  return true;
 }
 
 bool CellTrial::start() {
@@ -212,7 +220,7 @@ void CellTrial::measure() {
   std::transform(bodies.begin(), bodies.end(), std::back_inserter(boxes), cell::boxAround);
   for (std::size_t one = 0; one < bodies.size(); ++one) {
     for (std::size_t other = one + 1; other < bodies.size(); ++other) {
-      if (cell::distanceBetween(boxes[one], boxes[other]) >= least_.distance) continue;
+      if (cell::leastDistance(boxes[one], boxes[other]) >= least_.distance) continue;
       const double distance = cell::nearestOf(bodies[one], bodies[other]).distance;
       if (distance >= least_.distance) continue;
       const auto& users = artifact_->program.robots;

@@ -10,11 +10,18 @@
 namespace cobot_command::trial {
 namespace {
 
-simulator::Settings settingsOf(const cell::Artifact& artifact, cell::RobotIndex robot) {
+simulator::Settings settingsOf(const cell::Artifact& artifact, cell::RobotIndex robot,
+                               const std::vector<std::string>& not_streamed) {
   simulator::Settings settings;
   settings.start_posture = artifact.robots[robot].stations[artifact.program.robots[robot].home].joints;
   settings.start_tcp = cell::startTcp(artifact, robot);
   settings.project_speed_percent = cell::highestProjectSpeed(artifact);
+  auto& items = settings.stream_items;
+  items.erase(std::remove_if(items.begin(), items.end(),
+                             [&](const std::string& item) {
+                               return std::count(not_streamed.begin(), not_streamed.end(), item) > 0;
+                             }),
+              items.end());
   return settings;
 }
 
@@ -28,13 +35,13 @@ cell::RobotBodies bodiesOf(const cell::Artifact& artifact, cell::RobotIndex robo
 }  // namespace
 
 TrialRobot::TrialRobot(std::shared_ptr<const cell::Artifact> artifact, cell::RobotIndex robot,
-                       std::uint64_t session, Instant now)
+                       std::uint64_t session, Instant now, const std::vector<std::string>& not_streamed)
     : artifact_(std::move(artifact)),
       index_(robot),
       name_(artifact_->program.robots[robot].name),
       now_(now),
-      controller_(arm::ArmModel::named(artifact_->robots[robot].model).value(), settingsOf(*artifact_, robot),
-                  now),
+      controller_(arm::ArmModel::named(artifact_->robots[robot].model).value(),
+                  settingsOf(*artifact_, robot, not_streamed), now),
       bodies_(bodiesOf(*artifact_, robot)) {
   makeCore(session);
   settle();
@@ -48,6 +55,7 @@ void TrialRobot::makeCore(std::uint64_t session) {
     return agent->objectionTo(departure, now);
   };
   ports.program = agent_;
+  ports.traced = [](link::Channel channel) { return channel == link::Channel::Script; };
   core_ = std::make_unique<command::CommandCore>(
       arm::ArmModel::named(artifact_->robots[index_].model).value(), link::LinkSettings(), std::move(ports));
 }

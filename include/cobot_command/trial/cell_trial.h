@@ -35,6 +35,8 @@ struct TrialSettings {
   double loss = 0.0;                       ///< share of the messages that are lost, [0, 1)
   double doubled = 0.0;                    ///< share of those that arrive that do so twice, [0, 1]
   Duration delay{};                        ///< of each message between a robot and the supervisor, at most
+  std::vector<std::string> not_streamed;   ///< items of the robots' status
+  std::size_t most_records = 100000;       ///< of the supervisor's journal, before it is made anew
   Duration most = std::chrono::hours(24);  ///< invented time, after which it is given up
 };
 
@@ -103,6 +105,7 @@ class CellTrial {
 
   CellTrial(std::shared_ptr<const cell::Artifact> artifact, const TrialSettings& settings);
   bool append(const std::string& line);
+  bool replace(const std::string& line);
   /// If it is due, or something has changed.
   void tellNews(bool is_due);
   /// To what happens next. False: nothing does until then.

@@ -20,9 +20,10 @@ namespace cobot_command::trial {
 
 class TrialRobot {
  public:
-  /// Stands at its home. Precondition: the artifact has that robot, of a model that is known.
+  /// Stands at its home. Precondition: the artifact has that robot, of a model that is known. `not_streamed`:
+  /// items that its status does not have.
   TrialRobot(std::shared_ptr<const cell::Artifact> artifact, cell::RobotIndex robot, std::uint64_t session,
-             Instant now);
+             Instant now, const std::vector<std::string>& not_streamed);
 
   void connect();
   [[nodiscard]] bool isReady() const;

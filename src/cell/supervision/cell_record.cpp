@@ -13,10 +13,16 @@ constexpr std::size_t kRecentEvents = 256;
 
 }  // namespace
 
-CellRecord::CellRecord(const Rules& rules, journal::Append append)
-    : rules_(rules), append_(std::move(append)), tuple_(rules.initial()), robots_(rules.model().robots()) {}
+CellRecord::CellRecord(const Rules& rules, journal::Append append, journal::Replace replace, std::size_t most)
+    : rules_(rules),
+      append_(std::move(append)),
+      replace_(std::move(replace)),
+      most_(most),
+      tuple_(rules.initial()),
+      robots_(rules.model().robots()) {}
 
 bool CellRecord::replay(const std::vector<journal::Record>& records) {
+  records_ = records.size();
   return std::all_of(records.begin(), records.end(), [this](const auto& record) { return apply(record); });
 }
 
@@ -26,7 +32,36 @@ bool CellRecord::write(const journal::Record& record) {
     is_broken_ = true;
     return false;
   }
-  return apply(record);
+  if (!apply(record)) return false;
+  ++records_;
+  makeAnew();
+  return true;
+}
+
+void CellRecord::makeAnew() {
+  if (records_ < most_ || !replace_) return;
+  records_ = replace_(journal::toLine(snapshot())) ? 1 : 0;
+}
+
+journal::Snapshot CellRecord::snapshot() const {
+  journal::Snapshot all;
+  all.instance = instance_;
+  all.epoch = epoch_;
+  all.hash = hash_;
+  for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
+    const Robot& one = robots_[robot];
+    all.robots.push_back({rules_.model().program.robots[robot].name,
+                          one.session,
+                          one.acknowledged,
+                          {one.recent.begin(), one.recent.end()},
+                          one.is_out,
+                          one.joins});
+  }
+  all.states.assign(tuple_.begin(), tuple_.end());
+  all.held = held_;
+  all.is_finishing = is_finishing_;
+  all.events = events_;
+  return all;
 }
 
 bool CellRecord::start(const std::string& hash, std::uint64_t instance) {
@@ -102,6 +137,7 @@ bool CellRecord::apply(const journal::Record& record) {
       Overloaded{[this](const journal::Started& one) {
                    instance_ = one.instance;
                    epoch_ = one.epoch;
+                   hash_ = one.hash;
                    return true;
                  },
                  [this](const journal::Joined& one) {
@@ -118,19 +154,7 @@ bool CellRecord::apply(const journal::Record& record) {
                    if (tuple) tuple_ = *tuple;
                    return tuple.has_value();
                  },
-                 [this](const journal::TakenOut& one) {
-                   const auto robot = robotNamed(one.robot);
-                   if (!robot) return false;
-                   // Its zones go to nobody while it is away; a zone that it holds at home is
-                   // its own again when it comes back.
-                   tuple_[*robot] = rules_.initial()[*robot];
-                   for (ZoneIndex zone = 0; zone < rules_.model().holders.size(); ++zone) {
-                     if (holderOf(zone) == robot) tuple_[rules_.model().automatonOf(zone)] = 0;
-                   }
-                   robots_[*robot].session = 0;
-                   robots_[*robot].is_out = true;
-                   return true;
-                 },
+                 [this](const journal::TakenOut& one) { return apply(one); },
                  [this](const journal::Held& one) {
                    held_ = one.on ? std::optional(one.reason) : std::nullopt;
                    return true;
@@ -138,7 +162,8 @@ bool CellRecord::apply(const journal::Record& record) {
                  [this](const journal::Finishing& one) {
                    is_finishing_ = one.on;
                    return true;
-                 }},
+                 },
+                 [this](const journal::Snapshot& one) { return apply(one); }},
       record);
 }
 
@@ -165,6 +190,41 @@ bool CellRecord::apply(const journal::CarriedOut& record) {
   robot.recent.push_back(event);
   if (robot.recent.size() > kRecentEvents) robot.recent.pop_front();
   ++events_;
+  return true;
+}
+
+bool CellRecord::apply(const journal::TakenOut& record) {
+  const auto robot = robotNamed(record.robot);
+  if (!robot) return false;
+  // Its zones go to nobody while it is away; a zone that it holds at home is its own again when it comes
+  // back.
+  tuple_[*robot] = rules_.initial()[*robot];
+  for (ZoneIndex zone = 0; zone < rules_.model().holders.size(); ++zone) {
+    if (holderOf(zone) == robot) tuple_[rules_.model().automatonOf(zone)] = 0;
+  }
+  robots_[*robot].session = 0;
+  robots_[*robot].is_out = true;
+  return true;
+}
+
+bool CellRecord::apply(const journal::Snapshot& snapshot) {
+  if (snapshot.robots.size() != robots_.size() || snapshot.states.size() != tuple_.size()) return false;
+  for (std::size_t index = 0; index < tuple_.size(); ++index) {
+    if (snapshot.states[index] >= rules_.model().problem.automata[index].states.size()) return false;
+  }
+  for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
+    const journal::Snapshot::Robot& one = snapshot.robots[robot];
+    if (one.robot != rules_.model().program.robots[robot].name) return false;
+    robots_[robot] = {
+        one.session, one.acknowledged, {one.recent.begin(), one.recent.end()}, one.is_out, one.joins};
+  }
+  instance_ = snapshot.instance;
+  epoch_ = snapshot.epoch;
+  hash_ = snapshot.hash;
+  tuple_.assign(snapshot.states.begin(), snapshot.states.end());
+  held_ = snapshot.held;
+  is_finishing_ = snapshot.is_finishing;
+  events_ = snapshot.events;
   return true;
 }
 

@@ -22,7 +22,8 @@ class CellRecord {
     std::uint32_t joins = 0;  ///< how often it was let in, by itself or by a person
   };
 
-  CellRecord(const Rules& rules, journal::Append append);
+  /// `replace`: behind `most` records; empty: never.
+  CellRecord(const Rules& rules, journal::Append append, journal::Replace replace, std::size_t most);
 
   /// Takes over what stands in a journal; false: it does not fit the rules.
   [[nodiscard]] bool replay(const std::vector<journal::Record>& records);
@@ -56,12 +57,20 @@ class CellRecord {
   /// False: it is of a robot that is not there, or cannot happen.
   bool apply(const journal::Record& record);
   bool apply(const journal::CarriedOut& record);
+  bool apply(const journal::TakenOut& record);
+  bool apply(const journal::Snapshot& snapshot);
+  [[nodiscard]] journal::Snapshot snapshot() const;
+  void makeAnew();
   [[nodiscard]] std::optional<RobotIndex> robotNamed(const std::string& name) const;
   [[nodiscard]] std::optional<automata::StateIndex> placeNamed(RobotIndex robot,
                                                                const std::string& name) const;
 
   const Rules& rules_;
   journal::Append append_;
+  journal::Replace replace_;
+  std::size_t most_;
+  std::size_t records_ = 0;  ///< since the journal was made, or could not be made anew
+  std::string hash_;
   automata::Tuple tuple_;
   std::vector<Robot> robots_;
   std::uint64_t instance_ = 0;

@@ -28,6 +28,38 @@ std::string placeNames(const std::vector<CellPlace>& places) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Whom a report has to be meant for.
+struct Listener {
+  const std::string& hash;
+  std::uint64_t instance = 0;
+  Duration lease{};
+};
+
+/// Why nothing can be said of where that robot stands, or nothing sent to it.
+std::optional<std::string> objectionTo(const RobotWatch& watch, const std::string& name, const Listener& to,
+                                       Instant now) {
+  if (!watch.wasHeard() || watch.isSilent(now, to.lease)) {
+    return name + " does not report: start its node";
+  }
+  if (watch.report().hash != to.hash) return name + " has another artifact: load the same on both";
+  if (watch.report().moving) return name + " moves: wait until it stands";
+  if (watch.report().condition == RobotCondition::Manual ||
+      watch.report().condition == RobotCondition::Error) {
+    return fmt::format("{} is {}: end that at its pendant first", name, toString(watch.report().condition));
+  }
+  if (!watch.isLinked()) {
+    return fmt::format("nothing can be sent to {}: {}", name, watch.report().text);
+  }
+  if (watch.report().instance != 0 && watch.report().instance != to.instance) {
+    return name + " keeps to a supervisor whose journal is gone: start its node anew";
+  }
+  if (!watch.isFresh(to.lease)) {
+    return fmt::format("the joints of {} were measured {:.1f} s ago: see to its status stream first", name,
+                       watch.report().status_age);
+  }
+  return std::nullopt;
+}
+
 constexpr const char* kNotWritten = "the journal cannot be written, so that nothing was done";
 
 }  // namespace
@@ -92,25 +124,8 @@ std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex ro
   const CellPlace& where = rules_.model().places[robot][place];
   if (!start_fault_.empty()) return start_fault_;
   if (person.empty()) return "it has to be said who recovers it";
-  if (!watch.wasHeard() || watch.isSilent(now, settings_.lease)) {
-    return nameOf(robot) + " does not report: start its node";
-  }
-  if (watch.report().hash != hash_) return nameOf(robot) + " has another artifact: load the same on both";
-  if (watch.report().moving) return nameOf(robot) + " moves: wait until it stands";
-  if (watch.report().condition == RobotCondition::Manual ||
-      watch.report().condition == RobotCondition::Error) {
-    return fmt::format("{} is {}: end that at its pendant first", nameOf(robot),
-                       toString(watch.report().condition));
-  }
-  if (!watch.isLinked()) {
-    return fmt::format("nothing can be sent to {}: {}", nameOf(robot), watch.report().text);
-  }
-  if (watch.report().instance != 0 && watch.report().instance != record_.instance()) {
-    return nameOf(robot) + " keeps to a supervisor whose journal is gone: start its node anew";
-  }
-  if (!watch.isFresh(settings_.lease)) {
-    return fmt::format("the joints of {} were measured {:.1f} s ago: see to its status stream first",
-                       nameOf(robot), watch.report().status_age);
+  if (auto unfit = objectionTo(watch, nameOf(robot), {hash_, record_.instance(), settings_.lease}, now)) {
+    return unfit;
   }
   if (!ports_.fits(robot, place, watch.report().joints)) {
     std::vector<CellPlace> fitting;
@@ -163,6 +178,12 @@ PersonsAnswer Supervision::Parts::confirmClear(const std::string& name, const st
     return refused(
         fmt::format("{} was measured in {} when it was heard last: say that it was moved, once it was", name,
                     rules_.model().program.zones.at(watch.report().touched_zones.front())));
+  }
+  if (!was_moved && watch.wasHeard() && watch.report().moving) {
+    return refused(
+        fmt::format("{} moved when it was heard last, and may have gone on: see where it stands, and say "
+                    "that it was moved",
+                    name));
   }
   if (!record_.takeOut(*robot, person)) return refused(kNotWritten);
   robots_[*robot].forgetPlace();

@@ -73,6 +73,7 @@ bool Supervision::Parts::take(const RobotReport& report, Instant now) {
     return false;
   }
   RobotWatch& watch = robots_[*robot];
+  watch.noticed(now);
   if (watch.judge(report.session, record_.robot(*robot).session, now, settings_.lease) ==
       RobotWatch::Session::Foreign) {
     ++counts_.wrong_sessions;

@@ -9,7 +9,8 @@ RobotWatch::Session RobotWatch::judge(std::uint64_t session, std::uint64_t liste
   if (former_sessions_.count(session) != 0) return Session::Foreign;
   if (session == listened || (listened == 0 && session_ == 0)) return Session::Known;
   if (session == session_) return listened == 0 ? Session::Known : Session::New;
-  return !heard_ || isSilent(now, lease) ? Session::New : Session::Foreign;
+  const bool has_gone = heard_ ? isSilent(now, lease) : noticed_ && now > *noticed_ + lease;
+  return has_gone ? Session::New : Session::Foreign;
 }
 
 bool RobotWatch::hear(const RobotReport& report, Instant now) {

@@ -28,7 +28,10 @@ class RobotWatch {
     Foreign  ///< a second node beside the first, or what was late of one before
   };
 
-  /// What a report of that session is, `listened` being the one that is listened to; 0: none.
+  /// A report of it came, whatever it is worth.
+  void noticed(Instant now) { noticed_ = noticed_.value_or(now); }
+  /// What a report of that session is, `listened` being the one that is listened to; 0: none. Whoever was
+  /// listened to before this supervisor was started anew has the lease to be heard first.
   [[nodiscard]] Session judge(std::uint64_t session, std::uint64_t listened, Instant now,
                               Duration lease) const;
   /// False: it tells nothing that is newer than what is known.
@@ -65,6 +68,7 @@ class RobotWatch {
 
  private:
   RobotReport report_;
+  std::optional<Instant> noticed_;  ///< first
   std::optional<Instant> heard_;
   std::set<std::uint64_t> former_sessions_;
   std::uint64_t session_ = 0;  ///< of the last report

@@ -64,7 +64,7 @@ Supervision::Parts::Parts(Rules rules, std::string hash, std::uint64_t instance,
       hash_(std::move(hash)),
       settings_(std::move(settings)),
       ports_(std::move(ports)),
-      record_(rules_, ports_.append),
+      record_(rules_, ports_.append, ports_.replace, settings_.most_records),
       turns_(settings_.turns),
       robots_(rules_.model().robots()),
       zone_holders_(rules_.model().program.zones.size()),
@@ -72,15 +72,15 @@ Supervision::Parts::Parts(Rules rules, std::string hash, std::uint64_t instance,
       zone_since_(zone_holders_.size()),
       is_confirmed_(robots_.size(), false) {
   for (const journal::Record& record : records) {
-    const auto* started = std::get_if<journal::Started>(&record);
-    if (started != nullptr && started->hash != hash_) {
+    const std::string* const hash_of_record = journal::hashOf(record);
+    if (hash_of_record != nullptr && *hash_of_record != hash_) {
       start_fault_ = fmt::format(
           "the journal is of another artifact ({}, and this is {}): bring all robots home, and begin "
           "a new journal",
-          started->hash.substr(0, 8), hash_.substr(0, 8));
+          hash_of_record->substr(0, 8), hash_.substr(0, 8));
       return;
     }
-    is_restarted_ = is_restarted_ || std::holds_alternative<journal::Joined>(record);
+    is_restarted_ = is_restarted_ || journal::tellsOfRobots(record);
   }
   if (!record_.replay(records)) {
     start_fault_ = "the journal says what cannot have happened: bring all robots home, and begin a new one";

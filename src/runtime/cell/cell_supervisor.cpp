@@ -68,15 +68,18 @@ CellSupervisor::CellSupervisor(cell::Artifact artifact, cell::Rules rules, cell:
     : artifact_(std::move(artifact)), journal_(std::move(journal)) {
   cell::SupervisionPorts ports;
   ports.append = [this](const std::string& line) { return journal_->append(line); };
+  ports.replace = [this](const std::string& line) { return journal_->replace(line); };
   ports.fits = [this, places = rules.model().places](cell::RobotIndex robot, automata::StateIndex place,
                                                      const std::array<double, 6>& joints) {
     return cell::placeFits(artifact_, robot, places[robot][place],
                            Eigen::Map<const arm::JointVector>(joints.data()));
   };
-  const cell::SupervisionSettings settings{artifact_.parameters.lease, artifact_.parameters.aging,
-                                           std::move(turns)};
-  core_ = std::make_unique<cell::Supervision>(std::move(rules), artifact_.hash, anyId(), journal_->records(),
-                                              settings, std::move(ports));
+  cell::SupervisionSettings settings;
+  settings.lease = artifact_.parameters.lease;
+  settings.aging = artifact_.parameters.aging;
+  settings.turns = std::move(turns);
+  core_ = std::make_unique<cell::Supervision>(std::move(rules), artifact_.hash, anyId(),
+                                              journal_->takeRecords(), std::move(settings), std::move(ports));
 }
 
 CellSupervisor::~CellSupervisor() = default;

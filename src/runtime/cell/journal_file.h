@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cobot_command/cell/supervision/journal.h"
@@ -20,16 +21,19 @@ class JournalFile {
   JournalFile(const JournalFile&) = delete;
   JournalFile& operator=(const JournalFile&) = delete;
 
-  /// As they were when it was opened.
-  [[nodiscard]] const std::vector<cell::journal::Record>& records() const { return records_; }
+  /// As they were when it was opened. There may be very many: none are kept.
+  [[nodiscard]] std::vector<cell::journal::Record> takeRecords() { return std::move(records_); }
   /// False: it could not be written, or not be brought to the disk; nothing of it counts, and from then on
   /// nothing is written any more.
   [[nodiscard]] bool append(const std::string& line);
+  /// The line takes the place of all that was written, which is kept beside it, as NAME.before, until the
+  /// next time. False: it could not; then all is as it was, or nothing is written any more.
+  [[nodiscard]] bool replace(const std::string& line);
 
  private:
-  JournalFile(int file, std::vector<cell::journal::Record> records);
-
-  int file_;
+  explicit JournalFile(std::string name) : name_(std::move(name)) {}
+  std::string name_;
+  int file_ = -1;
   std::vector<cell::journal::Record> records_;
   bool is_broken_ = false;
 };

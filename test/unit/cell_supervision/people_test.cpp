@@ -60,6 +60,20 @@ TEST(ALostRobot, isTakenOutWhenAPersonConfirmsThatItsZonesAreClear) {
   EXPECT_EQ(cell.robot(0).state, RobotState::Ready);
 }
 
+TEST(ALostRobot, thatMovedWhenItWasHeardLastMayHaveGoneOn) {
+  SupervisedCell cell(handover());
+  cell.exchange();
+  cell.bring(0, "T1>1");
+  cell.robots[0].moving = true;
+  cell.exchange();
+  cell.now += 600ms;
+  cell.supervision->take(cell.robots[1].report(), cell.now);
+  EXPECT_THAT(cell.supervision->confirmClear("RA", "me", false, cell.now).message,
+              HasSubstr("may have gone on"));
+  EXPECT_EQ(cell.zone(0).state, ZoneState::Quarantined);
+  EXPECT_TRUE(cell.supervision->confirmClear("RA", "me", true, cell.now).success);
+}
+
 TEST(Recovery, isRefusedWithTheReason) {
   SupervisedCell cell(headOn());
   cell.exchange();

@@ -177,6 +177,8 @@ class SupervisedCell {
   Instant now = Instant(std::chrono::hours(1));
   std::string journal;
   bool journal_is_full = false;
+  bool can_be_made_anew = true;
+  int tries_to_make_anew = 0;
   /// Of a record that goes beyond so many bytes, only that is written which does not.
   std::size_t journal_limit = std::numeric_limits<std::size_t>::max();
   bool fits = true;
@@ -191,6 +193,11 @@ class SupervisedCell {
               journal += line.substr(0, room);
               return line.size() <= room;
             },
+            [this](const std::string& line) {
+              ++tries_to_make_anew;
+              if (can_be_made_anew) journal = line;
+              return can_be_made_anew;
+            },
             [this](RobotIndex, automata::StateIndex, const std::array<double, 6>&) { return fits; }};
   }
 
@@ -199,5 +206,25 @@ class SupervisedCell {
   SupervisionSettings settings_;
   CellModel model_;
 };
+
+/// Runs all robots by turns, and calls `each` behind every report.
+template <class Each>
+void runCycles(SupervisedCell& cell, int cycles, const Each& each) {
+  for (int tick = 0; tick < 1000; ++tick) {
+    bool is_done = true;
+    for (EventRobot& robot : cell.robots) {
+      if (robot.cycles() < cycles) {
+        robot.goOn();
+        is_done = false;
+      }
+      cell.now += std::chrono::milliseconds(10);
+      cell.supervision->take(robot.report(), cell.now);
+      robot.hear(cell.supervision->status(cell.now));
+      each();
+    }
+    if (is_done) return;
+  }
+  FAIL() << "they did not come to an end";
+}
 
 }  // namespace cobot_command::cell

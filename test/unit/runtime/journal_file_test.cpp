@@ -15,6 +15,7 @@ namespace cobot_command::runtime {
 namespace {
 
 using cell::journal::CarriedOut;
+using cell::journal::Snapshot;
 using cell::journal::Started;
 using cell::journal::toLine;
 using testing::HasSubstr;
@@ -45,7 +46,7 @@ class JournalFileTest : public testing::Test {
     folder_ = name;
   }
   ~JournalFileTest() override {
-    (void)unlink(name().c_str());
+    for (const char* end : {"", ".before", ".new"}) (void)unlink((name() + end).c_str());
     (void)rmdir(folder_.c_str());
   }
 
@@ -60,14 +61,24 @@ class JournalFileTest : public testing::Test {
     return journal ? "" : journal.error();
   }
   void write(const std::string& bytes) const { std::ofstream(name(), std::ios::binary) << bytes; }
-  [[nodiscard]] std::string bytes() const {
+  /// Of the journal, or of what is beside it.
+  [[nodiscard]] std::string bytes(const char* end = "") const {
     std::stringstream text;
-    text << std::ifstream(name(), std::ios::binary).rdbuf();
+    text << std::ifstream(name() + end, std::ios::binary).rdbuf();
     return text.str();
   }
 
   const std::string first = toLine(Started{7, 1, "0123"});
   const std::string second = toLine(CarriedOut{"RA", 5, {1, cell::NumberedEvent::Kind::Wanted, 3}});
+  const std::string third =
+      toLine(Snapshot{7,
+                      1,
+                      "0123",
+                      {{"RA", 5, 1, {{1, cell::NumberedEvent::Kind::Wanted, 3}}, false, 1}},
+                      {1, 2},
+                      "by people",
+                      true,
+                      9});
 
  private:
   std::string folder_;
@@ -76,14 +87,15 @@ class JournalFileTest : public testing::Test {
 TEST_F(JournalFileTest, isMadeWhereThereIsNoneAndReadWhenItIsOpenedAgain) {
   {
     const auto journal = opened();
-    EXPECT_TRUE(journal->records().empty());
+    EXPECT_TRUE(journal->takeRecords().empty());
     EXPECT_TRUE(journal->append(first));
     EXPECT_TRUE(journal->append(second));
     EXPECT_EQ(bytes(), first + second) << "it is there before anyone is told";
   }
   const auto again = opened();
-  ASSERT_EQ(again->records().size(), 2U);
-  EXPECT_EQ(std::get<CarriedOut>(again->records()[1]).event.event, 3U);
+  const auto records = again->takeRecords();
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(std::get<CarriedOut>(records[1]).event.event, 3U);
   EXPECT_TRUE(again->append(second));
   EXPECT_EQ(bytes(), first + second + second);
 }
@@ -92,7 +104,7 @@ TEST_F(JournalFileTest, dropsARecordThatWasNotWrittenWholly) {
   for (std::size_t length = 1; length < second.size(); ++length) {
     write(first + second.substr(0, length));
     const auto journal = opened();
-    EXPECT_EQ(journal->records().size(), 1U) << length;
+    EXPECT_EQ(journal->takeRecords().size(), 1U) << length;
     EXPECT_EQ(bytes(), first) << length;
     EXPECT_TRUE(journal->append(second));
     EXPECT_EQ(bytes(), first + second) << length;
@@ -140,9 +152,52 @@ TEST_F(JournalFileTest, isMendedWhenItIsOpenedBehindAFullDisk) {
     EXPECT_FALSE(journal->append(second));
   }
   const auto journal = opened();
-  EXPECT_EQ(journal->records().size(), 1U);
+  EXPECT_EQ(journal->takeRecords().size(), 1U);
   EXPECT_TRUE(journal->append(second));
   EXPECT_EQ(bytes(), first + second);
+}
+
+TEST_F(JournalFileTest, isMadeAnewAndTheOneBeforeIsKeptBesideIt) {
+  auto journal = opened();
+  EXPECT_TRUE(journal->append(first));
+  EXPECT_TRUE(journal->append(second));
+  EXPECT_TRUE(journal->replace(third));
+  EXPECT_EQ(bytes(), third);
+  EXPECT_EQ(bytes(".before"), first + second);
+  EXPECT_TRUE(journal->append(second));
+  EXPECT_EQ(bytes(), third + second) << "it is gone on with";
+  EXPECT_TRUE(journal->replace(third));
+  EXPECT_EQ(bytes(".before"), third + second) << "of the last time alone";
+  journal.reset();
+  EXPECT_EQ(opened()->takeRecords().size(), 1U);
+}
+
+TEST_F(JournalFileTest, thatWasMadeAnewIsOfOneSupervisorAtATimeToo) {
+  const auto journal = opened();
+  EXPECT_TRUE(journal->append(first));
+  EXPECT_TRUE(journal->replace(third));
+  EXPECT_THAT(refusal(), HasSubstr("there is another supervisor with it"));
+}
+
+TEST_F(JournalFileTest, thatCannotBeMadeAnewIsGoneOnWith) {
+  const auto journal = opened();
+  EXPECT_TRUE(journal->append(first));
+  {
+    const FullDisk disk(first.size());
+    EXPECT_FALSE(journal->replace(third));
+  }
+  EXPECT_EQ(bytes(), first);
+  EXPECT_NE(access((name() + ".new").c_str(), F_OK), 0) << "nothing is left of it";
+  EXPECT_TRUE(journal->append(second));
+  EXPECT_EQ(bytes(), first + second);
+}
+
+TEST_F(JournalFileTest, isNotOfWhatWasLeftWhenItWasBeingMadeAnew) {
+  write(first);
+  std::ofstream(name() + ".new") << third.substr(0, 20);
+  EXPECT_EQ(opened()->takeRecords().size(), 1U);
+  EXPECT_TRUE(opened()->replace(third));
+  EXPECT_EQ(bytes(), third);
 }
 
 }  // namespace

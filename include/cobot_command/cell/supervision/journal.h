@@ -1,11 +1,12 @@
 // What a supervisor has carried out, so that it knows after a restart (cell.md, M30).
 //
 // A record is a line: a checksum, and the record as JSON. A torn last line was never told to anyone, and is
-// dropped.
+// dropped. So that a journal does not grow for ever, a snapshot takes the place of all records before it.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -53,7 +54,32 @@ struct Held {
 struct Finishing {
   bool on = false;
 };
-using Record = std::variant<Started, Joined, CarriedOut, Recovered, TakenOut, Held, Finishing>;
+/// What all records before it come to.
+struct Snapshot {
+  struct Robot {
+    std::string robot;
+    std::uint64_t session = 0;
+    std::uint64_t acknowledged = 0;
+    std::vector<NumberedEvent> recent;
+    bool is_out = false;
+    std::uint32_t joins = 0;
+  };
+
+  std::uint64_t instance = 0;
+  std::uint64_t epoch = 0;
+  std::string hash;
+  std::vector<Robot> robots;                 ///< in the order of the cell, here and below
+  std::vector<automata::StateIndex> states;  ///< of each automaton
+  std::optional<std::string> held;
+  bool is_finishing = false;
+  std::uint64_t events = 0;
+};
+using Record = std::variant<Started, Joined, CarriedOut, Recovered, TakenOut, Held, Finishing, Snapshot>;
+
+/// Of the artifact; nullptr: the record names none.
+[[nodiscard]] const std::string* hashOf(const Record& record);
+/// Somebody had been let in by then.
+[[nodiscard]] bool tellsOfRobots(const Record& record);
 
 [[nodiscard]] std::string toLine(const Record& record);
 
@@ -70,5 +96,8 @@ struct Contents {
 
 /// Writes a line so that it is there after a loss of power; false: it could not, and nothing of it counts.
 using Append = std::function<bool(const std::string& line)>;
+/// Has that line take the place of all that was written, so that at any moment either all of that is there or
+/// the line; false: it could not, and the journal is what it was, or cannot be appended to any more.
+using Replace = std::function<bool(const std::string& line)>;
 
 }  // namespace cobot_command::cell::journal

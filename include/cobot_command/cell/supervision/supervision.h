@@ -30,11 +30,13 @@ struct SupervisionSettings {
   Duration aging = std::chrono::seconds(10);        ///< a request that is older goes first
   /// Robots take turns on the zones, as long as nobody fails; empty: they do not.
   ZoneOrders turns = {};
+  std::size_t most_records = 100000;  ///< of the journal, before it is made anew
 };
 
 /// What a supervisor asks about the robots that it knows only by number.
 struct SupervisionPorts {
   journal::Append append;
+  journal::Replace replace;  ///< empty: the journal grows on
   /// Whether a robot with those joints [rad] stands where that place of its program is.
   std::function<bool(RobotIndex robot, automata::StateIndex place, const std::array<double, 6>& joints)> fits;
 };
