@@ -148,8 +148,10 @@ void Agent::Parts::findPermit(Instant now) {
 }
 
 void Agent::Parts::countWaiting(Instant now) {
-  // Motion that nothing is asked for behind yet, and a pause, are no waiting.
-  const bool is_kept = walk_.waits() || !withheld_.empty() || !isJoined();
+  // Motion that nothing is asked for behind yet, and a pause, are no waiting. Who stands where it cannot go
+  // on, as it is not measured behind a zone or at its station, waits for ever.
+  const bool is_stuck = where_.tracker() && !permit_ && watch_.moving() == false;
+  const bool is_kept = walk_.waits() || !withheld_.empty() || !isJoined() || is_stuck;
   const bool waits =
       is_running_ && !is_busy_ && !failure_ && !itinerary_.isOver() && is_kept && !watch_.held();
   if (waits && !waits_since_) waits_since_ = now;
@@ -174,6 +176,7 @@ void Agent::Parts::sent(Instant now) {
 
 void Agent::Parts::done(Instant now) {
   is_busy_ = false;
+  where_.done();
   settle(now);
 }
 
@@ -225,6 +228,8 @@ blocks::ProgramStand Agent::Parts::stand(Instant now) const {
     tellWait(*mine, stand);
   } else if (!withheld_.empty()) {
     stand.text = fmt::format("waits at {}: {}", place.name, withheld_);
+  } else if (waits_since_ && where_.tracker()) {
+    stand.text = fmt::format("stands at {}, and is not measured where it could go on", place.name);
   }
   return stand;
 }

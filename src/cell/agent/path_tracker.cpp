@@ -40,6 +40,7 @@ std::optional<PathTracker> PathTracker::located(const ArtifactPath& path, const 
 
 void PathTracker::sent() {
   ++next_frame_;
+  is_done_ = false;
   is_at_rest_ = false;
   resumes_within_.reset();
 }
@@ -68,7 +69,16 @@ bool PathTracker::see(const arm::JointVector& joints) {
 
 std::optional<std::size_t> PathTracker::piece() const {
   if (next_frame_ == 0 && !resumes_within_) return std::nullopt;
-  return is_at_rest_ ? endOfSent() - 1 : piece_;
+  if (!is_at_rest_) return piece_;
+  return is_done_ ? endOfSent() - 1 : std::max(piece_, firstRest());
+}
+
+std::size_t PathTracker::firstRest() const {
+  const auto first =
+      std::find_if(path_->pieces.begin(), path_->pieces.end(), [this](const ArtifactPiece& piece) {
+        return piece.frame + 1 == next_frame_ && piece.kind == Piece::Kind::Rest;
+      });
+  return static_cast<std::size_t>(first - path_->pieces.begin());
 }
 
 bool PathTracker::willTouch(ZoneIndex zone) const {

@@ -29,6 +29,9 @@ class PathTracker {
   [[nodiscard]] std::size_t nextFrame() const { return next_frame_; }
   [[nodiscard]] bool allSent() const { return next_frame_ >= path_->frames.size(); }
   void sent();
+  /// The last one that was sent, with all that follows it where it ends: it carries what it goes on with.
+  void done() { is_done_ = true; }
+  [[nodiscard]] bool isDone() const { return is_done_; }
   /// The next frame is one that was stopped on its way: it goes on from within this range.
   [[nodiscard]] const std::optional<motion::JointRange>& resumesWithin() const { return resumes_within_; }
 
@@ -36,8 +39,8 @@ class PathTracker {
   /// False: the joints are where no frame that was sent leads, from where it was last.
   [[nodiscard]] bool see(const arm::JointVector& joints);
   /// The piece it is in, or nothing before the first frame. Of those that hang together the first one, so
-  /// that nothing is passed too early; but the last one that was sent, where all from there on have the
-  /// joints: who rests at the end of a motion is in its last piece, too, for as long as it rests.
+  /// that nothing is passed too early; but where all from there on that were sent have the joints, it rests
+  /// at the end of its motion: in the first of its rests, and in the last one when that frame is done.
   [[nodiscard]] std::optional<std::size_t> piece() const;
   /// What is still to come of the frames that were sent touches the zone.
   [[nodiscard]] bool willTouch(ZoneIndex zone) const;
@@ -50,12 +53,15 @@ class PathTracker {
  private:
   /// Of the pieces of all frames that were sent.
   [[nodiscard]] std::size_t endOfSent() const;
+  /// Of the last frame that was sent.
+  [[nodiscard]] std::size_t firstRest() const;
 
   const ArtifactPath* path_;
   arm::JointVector start_;
   double tracking_;
   std::size_t next_frame_ = 0;
   std::size_t piece_ = 0;
+  bool is_done_ = true;
   bool is_at_rest_ = false;  ///< in all pieces from that one to the end of what was sent
   std::optional<motion::JointRange> resumes_within_;
 };

@@ -20,11 +20,15 @@ arm::JointVector Whereabouts::startOf(PathIndex path) const {
 
 const std::vector<std::string>& Whereabouts::carriedByProgram(const CellPlace& place) const {
   if (place.station) return made().stations[*place.station].carried;
-  const std::size_t next = tracker_ ? tracker_->nextFrame() : 0;
-  return made().paths[place.path].frames[next > 0 ? next - 1 : 0].carried;
+  const auto& frames = made().paths[place.path].frames;
+  if (!tracker_) return frames.front().carried;
+  const std::size_t frame = tracker_->nextFrame() - (tracker_->isDone() ? 0 : 1);
+  if (frame < frames.size()) return frames[frame].carried;
+  return made().stations[artifact_->program.robots[robot_].paths[place.path].to].carried;
 }
 
 void Whereabouts::setOut(PathIndex path) {
+  std::fill(clear_frames_.begin(), clear_frames_.end(), 0);
   tracker_.emplace(made().paths[path], startOf(path), artifact_->parameters.tracking);
 }
 

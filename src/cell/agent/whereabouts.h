@@ -23,6 +23,9 @@ class Whereabouts {
   /// It is said to be at that place of a path. False: these joints are not on it.
   [[nodiscard]] bool locate(const CellPlace& place, const arm::JointVector& joints);
   void sent() { tracker_->sent(); }
+  void done() {
+    if (tracker_) tracker_->done();
+  }
   void leavePath() { tracker_.reset(); }
   /// What was measured before says nothing any more.
   void startAnew();

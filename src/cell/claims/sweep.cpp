@@ -1,7 +1,10 @@
 #include "claims/sweep.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "cobot_command/cell/sweep/displacement.h"
 #include "cobot_command/cell/sweep/robot_claim.h"
@@ -63,19 +66,23 @@ void Sweep::claimFrame(const PlannedPath& path, std::size_t index) {
   claimRests(path, made);
 }
 
-/// It stands there as long as the next frame is not sent, whatever comes then; with what it has taken, and
-/// with what it has not set down yet, and with both while it has.
+/// It stands there as long as the next frame is not sent, whatever comes then; with what it has not set down
+/// yet, with that and what it has taken, and with what it goes on with: what it has set down keeps a zone no
+/// longer than until then.
 void Sweep::claimRests(const PlannedPath& path, const Made& made) {
+  const bool is_last = made.frame + 1 == path.frames.size();
+  const std::set<std::string>& before = path.frames[made.frame].carried;
+  const std::set<std::string>& behind = is_last ? path.carried_at_end : path.frames[made.frame + 1].carried;
+  std::set<std::string> both = before;
+  both.insert(behind.begin(), behind.end());
   Made of_rest = made;
   of_rest.kind = Piece::Kind::Rest;
-  pieces_.push_back(rest(standing_, of_rest));
-  const bool is_last = made.frame + 1 == path.frames.size();
-  const auto& next = is_last ? path.carried_at_end : path.frames[made.frame + 1].carried;
-  if (next == path.frames[made.frame].carried) return;
-  auto both = next;
-  both.insert(path.frames[made.frame].carried.begin(), path.frames[made.frame].carried.end());
-  of_rest.bodies = bodies_.carrying(both);
-  pieces_.push_back(rest(standing_, of_rest));
+  std::vector<std::set<std::string>> all{before, both, behind};
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (const auto& carried : all) {
+    of_rest.bodies = bodies_.carrying(carried);
+    pieces_.push_back(rest(standing_, of_rest));
+  }
 }
 
 void Sweep::claimMotion(const motion::Trajectory& trajectory, const Made& made, Interval time) {

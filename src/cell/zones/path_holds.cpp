@@ -29,8 +29,9 @@ std::vector<Hold> holdsOnPath(const PathInZone& in_zone) {
   const auto& pieces = in_zone.claim.pieces;
   for (std::size_t index = 0; index < pieces.size(); ++index) {
     // The rest at its end is that at the station, but for the rounding of both.
-    const bool is_at_station = in_zone.at_end && index + 1 == pieces.size();
-    if (!is_at_station && !pieces[index].claim.touches(in_zone.voxels)) continue;
+    const bool is_at_station = index + 1 == pieces.size() && pieces[index].kind == Piece::Kind::Rest;
+    const bool touches = is_at_station ? in_zone.at_end : pieces[index].claim.touches(in_zone.voxels);
+    if (!touches) continue;
     const std::size_t frame = pieces[index].frame;
     if (!holds.empty()) {
       const Piece& last = pieces[*holds.back().last_piece];

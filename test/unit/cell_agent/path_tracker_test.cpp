@@ -94,6 +94,21 @@ TEST_F(PathTrackerTest, isInTheRestWhereAMotionEnds) {
   EXPECT_EQ(tracker.piece(), 1U);
 }
 
+TEST_F(PathTrackerTest, isInItsLastRestOnceAllOfItsFrameIsDone) {
+  ArtifactPiece without_its_part = path.pieces[2];
+  without_its_part.zones.clear();
+  path.pieces.insert(path.pieces.begin() + 3, without_its_part);
+  tracker.sent();
+  see(45);
+  EXPECT_EQ(tracker.piece(), 2U);
+  EXPECT_TRUE(tracker.willTouch(0)) << "with what it has not set down yet";
+  tracker.done();
+  EXPECT_EQ(tracker.piece(), 3U);
+  EXPECT_FALSE(tracker.willTouch(0));
+  tracker.sent();
+  EXPECT_TRUE(tracker.willTouch(0)) << "on the way that is behind it";
+}
+
 TEST_F(PathTrackerTest, isNotAtTheEndWhereItOnlyComesByThere) {
   // The way out ends where it has begun, and comes by the zone in between.
   path.pieces[3].range = between(22.5, 45);
