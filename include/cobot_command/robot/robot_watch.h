@@ -38,6 +38,10 @@ class RobotWatch {
   [[nodiscard]] bool projectStopped() const { return status_ && status_->project_running == false; }
   [[nodiscard]] bool paused() const { return status_ && status_->project_paused.value_or(false); }
   [[nodiscard]] bool tellsPause() const { return status_ && status_->project_paused; }
+  /// The stream says whether it is in automatic mode, in an error, and stopped in an emergency.
+  [[nodiscard]] bool tellsTrouble() const {
+    return status_ && status_->operating_mode && status_->error && status_->emergency_stop;
+  }
   [[nodiscard]] bool emergencyStop() const { return status_ && status_->emergency_stop.value_or(false); }
   /// Nobody but who holds the pendant may move the robot.
   [[nodiscard]] bool manualMode() const { return status_ && status_->operating_mode == kManual; }

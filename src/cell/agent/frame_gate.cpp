@@ -74,6 +74,11 @@ std::optional<Failure> FrameGate::objectionToSetting(const command::Departure& d
                        ? fmt::format("the robot's status is {:.1f} s old", toSeconds(now - *measured_at))
                        : "nothing is known of the robot");
   }
+  if (!watch.tellsTrouble()) {
+    return differs(
+        "the robot's status does not tell MA_Mode, Robot_Error and ESTOP: set its Ethernet Slave to send "
+        "them");
+  }
   if (watch.manualMode()) return differs("the robot is in manual mode");
   if (watch.showsError() || watch.emergencyStop()) return differs("the robot has an error");
   const double allowed = artifact.parameters.speed_override;

@@ -43,6 +43,17 @@ TEST(TheGate, refusesLinesOfWhichOneDigitIsAnother) {
       own_error::kNotInArtifact, "is permitted");
 }
 
+/// What nobody is told of cannot be looked at.
+TEST(TheGate, refusesAllWhereTheStreamDoesNotTellOfModeErrorAndEmergencyStop) {
+  for (const char* item : {"MA_Mode", "Robot_Error", "ESTOP"}) {
+    TrialSettings settings;
+    settings.not_streamed = {item};
+    RunRig rig(artifactOf("handover"), settings);
+    ASSERT_TRUE(rig.trial->start());
+    expectRefusal(rig, own_error::kSettingDiffers, item);
+  }
+}
+
 TEST(TheGate, refusesAFrameThatLeavesTheNodeBehindIt) {
   expectRefusalOf([](Departure& departure) { departure.leaves_node = true; }, own_error::kNotInArtifact,
                   "is permitted");
