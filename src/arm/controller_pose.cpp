@@ -1,5 +1,6 @@
 #include "cobot_command/arm/controller_pose.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cobot_command/common/units.h"
@@ -58,6 +59,14 @@ ControllerJoints toControllerJoints(const JointVector& joints) {
     joints_deg[i] = radToDeg(joints[static_cast<Eigen::Index>(i)]) + 0.0;
   }
   return joints_deg;
+}
+
+std::array<double, 6> asWritten(const std::array<double, 6>& values) {
+  constexpr double kMillion = 1e6;
+  std::array<double, 6> written{};
+  std::transform(values.begin(), values.end(), written.begin(),
+                 [](double value) { return std::round(value * kMillion) / kMillion + 0.0; });
+  return written;
 }
 
 bool isSamePose(const Pose& a, const Pose& b) {

@@ -22,6 +22,10 @@ inline constexpr double kMaxCoordinate = 100000;
 [[nodiscard]] JointVector toJointVector(const ControllerJoints& joints_deg);
 [[nodiscard]] ControllerJoints toControllerJoints(const JointVector& joints);
 
+/// As scripts have numbers, to millionths: what a controller reads, and the same on every machine, though
+/// sines and roots differ in their last digits.
+[[nodiscard]] std::array<double, 6> asWritten(const std::array<double, 6>& values);
+
 /// Equal as far as the 32-bit floats of mm and degrees of a status stream can tell: to 0.1 mm, 0.1 mrad.
 [[nodiscard]] bool isSamePose(const Pose& a, const Pose& b);
 

@@ -25,8 +25,11 @@ std::string stepField(const std::string& field, std::size_t step) {
   return fmt::format("{}.steps[{}]", field, step);
 }
 
-/// Where a motion ends whose end is joints. Others end where planning finds them to.
+/// Where a motion ends whose end is joints. Others end where planning finds them to; an arc of a given angle
+/// does so wherever its end point is.
 std::optional<arm::JointVector> endOf(const Step& step, const Robot& robot) {
+  const auto* circle = std::get_if<blocks::MoveCircleGoal>(&step.goal);
+  if (circle != nullptr && circle->arc_angle != 0) return {};
   if (!step.at.empty()) return find(robot.stations, step.at)->joints;
   const auto* move = std::get_if<blocks::MoveAbsoluteGoal>(&step.goal);
   if (move == nullptr || move->data_format != static_cast<int>(blocks::AbsoluteFormat::Jpp)) return {};
@@ -74,7 +77,8 @@ class Walk {
   Walk(const Robot& robot, const std::vector<Part>& parts, std::string field, FaultList& faults)
       : robot_(robot), parts_(parts), field_(std::move(field)), faults_(faults) {}
 
-  void go() {
+  /// Of each station.
+  std::map<std::string, ActiveFrames> go() {
     stands_[robot_.home] = Standing{{{}, robot_.tcp}, {}, "at the start"};
     for (std::deque<std::string> waiting{robot_.home}; !waiting.empty(); waiting.pop_front()) {
       for (std::size_t i = 0; i < robot_.program.size(); ++i) {
@@ -83,6 +87,9 @@ class Walk {
         if (arrive(path, fmt::format("{}[{}]", field_, i))) waiting.push_back(path.to);
       }
     }
+    std::map<std::string, ActiveFrames> frames;
+    for (const auto& [station, standing] : stands_) frames.emplace(station, standing.frames);
+    return frames;
   }
 
  private:
@@ -171,11 +178,13 @@ void checkPath(const Path& path, const Robot& robot, const std::string& field, F
   checkEnd(*last, robot, end, stepField(field, index), faults);
 }
 
-void checkProgram(const Robot& robot, const std::vector<Part>& parts, const Place& place,
-                  const std::string& field, FaultList& faults) {
+std::map<std::string, ActiveFrames> checkProgram(const Robot& robot, const std::vector<Part>& parts,
+                                                 const Place& place, const std::string& field,
+                                                 FaultList& faults) {
   const std::size_t before = faults.count();
   checkGraph(linksOf(robot.program), robot.home, place, field, faults);
-  if (faults.count() == before) Walk(robot, parts, field, faults).go();
+  if (faults.count() > before) return {};
+  return Walk(robot, parts, field, faults).go();
 }
 
 }  // namespace cobot_command::cell

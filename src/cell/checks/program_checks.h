@@ -2,7 +2,11 @@
 // frames and the same parts, whichever way the robot came.
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "checks/fault_list.h"
+#include "checks/step_checks.h"
 
 namespace cobot_command::cell {
 
@@ -11,8 +15,10 @@ namespace cobot_command::cell {
 /// plan knows the end, the planning of the cell checks it.
 void checkPath(const Path& path, const Robot& robot, const std::string& field, FaultList& faults);
 
-/// Of a program whose paths are right each by itself; `place`: of the program.
-void checkProgram(const Robot& robot, const std::vector<Part>& parts, const Place& place,
-                  const std::string& field, FaultList& faults);
+/// Of a program whose paths are right each by itself; `place`: of the program. The frames that are active at
+/// each station; not all of them where there are faults.
+std::map<std::string, ActiveFrames> checkProgram(const Robot& robot, const std::vector<Part>& parts,
+                                                 const Place& place, const std::string& field,
+                                                 FaultList& faults);
 
 }  // namespace cobot_command::cell

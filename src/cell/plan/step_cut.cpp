@@ -22,13 +22,6 @@ struct Halves {
   StepGoal behind;
 };
 
-/// As scripts have numbers: so that what is planned here is what the controller reads.
-blocks::SixValues asWritten(blocks::SixValues values) {
-  constexpr double kMillion = 1e6;
-  for (double& value : values) value = std::round(value * kMillion) / kMillion;
-  return values;
-}
-
 /// The formats of lines stand in the same order for targets, offsets in the base,
 /// and offsets in the tool.
 int absoluteFormatOf(int relative) {
@@ -114,7 +107,7 @@ class Cutter {
     goal.data_format = static_cast<int>(AbsoluteFormat::Jpp);
     goal.target_pose.reset();
     goal.robot_pose_enable = false;
-    goal.target = asWritten(arm::toControllerJoints(motion_.at(time).position));
+    goal.target = arm::asWritten(arm::toControllerJoints(motion_.at(time).position));
     return goal;
   }
 
@@ -128,7 +121,7 @@ class Cutter {
   /// The TCP in the active base.
   [[nodiscard]] blocks::SixValues poseAt(Duration time) const {
     const arm::Pose tcp = arm::forwardKinematics(scene_.arm, motion_.at(time).position) * scene_.whole.tcp;
-    return asWritten(arm::toControllerPose(scene_.whole.base.inverse() * tcp));
+    return arm::asWritten(arm::toControllerPose(scene_.whole.base.inverse() * tcp));
   }
 
   const CutScene& scene_;

@@ -174,10 +174,10 @@ void readProgram(const YAML::Node& node, const std::string& field, Robot& robot,
       reading.faults.collect(place, [&] { readPath(node[i], place, robot, reading); });
     }
   });
-  if (reading.faults.count() == before) {
-    checkProgram(robot, reading.parts, placeOf(reading.faults, node.Mark()), field, reading.faults);
-  }
-  if (reading.faults.count() == before) takeStationPoses(robot);
+  if (reading.faults.count() > before) return;
+  const auto frames =
+      checkProgram(robot, reading.parts, placeOf(reading.faults, node.Mark()), field, reading.faults);
+  if (reading.faults.count() == before) takeStationPoses(robot, frames);
 }
 
 }  // namespace cobot_command::cell

@@ -1,4 +1,6 @@
 // Steps that name a station where their block needs a pose.
+#include <algorithm>
+
 #include "cell_texts.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -49,7 +51,7 @@ TEST(AStationInPlaceOfAPose, isWhereTheTcpIsWithItsJoints) {
   const Robot& robot = cell.robots.front();
   const auto& move = std::get<blocks::MoveAbsoluteGoal>(robot.program[0].steps[0].goal);
   const Station& place = *find(robot.stations, "PLACE");
-  EXPECT_TRUE(arm::toPose(move.target).isApprox(poseWith(place, {}, robot.tcp), 1e-9));
+  EXPECT_TRUE(arm::toPose(move.target).isApprox(poseWith(place, {}, robot.tcp), 1e-7));
 }
 
 TEST(AStationInPlaceOfAPose, isSeenFromTheBaseAndWithTheTcpOfItsStep) {
@@ -59,10 +61,27 @@ TEST(AStationInPlaceOfAPose, isSeenFromTheBaseAndWithTheTcpOfItsStep) {
   const blocks::SixValues tcp{10, 0, 80, 0, 45, 0};
   const auto& circle = std::get<blocks::MoveCircleGoal>(robot.program[1].steps[2].goal);
   const Station& home = *find(robot.stations, "HOME");
-  EXPECT_TRUE(arm::toPose(circle.end_point).isApprox(poseWith(home, base, tcp), 1e-9));
+  EXPECT_TRUE(arm::toPose(circle.end_point).isApprox(poseWith(home, base, tcp), 1e-7));
   const auto& move = std::get<blocks::MoveAbsoluteGoal>(robot.program[1].steps[3].goal);
   const Station& again = *find(robot.stations, "AGAIN");
-  EXPECT_TRUE(arm::toPose(move.target).isApprox(poseWith(again, base, tcp), 1e-9));
+  EXPECT_TRUE(arm::toPose(move.target).isApprox(poseWith(again, base, tcp), 1e-7));
+}
+
+TEST(AStationInPlaceOfAPose, isWrittenAsScriptsHaveIt) {
+  const Cell cell = cellOf(kLines);
+  const auto& move = std::get<blocks::MoveAbsoluteGoal>(cell.robots.front().program[0].steps[0].goal);
+  EXPECT_EQ(move.target, arm::asWritten(move.target)) << "else other machines have other hashes";
+  EXPECT_EQ(std::count(move.target.begin(), move.target.end(), -180), 0);
+}
+
+TEST(AStationInPlaceOfAPose, isNoEndOfAnArcWhoseAngleIsGiven) {
+  const std::string arc =
+      "steps: [{block: move_circle, data_format: CAP, arc_point: [300, -200, 0, 180, 0, 0], end_point: HOME, "
+      "arc_angle: 90, speed: 50, accel_time: 300}]";
+  const std::string line =
+      "steps: [{movement_command: LINE, data_format: CPP, target_position: PLACE, speed: 20, accel_time: "
+      "300}]";
+  EXPECT_EQ(faultsOf(with(kLines, line, arc)), "none") << "where it ends the plan will tell";
 }
 
 TEST(AStationInPlaceOfAPose, isTheSameCellAsItsNumbers) {

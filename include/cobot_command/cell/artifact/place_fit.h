@@ -6,11 +6,12 @@
 #include "cobot_command/arm/types.h"
 #include "cobot_command/cell/artifact/artifact.h"
 #include "cobot_command/cell/model/cell_model.h"
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::cell {
 
 /// At a station a robot stands where no joint is farther from it [rad].
-inline constexpr double kStandsWithin = 0.5 * 0.017453292519943295;
+inline constexpr double kStandsWithin = degToRad(0.5);
 
 /// Pieces of a path, from `first` to before `end`.
 struct PieceSpan {
