@@ -170,8 +170,9 @@ double distanceBetween(const Capsule& a, const Capsule& b) {
   return coreDistance(a, b) - a.radius - b.radius;
 }
 
-double distanceBetween(const AlignedBox& a, const AlignedBox& b) {
-  return (a.lower - b.upper).cwiseMax(b.lower - a.upper).cwiseMax(0.0).norm();
+double leastDistance(const AlignedBox& a, const AlignedBox& b) {
+  const double apart = (a.lower - b.upper).cwiseMax(b.lower - a.upper).cwiseMax(0.0).norm();
+  return apart > 0 ? apart : -std::numeric_limits<double>::infinity();
 }
 
 double coreDistance(const Capsule& capsule, const AlignedBox& box) {

@@ -123,7 +123,7 @@ class Check {
         ++found_.pairs;
         const double displacement = first.displacement + second.displacement;
         // Nearer than their boxes they are not.
-        if (isOfNoConcern(distanceBetween(first.box, second.box) - displacement)) continue;
+        if (isOfNoConcern(leastDistance(first.box, second.box) - displacement)) continue;
         const Nearest nearest = nearestOf(first.capsules, second.capsules);
         note(nearest.distance - displacement, {first.name, second.name},
              first.bodyOf(nearest.first) + second.bodyOf(nearest.second));

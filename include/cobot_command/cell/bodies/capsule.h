@@ -40,8 +40,9 @@ struct AlignedBox {
 /// Between the surfaces; negative where the capsules reach into each other.
 [[nodiscard]] double distanceBetween(const Capsule& a, const Capsule& b);
 
-/// 0 where they meet. No point of one is closer to a point of the other.
-[[nodiscard]] double distanceBetween(const AlignedBox& a, const AlignedBox& b);
+/// What is in one is no closer to what is in the other. Where the boxes meet, it may be in it by any depth:
+/// less than any number.
+[[nodiscard]] double leastDistance(const AlignedBox& a, const AlignedBox& b);
 
 /// Between the core and the box, whatever the radius; 0 where they touch.
 [[nodiscard]] double coreDistance(const Capsule& capsule, const AlignedBox& box);

@@ -137,17 +137,18 @@ TEST(BoxAround, holdsEachCapsuleAndTouchesOne) {
   EXPECT_TRUE(box.upper.isApprox(Vector3d(1.1, 2.5, 0.1)));
 }
 
-/// So that whoever compares boxes first leaves out no pair that matters.
-TEST(DistanceBetween, boxesIsNoMoreThanBetweenWhatIsInThem) {
+/// So that whoever compares boxes first leaves out no pair that matters, however deep one is in the other.
+TEST(LeastDistance, ofBoxesIsNoMoreThanBetweenWhatIsInThem) {
   RandomNumbers random(6);
   for (int i = 0; i < 2000; ++i) {
     const Capsules first(1, randomPair(random, i % 6).a);
     const Capsules second{randomPair(random, 0).b, randomPair(random, 0).a};
-    ASSERT_LE(distanceBetween(boxAround(first), boxAround(second)),
-              std::max(0.0, nearestOf(first, second).distance) + 1e-12);
+    ASSERT_LE(leastDistance(boxAround(first), boxAround(second)), nearestOf(first, second).distance + 1e-12);
   }
-  EXPECT_DOUBLE_EQ(distanceBetween(AlignedBox{{0, 0, 0}, {1, 1, 1}}, AlignedBox{{4, 5, 0.5}, {5, 6, 2}}), 5);
-  EXPECT_TRUE(std::isinf(distanceBetween(boxAround({}), boxAround({{{0, 0, 0}, {1, 0, 0}, 0.1}}))));
+  const AlignedBox box{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_DOUBLE_EQ(leastDistance(box, {{4, 5, 0.5}, {5, 6, 2}}), 5);
+  EXPECT_EQ(leastDistance(box, {{0.5, 0.5, 0.5}, {2, 2, 2}}), -std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isinf(leastDistance(boxAround({}), boxAround({{{0, 0, 0}, {1, 0, 0}, 0.1}}))));
 }
 
 TEST(NearestOf, areFoundWhereAllIsAtOnePlace) {
