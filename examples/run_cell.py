@@ -31,7 +31,7 @@ class Teller:
         self.begun = None
         self.robots = {}
         self.owners = {}
-        self.failures = 0
+        self.failures = set()
 
     def tell(self, feedback):
         self.begun = self.begun or rospy.Time.now()
@@ -46,9 +46,10 @@ class Teller:
             if self.robots.get(robot.name) != words:
                 self.say(f"{robot.name}: {words}")
             self.robots[robot.name] = words
-        for failure in feedback.failures[self.failures:]:
-            self.say(f"failed: {failure}; the others go on to their end, Ctrl-C stops them")
-        self.failures = len(feedback.failures)
+        for failure in feedback.failures:
+            if failure not in self.failures:
+                self.say(f"failed: {failure}" + ("; the others go on to their end, Ctrl-C stops them" if feedback.open else ""))
+        self.failures.update(feedback.failures)
 
     def say(self, text):
         print(f"{(rospy.Time.now() - self.begun).to_sec():7.2f} s  {text}", flush=True)

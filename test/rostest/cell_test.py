@@ -159,7 +159,9 @@ class Cell(CellTestCase):
         self.assertEqual((len(told.failures), told.open), (1, 1))
         self.assertTrue(told.failures[0].startswith("RB: "), told.failures)
         sent.cancel()
-        self.assertEqual(sent.finish()[1].error_description, told.failures[0])
+        result = sent.finish()[1]
+        self.assertEqual(result.error_description, told.failures[0])
+        self.assertEqual(result.failures, told.failures, "what a cancel stops has not failed")
 
     def test_reports_that_nobody_could_mean_are_counted_and_change_nothing(self):
         diagnosed = []

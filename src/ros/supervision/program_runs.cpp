@@ -45,12 +45,9 @@ ProgramRuns::ProgramRuns(const ros::NodeHandle& node, std::vector<std::string> r
 void ProgramRuns::follow(const cell::CellStatus& status, const cobot_command::CellState& told, Instant now) {
   status_ = status;
   now_ = now;
+  feedback_.state = told;
   if (!goal_) return;
-  cobot_command::RunCellFeedback feedback;
-  feedback.state = told;
-  feedback.open = open();
-  for (const Fault& fault : faults_) feedback.failures.push_back(fault.found);
-  goal_->publishFeedback(feedback);
+  tell();
   sendGoals();
   giveUpLost();
 }
@@ -136,7 +133,7 @@ std::vector<std::size_t> ProgramRuns::membersOf(const cobot_command::RunCellGoal
 void ProgramRuns::begin(const Handle& goal) {
   result_ = {};
   result_.least_distance = kNotHeard;
-  faults_.clear();
+  fault_.reset();
   is_cancelled_ = false;
   begun_ = now_;
   members_.clear();
@@ -158,19 +155,19 @@ void ProgramRuns::sendGoals() {
     if (!member.is_open || member.client) continue;
     member.client = is_cancelled_ ? nullptr : contacts_[member.robot]->programs();
     if (member.client) {
+      member.session = status_.robots[member.robot].session;
       member.handle =
           member.client->sendGoal(program, [this, number](const auto& handle) { onProgram(number, handle); });
     } else if (is_cancelled_) {
       member.is_open = false;
-      faults_.push_back(
-          {supervisor_error::kCellNotReady, "cancelled", "Recover what has stopped, and run it again"});
+      fail({supervisor_error::kCellNotReady, robots_[member.robot] + ": cancelled before it had begun",
+            "Recover what has stopped, and run it again"});
     } else if (now_ > begun_ + kPatience) {
       member.is_open = false;
-      faults_.push_back(
-          {supervisor_error::kCellNotReady,
-           fmt::format("{} reports by the node {}, which serves no run_program", robots_[member.robot],
-                       foreignText(contacts_[member.robot]->publisher(), kQuoteLimit)),
-           "See whether its node is what it has to be"});
+      fail({supervisor_error::kCellNotReady,
+            fmt::format("{} reports by the node {}, which serves no run_program", robots_[member.robot],
+                        foreignText(contacts_[member.robot]->publisher(), kQuoteLimit)),
+            "See whether its node is what it has to be"});
     }
   }
   endIfOver();
@@ -196,38 +193,60 @@ void ProgramRuns::onProgram(std::size_t number, const RobotContact::ProgramHandl
   if (result) result_.cycles_done[number] = result->cycles_done;
   const std::string& name = robots_[member.robot];
   if (!member.is_done && result && result->error_id == blocks::motion_error::kOtherBlockBusy) {
-    faults_.push_back(
-        {supervisor_error::kCellNotReady,
-         name + " runs a program already: by a client of its own, or since before the supervisor was "
-                "started anew",
-         "Let it come to its end by finish, or stop it by stop; then run it again"});
+    fail({supervisor_error::kCellNotReady,
+          name + " runs a program already: by a client of its own, or since before the supervisor was "
+                 "started anew",
+          "Let it come to its end by finish, or stop it by stop; then run it again"});
   } else if (!member.is_done && result) {
     const bool is_error = result->error_id != 0;  // else it was stopped, or another command has taken it away
-    faults_.push_back({is_error ? result->error_id : supervisor_error::kCellNotReady,
-                       fmt::format("{}: {}", name, result->error_description),
-                       is_error ? result->remedy : "Recover it where it is FAULT or LOST, and run it again"});
+    fail({is_error ? result->error_id : supervisor_error::kCellNotReady,
+          fmt::format("{}: {}", name, result->error_description),
+          is_error ? result->remedy : "Recover it where it is FAULT or LOST, and run it again"});
   } else if (!member.is_done) {
-    faults_.push_back(
-        {supervisor_error::kCellNotReady, name + ": its goal is lost", "See what its node says"});
+    fail({supervisor_error::kCellNotReady, name + ": its goal is lost", "See what its node says"});
   }
   endIfOver();
 }
 
-/// A robot whose node is gone tells no result any more.
 void ProgramRuns::giveUpLost() {
   for (Member& member : members_) {
     const cell::RobotStatus& status = status_.robots[member.robot];
+    if (member.is_open && member.client && status.session != 0 && status.session != member.session) {
+      member.is_open = false;
+      fail({supervisor_error::kCellNotReady,
+            status.name + ": its node was started anew, and its goal is lost", "Run it again"});
+      continue;
+    }
+    // It may be heard again while the others are still at it.
     if (!member.is_open || !isGone(status)) continue;
     const bool is_alone = std::all_of(members_.begin(), members_.end(), [&](const Member& other) {
       return !other.is_open || isGone(status_.robots[other.robot]);
     });
     if (!is_alone) continue;
     member.is_open = false;
-    faults_.push_back({supervisor_error::kCellNotReady,
-                       fmt::format("{} is {}: {}", status.name, toString(status.state), status.text),
-                       "See what its node says; recover it, or confirm that its zones are clear"});
+    fail({supervisor_error::kCellNotReady,
+          fmt::format("{} is {}: {}", status.name, toString(status.state), status.text),
+          "See what its node says; recover it, or confirm that its zones are clear"});
   }
   endIfOver();
+}
+
+void ProgramRuns::fail(Fault fault) {
+  if (!is_cancelled_) result_.failures.push_back(fault.found);
+  if (!fault_) fault_ = std::move(fault);
+  tell();
+}
+
+void ProgramRuns::tell() {
+  feedback_.open = open();
+  feedback_.failures = result_.failures;
+  for (const Member& member : members_) {
+    const cell::RobotStatus& status = status_.robots[member.robot];
+    if (!member.is_open || is_cancelled_ || !isGone(status)) continue;
+    feedback_.failures.push_back(
+        fmt::format("{} is {}: {}", status.name, toString(status.state), status.text));
+  }
+  goal_->publishFeedback(feedback_);
 }
 
 int ProgramRuns::open() const {
@@ -238,15 +257,15 @@ int ProgramRuns::open() const {
 void ProgramRuns::endIfOver() {
   if (!goal_ || open() > 0) return;
   result_.makespan = ros::Duration(toSeconds(now_ - begun_));
-  if (!faults_.empty()) {
-    result_.error_id = faults_.front().id;
-    result_.error_description = faults_.front().found;
-    result_.remedy = faults_.front().remedy;
+  if (fault_) {
+    result_.error_id = fault_->id;
+    result_.error_description = fault_->found;
+    result_.remedy = fault_->remedy;
   }
   Handle goal = *std::exchange(goal_, std::nullopt);
-  if (is_cancelled_ && !faults_.empty()) {
+  if (is_cancelled_ && fault_) {
     goal.setCanceled(result_, result_.error_description);
-  } else if (!faults_.empty()) {
+  } else if (fault_) {
     goal.setAborted(result_, result_.error_description);
   } else {
     goal.setSucceeded(result_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,7 +42,8 @@ class ProgramRuns {
     std::shared_ptr<RobotContact::ProgramClient> client = {};  ///< outlives the handle; nullptr: not sent yet
     RobotContact::ProgramHandle handle = {};
     bool is_open = true;
-    bool is_done = false;  ///< it SUCCEEDED
+    bool is_done = false;       ///< it SUCCEEDED
+    std::uint64_t session = 0;  ///< of its node, when its goal was sent
   };
   struct Fault {
     int id = 0;
@@ -58,7 +60,10 @@ class ProgramRuns {
   /// The goals of those whose node answers by now.
   void sendGoals();
   void onProgram(std::size_t member, const RobotContact::ProgramHandle& handle);
+  /// Those of whose goals nothing will be told any more.
   void giveUpLost();
+  void fail(Fault fault);
+  void tell();
   void endIfOver();
   void begin(const Handle& goal);
   [[nodiscard]] int open() const;
@@ -72,7 +77,8 @@ class ProgramRuns {
   // Of the goal that is under way.
   std::optional<Handle> goal_;
   std::vector<Member> members_;
-  std::vector<Fault> faults_;  ///< in the order in which they came
+  std::optional<Fault> fault_;  ///< the first one
+  cobot_command::RunCellFeedback feedback_;
   bool is_cancelled_ = false;
   cobot_command::RunCellResult result_;
   Instant begun_;

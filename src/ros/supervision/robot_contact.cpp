@@ -1,12 +1,16 @@
 #include "supervision/robot_contact.h"
 
+#include <ros/console.h>
 #include <ros/names.h>
+
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr Duration kTellAgain = std::chrono::milliseconds(250);
-/// For the connection to a node that has just come up. One that comes later is another story.
+/// For the connection to a node that has just come up. One that comes later is another story, unless the
+/// robot moves still.
 constexpr Duration kReachableWithin = std::chrono::seconds(5);
 
 }  // namespace
@@ -18,7 +22,10 @@ void RobotContact::heardFrom(const std::string& publisher, bool moving, Instant 
     const std::string space = ros::names::parentNamespace(publisher);
     stops_.moveTo(space);
     programs_ = std::make_shared<ProgramClient>(node_, ros::names::append(space, "run_program"));
+    stop_told_.reset();  // the one before was told, and not this one
+    ordered_at_ = now;
   }
+  moves_ = moving;
   if (stop_told_ && now > *stop_told_ && !moving) is_stopping_ = false;
 }
 
@@ -30,7 +37,11 @@ void RobotContact::stop(Instant now) {
 }
 
 void RobotContact::settle(Instant now) {
-  if (!stop_told_ && now > ordered_at_ + kReachableWithin) is_stopping_ = false;
+  if (is_stopping_ && !stop_told_ && !moves_ && now > ordered_at_ + kReachableWithin) {
+    is_stopping_ = false;
+    ROS_ERROR_STREAM("nobody could be told to stop for " << foreignText(publisher_, kQuoteLimit)
+                                                         << ": nobody listens to its stop");
+  }
   if (!is_stopping_ || (stop_told_ && now < *stop_told_ + kTellAgain)) return;
   if (!stops_.isConnected()) return;
   stop_told_ = now;

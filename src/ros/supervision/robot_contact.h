@@ -27,7 +27,8 @@ class RobotContact {
   void heardFrom(const std::string& publisher, bool moving, Instant now);
   [[nodiscard]] const std::string& publisher() const { return publisher_; }
 
-  /// It is told until it stands, as a message to a node that just came up can be lost.
+  /// It is told until it stands, as a message to a node that just came up can be lost. Where it does not
+  /// move, and nobody listens within 5 s, that is given up, and logged.
   void stop(Instant now);
   /// Tells it again, if it has to.
   void settle(Instant now);
@@ -41,6 +42,7 @@ class RobotContact {
   StopGoals stops_;
   std::shared_ptr<ProgramClient> programs_;
   bool is_stopping_ = false;
+  bool moves_ = false;  ///< by its last report
   Instant ordered_at_;
   std::optional<Instant> stop_told_;
 };
