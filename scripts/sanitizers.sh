@@ -1,10 +1,10 @@
 # Shared by the scripts beside it: builds with sanitizers, in folders of their own. To be sourced behind setup.sh.
 
 # The rooms that read what a peer sent, and those that decide what becomes of it. Their tests run once with every change,
-# watched, in a build of their own; the build of everything leaves them out then. What is quick (corpora, the package in
-# the hands of another project) runs in both.
+# watched, in a build of their own; the build of everything leaves them out then. What is quick (corpora) runs in both.
+# All other rooms are watched by `scripts/test --sanitize address`: to compile them twice takes a quarter of an hour.
 readonly core_tests=(protocol tm_script script tables link robot blocks command peers simulator)
-core_tests_pattern=$(IFS='|' && echo "^((${core_tests[*]})[.]|fuzz[.]|package[.]|locale[.](${core_tests[*]})_)")
+core_tests_pattern=$(IFS='|' && echo "^((${core_tests[*]})[.]|fuzz[.]|locale[.](${core_tests[*]})_)")
 readonly core_tests_pattern
 # Both nodes as processes: goals and cancels of four clients at once, connections made and lost, ends and kills.
 readonly node_tests_pattern='^rostest\.(load|ends)$'
@@ -22,10 +22,10 @@ build_sanitized() {
   watch
 }
 
-# What ROS and precompiled headers could hide shows here: the rooms of the core are built without both.
+# What ROS could hide shows here: rooms of the core are built without it. What precompiled headers hide, clang-tidy shows.
 build_core() {
-  configure "$build/core" -DCOBOT_CORE_ONLY=ON -DCOBOT_PRECOMPILE=TESTS -DCOBOT_SANITIZE=address,undefined
-  ninja -C "$build/core" rooms_and_programs fuzz_corpora cobot_german_locale cobot_german_locale_files "${core_tests[@]/#/test_}"
+  configure "$build/core" -DCOBOT_CORE_ONLY=ON -DCOBOT_SANITIZE=address,undefined
+  ninja -C "$build/core" fuzz_corpora cobot_german_locale cobot_german_locale_files "${core_tests[@]/#/test_}"
   watch
 }
 
