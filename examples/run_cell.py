@@ -7,7 +7,7 @@ a monitor, no two robots came closer than --distance; 1 with the reason when not
 import argparse
 import signal
 import sys
-import threading
+import time
 
 import actionlib
 import rospy
@@ -17,7 +17,8 @@ from actionlib_msgs.msg import GoalStatus
 from cobot_command.msg import CellRobot, CellState, CellZone, RunCellAction, RunCellGoal
 
 PATIENCE = 60.0  # [s]
-RUNS = (CellState.READY, CellState.RUNNING)
+SOON = 3.0  # [s]
+LOOK_EVERY = 0.05  # [s]
 END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 REASONS = {CellRobot.ZONE_HELD: "{} has the zone", CellRobot.WOULD_BLOCK: "behind it {} could not come home any more",
            CellRobot.AGED: "{} has waited for longer", CellRobot.QUARANTINED: "{} is lost, or stands in the zone unasked",
@@ -56,37 +57,67 @@ class Teller:
 
     @staticmethod
     def words_of(robot):
+        if robot.state == CellRobot.OUT:
+            return f"out of the cell: {robot.text}"
         if robot.state == CellRobot.WAITING and robot.reason != CellRobot.NO_REASON:
             return f"at {robot.place}, waits: {REASONS[robot.reason].format(' and '.join(robot.blocked_by))}"
         return f"at {robot.place}" + (f": {robot.text}" if robot.text else "")
 
 
+class EndAsked:
+    """A signal came. All that its handler does is to say so: one that interrupts another one must find no lock taken."""
+
+    def __init__(self):
+        self._is_so = False
+        for number in END_SIGNALS:
+            signal.signal(number, self._note)
+
+    def _note(self, *_):
+        self._is_so = True
+
+    def __bool__(self):
+        return self._is_so
+
+
+def wait_until(condition, end_asked, patience):
+    """False: it was not so within `patience` [s], or the end was asked for first."""
+    begin = time.monotonic()
+    while not condition():
+        if end_asked or time.monotonic() - begin > patience:
+            return False
+        time.sleep(LOOK_EVERY)
+    return True
+
+
 def run(arguments):
+    end_asked = EndAsked()
     client = actionlib.ActionClient(f"{arguments.cell}/run_cell", RunCellAction)
-    if not client.wait_for_server(rospy.Duration(PATIENCE)):
+    if not client.wait_for_server(rospy.Duration(1)):
+        print(f"waits for {arguments.cell}/run_cell", flush=True)
+    if not wait_until(lambda: client.wait_for_server(rospy.Duration(0.01)), end_asked, PATIENCE):
         return f"nobody serves {arguments.cell}/run_cell: start cell.launch first"
-    if not ready(arguments.cell):
+    if not wait_until_it_has_begun(arguments.cell, end_asked):
         return f"the cell was not READY within {PATIENCE:.0f} s: see rostopic echo -n 1 {arguments.cell}/state"
-    teller, changed = Teller(), threading.Condition()
-
-    def note(_):
-        with changed:
-            changed.notify_all()
-
-    handle = client.send_goal(RunCellGoal(cycles=arguments.cycles, robots=arguments.robots), note, lambda _, feedback: teller.tell(feedback))
-    for number in END_SIGNALS:
-        signal.signal(number, lambda *_: handle.cancel())
-    with changed:
-        changed.wait_for(lambda: handle.get_comm_state() == CommState.DONE)
+    teller = Teller()
+    handle = client.send_goal(RunCellGoal(cycles=arguments.cycles, robots=arguments.robots), None, lambda _, feedback: teller.tell(feedback))
+    if not wait_until(lambda: handle.get_comm_state() == CommState.DONE, end_asked, float("inf")):
+        handle.cancel()
+        if not wait_until(lambda: handle.get_comm_state() == CommState.DONE, False, PATIENCE):
+            return f"it was cancelled, and has not ended within {PATIENCE:.0f} s: see rostopic echo -n 1 {arguments.cell}/state"
     return verdict(handle, arguments.distance)
 
 
-def ready(cell):
-    found = threading.Event()
-    subscriber = rospy.Subscriber(f"{cell}/state", CellState, lambda m: m.mode in RUNS and found.set())
-    answer = found.wait(PATIENCE)
+def wait_until_it_has_begun(cell, end_asked):
+    """Nodes that were just started find each other within a moment. What lasts for longer the action refuses, with the reason."""
+    states = []
+    subscriber = rospy.Subscriber(f"{cell}/state", CellState, states.append, queue_size=1)
+    if not wait_until(lambda: states and states[-1].mode != CellState.STARTING, end_asked, SOON):
+        print(f"the cell starts: {states[-1].diagnosis}" if states else f"nobody tells {cell}/state", flush=True)
+    begun = wait_until(lambda: states and states[-1].mode != CellState.STARTING, end_asked, PATIENCE)
+    if begun:
+        wait_until(lambda: states[-1].mode != CellState.RECOVERY, end_asked, SOON)
     subscriber.unregister()
-    return answer
+    return begun
 
 
 def verdict(handle, distance):
@@ -98,7 +129,7 @@ def verdict(handle, distance):
     cycles = ", ".join(f"{name} {count}" for name, count in zip(result.robots, result.cycles_done))
     print(f"cycles: {cycles}; {result.makespan.to_sec():.1f} s")
     if result.least_distance < 0:
-        print("no monitor was heard: distances were not measured")
+        print("no monitor was heard all the time: distances were not measured")
         return ""
     print(f"least distance: {result.least_distance * 1e3:.1f} mm")
     if result.least_distance < distance / 1e3:
@@ -109,7 +140,7 @@ def verdict(handle, distance):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cell", default="/cell", help="namespace of the cell (default: %(default)s)")
-    parser.add_argument("--cycles", type=int, default=3, help="of each robot, 1 to 1000000 (default: %(default)s)")
+    parser.add_argument("--cycles", type=int, default=3, help="of each robot, 1 to 1000000; 0: until it is cancelled (default: %(default)s)")
     parser.add_argument("--robots", nargs="+", default=[], metavar="NAME", help="only these (default: all of the cell)")
     parser.add_argument("--distance", type=float, default=20.0, help="[mm] that has to be kept (default: %(default)s)")
     arguments = parser.parse_args(rospy.myargv()[1:])
