@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/cell/artifact/cell_build.h"
+#include "cobot_command/cell/artifact/cycle_times.h"
 #include "cobot_command/common/units.h"
 
 namespace cobot_command::cell {
@@ -139,6 +140,13 @@ std::vector<std::string> CellBuild::reportSupervisors() const {
     lines.push_back(
         fmt::format("  {} never happens: paths with it are never taken, as there would be no way home",
                     fmt::join(part.never, ", ")));
+  }
+  for (const RobotProgram& robot : model_.program.robots) {
+    if (comesHome(robot)) continue;
+    lines.push_back(fmt::format(
+        "{}: the first path of each station does not lead back home: without `paths` it never ends a cycle, "
+        "unless somebody is in its way; list another path first",
+        robot.name));
   }
   lines.push_back(fmt::format("{} bytes", bytes_.size()));
   return lines;

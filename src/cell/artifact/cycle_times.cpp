@@ -95,6 +95,18 @@ class CycleWriter {
 
 }  // namespace
 
+bool comesHome(const RobotProgram& program) {
+  std::size_t station = program.home;
+  for (std::size_t count = 0; count <= program.stations.size(); ++count) {
+    const auto path = std::find_if(program.paths.begin(), program.paths.end(),
+                                   [station](const PathProgram& one) { return one.from == station; });
+    if (path == program.paths.end()) return false;
+    station = path->to;
+    if (station == program.home) return true;
+  }
+  return false;
+}
+
 Result<RobotCycle, std::string> cycleOf(const Artifact& artifact, const CellModel& model, RobotIndex robot) {
   return CycleWriter(artifact, model, robot).write();
 }

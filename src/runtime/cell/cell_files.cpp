@@ -4,7 +4,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -12,39 +11,66 @@
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::runtime {
+namespace {
 
-Result<std::string, std::string> readFile(const std::string& name) {
+/// Longer ones are refused for their length as cells are read; what has no end is not read that far.
+constexpr std::size_t kLongestCellFile = std::size_t{4} << 20;  // [bytes]
+
+}  // namespace
+
+Result<std::string, std::string> readFile(const std::string& name, std::size_t most) {
   std::error_code error;
   if (std::filesystem::is_directory(name, error)) {
     return refuse(fmt::format("{} cannot be read: it is a folder", foreignText(name)));
   }
   std::ifstream file(name, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(file), {});
+  std::string text;
+  std::string part(std::size_t{1} << 16, char{});
+  while (text.size() <= most && file) {
+    file.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part, 0, static_cast<std::size_t>(file.gcount()));
+  }
   if (!file.is_open() || file.bad()) {
     return refuse(fmt::format("{} cannot be read: {}", foreignText(name), std::strerror(errno)));
+  }
+  if (text.size() > most) {
+    return refuse(fmt::format("{} cannot be read: it is longer than {} bytes", foreignText(name), most));
   }
   return text;
 }
 
-std::vector<std::string> writeFile(const std::string& name, const std::string& text) {
+std::vector<std::string> writeFile(const std::string& name, const std::string& text,
+                                   const std::string& made_of) {
+  std::error_code error;
+  // Where a link leads to.
+  const std::filesystem::path target = std::filesystem::weakly_canonical(name, error);
+  if (error) return {fmt::format("{} cannot be written: {}", foreignText(name), error.message())};
+  if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error)) {
+    return {fmt::format("{} cannot be written: it is no file", foreignText(name))};
+  }
+  if (!made_of.empty() && std::filesystem::equivalent(target, made_of, error)) {
+    return {fmt::format("{} cannot be written: it is what it is made of: give it another name",
+                        foreignText(name))};
+  }
   // Beside it first, so that nobody ever finds half of one.
-  const std::string part = name + ".part";
+  const std::string part = target.string() + ".part";
   std::ofstream file(part, std::ios::binary | std::ios::trunc);
   file << text;
   file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, name, error);
+  if (file) std::filesystem::rename(part, target, error);
   if (file && !error) return {};
+  const std::string why = error ? error.message() : std::strerror(errno);
   std::filesystem::remove(part, error);
-  return {fmt::format("{} cannot be written: {}", foreignText(name), std::strerror(errno))};
+  return {fmt::format("{} cannot be written: {}", foreignText(name), why)};
 }
 
 Result<cell::Cell, std::vector<std::string>> readCellFile(const std::string& name) {
-  const auto text = readFile(name);
+  const auto text = readFile(name, kLongestCellFile);
   if (!text) return refuse(std::vector<std::string>{text.error()});
   const auto folder = std::filesystem::path(name).parent_path();
-  auto cell = cell::parseCell(*text, name,
-                              [&](const std::string& other) { return readFile((folder / other).string()); });
+  auto cell = cell::parseCell(*text, name, [&](const std::string& other) {
+    return readFile((folder / other).string(), kLongestCellFile);
+  });
   if (cell) return std::move(*cell);
   std::vector<std::string> faults;
   for (const cell::Fault& fault : cell.error()) faults.push_back(describe(fault));

@@ -113,7 +113,7 @@ Answer exportAutomata(const std::string& artifact_file, const std::string& forma
     std::cout << text;
     return {};
   }
-  return {{{"export", 0.0, {output}, writeFile(output, text)}}};
+  return {{{"export", 0.0, {output}, writeFile(output, text, artifact_file)}}};
 }
 
 Answer importAutomata(const std::string& file) {

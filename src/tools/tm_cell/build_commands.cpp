@@ -62,24 +62,45 @@ Answer buildCell(const BuildOptions& options, BuildStage last) {
   }
   if (options.output.empty()) return answer;
   begin = Clock::now();
-  auto faults = writeFile(options.output, build.bytes());
+  auto faults = writeFile(options.output, build.bytes(), options.cell_file);
   answer.stages.push_back({"write", secondsSince(begin), {options.output}, std::move(faults)});
   return answer;
 }
 
-Answer verifyArtifact(const std::string& artifact_file, const std::string& cell_file) {
+namespace {
+
+/// Why the artifact is not what is made of that cell.
+std::vector<std::string> compared(const cell::Artifact& artifact, const std::string& artifact_file,
+                                  cell::Cell cell, const std::string& cell_file, unsigned threads) {
+  if (hashOf(cell) != artifact.hash) {
+    return {fmt::format("{} is not what the artifact was made of: its hash is {}. Build it anew", cell_file,
+                        hashOf(cell))};
+  }
+  cell::CellBuild build(std::move(cell), artifact.policy, threads);
+  for (const BuildStage stage : cell::kBuildStages) {
+    auto faults = build.run(stage);
+    if (!faults.empty()) return faults;
+  }
+  const auto bytes = runtime::readFile(artifact_file);
+  if (bytes && *bytes == build.bytes()) return {};
+  return {
+      fmt::format("{} has the hash of {}, and is not what is made of it here: it was changed, or made by "
+                  "another version or on another kind of machine. Build it anew",
+                  artifact_file, cell_file)};
+}
+
+}  // namespace
+
+Answer verifyArtifact(const std::string& artifact_file, const std::string& cell_file, unsigned threads) {
   const auto begin = Clock::now();
   const auto artifact = readArtifact(artifact_file);
   if (!artifact) return {{{"verify", secondsSince(begin), {}, artifact.error()}}};
   AnswerStage stage{"verify", 0.0, {"hash " + artifact->hash}, {}};
   if (!cell_file.empty()) {
-    const auto cell = readCellFile(cell_file);
+    auto cell = readCellFile(cell_file);
     if (!cell) return {{{"check", secondsSince(begin), {}, cell.error()}}};
-    if (hashOf(*cell) != artifact->hash) {
-      stage.faults.push_back(
-          fmt::format("{} is not what the artifact was made of: its hash is {}. Build it anew", cell_file,
-                      hashOf(*cell)));
-    }
+    stage.faults = compared(*artifact, artifact_file, *std::move(cell), cell_file, threads);
+    if (stage.faults.empty()) stage.report.push_back("it is, byte by byte, what is made of " + cell_file);
   }
   const auto model = cell::modelOf(artifact->program);
   if (!model) return {{{"verify", secondsSince(begin), {}, model.error()}}};

@@ -21,6 +21,7 @@ struct BuildOptions {
 /// All stages up to that one.
 [[nodiscard]] Answer buildCell(const BuildOptions& options, cell::BuildStage last);
 /// Whether an artifact is proved, and of that cell file where one is named.
-[[nodiscard]] Answer verifyArtifact(const std::string& artifact_file, const std::string& cell_file);
+[[nodiscard]] Answer verifyArtifact(const std::string& artifact_file, const std::string& cell_file,
+                                    unsigned threads);
 
 }  // namespace cobot_command::tools

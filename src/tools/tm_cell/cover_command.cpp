@@ -39,7 +39,7 @@ Answer coverMesh(const CoverOptions& options) {
     return {};
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return {{{"cover", seconds, {found, options.output}, writeFile(options.output, text)}}};
+  return {{{"cover", seconds, {found, options.output}, writeFile(options.output, text, options.mesh)}}};
 }
 
 }  // namespace cobot_command::tools

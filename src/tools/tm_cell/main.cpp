@@ -109,8 +109,9 @@ class Commands {
 
   void addArtifactCommands() {
     addArtifact("verify", "Prove an artifact anew, from its bytes", [this] {
-      return verifyArtifact(given_.artifact, given_.cell_file);
-    })->add_option("--cell", given_.cell_file, "The file that it has to be made of");
+      return verifyArtifact(given_.artifact, given_.cell_file,
+                            std::max(1U, std::thread::hardware_concurrency()));
+    })->add_option("--cell", given_.cell_file, "The file that it has to be made of, byte by byte");
     CLI::App* explain = addArtifact("explain", "Whether an event is granted, and why not", [this] {
       return explainEvent(given_.artifact, given_.happened, given_.event);
     });

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/cell/artifact/cycle_times.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 #include "cobot_command/trial/cell_trial.h"
 
@@ -49,6 +50,12 @@ Answer simulateCell(const SimulateOptions& options) {
   auto artifact = readArtifact(options.artifact);
   if (!artifact) return {{{"simulate", 0.0, {}, artifact.error()}}};
   const auto shared = std::make_shared<const cell::Artifact>(*std::move(artifact));
+  for (const cell::RobotProgram& robot : shared->program.robots) {
+    if (comesHome(robot)) continue;
+    return wrong("simulate", robot.name +
+                                 ": the first path of each station does not lead back home, so that "
+                                 "no cycle would end: list another path first");
+  }
   trial::TrialSettings settings;
   settings.by_schedule = options.policy == "schedule";
   settings.policy = settings.by_schedule ? shared->policy : *cell::policyNamed(options.policy);

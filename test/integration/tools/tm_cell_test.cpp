@@ -1,15 +1,25 @@
 // The program tm_cell as its caller sees it: standard output, files and exit code.
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "tm_cell_program.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
+
+#include "cobot_command/common/sha256.h"
 
 namespace cobot_command::test_support {
 namespace {
 
 using testing::HasSubstr;
+
+std::string textIn(const std::string& file) {
+  std::stringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
 
 TEST_F(TmCell, buildsTheCellsOfTheDemosAndVerifiesThem) {
   for (const char* cell : {"handover", "head_on", "iris", "corridor", "pallet"}) {
@@ -23,6 +33,60 @@ TEST_F(TmCell, refusesAnArtifactOfAnotherCell) {
   const Outcome verified = tmCell("verify " + built("handover") + " --cell " + cellFile("head_on"));
   EXPECT_EQ(verified.exit_code, 1);
   EXPECT_THAT(verified.output, HasSubstr("is not what the artifact was made of"));
+}
+
+/// With a checksum that is right: it says nothing of who made it.
+TEST_F(TmCell, refusesAnArtifactThatWasChanged) {
+  const std::string artifact = built("handover");
+  std::string text = textIn(artifact);
+  text.resize(text.find('\n') + 1);
+  const std::string line = "PTP(\\" JPP\\",0,45";
+  const auto at = text.find(line);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, line.size(), "PTP(\\" JPP\\",1,45");
+  std::ofstream(artifact) << text << sha256Hex(text) << "\n";
+  EXPECT_EQ(tmCell("verify " + artifact).exit_code, 0) << "that proves the supervisors";
+  const Outcome verified = tmCell("verify " + artifact + " --cell " + cellFile("handover"));
+  EXPECT_EQ(verified.exit_code, 1);
+  EXPECT_THAT(verified.output, HasSubstr("is not what is made of it here"));
+}
+
+TEST_F(TmCell, writesOverNoDeviceAndNotOverWhatItReads) {
+  const std::string pipe = in("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const Outcome to_pipe = tmCell("build " + cellFile("handover") + " -o " + pipe);
+  EXPECT_EQ(to_pipe.exit_code, 1);
+  EXPECT_THAT(to_pipe.output, HasSubstr("it is no file"));
+  std::ofstream(in("own.yaml")) << textIn(cellFile("handover"));
+  const Outcome to_itself = tmCell("build " + in("own.yaml") + " -o " + in("own.yaml"));
+  EXPECT_EQ(to_itself.exit_code, 1);
+  EXPECT_THAT(to_itself.output, HasSubstr("it is what it is made of"));
+  EXPECT_EQ(textIn(in("own.yaml")), textIn(cellFile("handover")));
+}
+
+TEST_F(TmCell, writesWhereALinkLeadsTo) {
+  ASSERT_EQ(symlink("there", in("link").c_str()), 0);
+  EXPECT_EQ(tmCell("build " + cellFile("handover") + " -o " + in("link")).exit_code, 0);
+  EXPECT_EQ(tmCell("verify " + in("there")).exit_code, 0);
+}
+
+TEST_F(TmCell, readsNoFileWithoutAnEnd) {
+  EXPECT_THAT(tmCell("check /dev/zero").output, HasSubstr("it is longer than"));
+}
+
+TEST_F(TmCell, namesAProgramThatNeverEndsACycle) {
+  std::string text = textIn(cellFile("handover"));
+  const std::string back = "    - {path: BACK";
+  text.insert(text.find(back),
+              "    - {path: STAY, from: T1, to: T1, steps: [{movement_command: PTP, data_format: JPP, "
+              "target_position: T1, speed: 30, accel_time: 300}]}\n");
+  std::ofstream(in("loop.yaml")) << text;
+  const Outcome outcome = tmCell("build " + in("loop.yaml") + " -o " + in("loop"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("RA: the first path of each station does not lead back home"));
+  const Outcome simulated = tmCell("simulate " + in("loop") + " --cycles 1");
+  EXPECT_EQ(simulated.exit_code, 1);
+  EXPECT_THAT(simulated.output, HasSubstr("no cycle would end"));
 }
 
 TEST_F(TmCell, explainsWhyAnEventIsNotGranted) {

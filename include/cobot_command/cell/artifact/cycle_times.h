@@ -10,6 +10,10 @@
 
 namespace cobot_command::cell {
 
+/// Along the first path that is listed at each station. Else a robot that is always granted the first one
+/// never ends a cycle.
+[[nodiscard]] bool comesHome(const RobotProgram& program);
+
 /// Along the first path that is listed at each station. Precondition: the model is that of the artifact's
 /// program.
 [[nodiscard]] Result<RobotCycle, std::string> cycleOf(const Artifact& artifact, const CellModel& model,

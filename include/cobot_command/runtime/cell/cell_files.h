@@ -1,6 +1,7 @@
 // The files of a cell: as people write them, and as they were built.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,15 @@
 
 namespace cobot_command::runtime {
 
-[[nodiscard]] Result<std::string, std::string> readFile(const std::string& name);
-/// Nothing: it was written wholly. Else why not.
-[[nodiscard]] std::vector<std::string> writeFile(const std::string& name, const std::string& text);
+inline constexpr std::size_t kLongestFile = std::size_t{1} << 30;  // [bytes]
+
+/// Refused, too: it is longer than `most`.
+[[nodiscard]] Result<std::string, std::string> readFile(const std::string& name,
+                                                        std::size_t most = kLongestFile);
+/// Nothing: it was written wholly, and takes the place of one that there was, at once. Else why not: what
+/// there is is no file, or is the one that it was made of.
+[[nodiscard]] std::vector<std::string> writeFile(const std::string& name, const std::string& text,
+                                                 const std::string& made_of = {});
 
 /// With the files that it names beside it; or all that is wrong.
 [[nodiscard]] Result<cell::Cell, std::vector<std::string>> readCellFile(const std::string& name);
