@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Robots of a cell with their supervisor: what it grants, what people may ask of it, and what it makes of what fails."""
 import os
+import signal
+import sys
 
 import rospkg
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from diagnostic_msgs.msg import DiagnosticArray
 
-from cobot_command.msg import BuildCellGoal, CellReport, CellRobot, CellState, CellZone, RunCellGoal, RunProgramGoal, StopGoal
+from cobot_command.msg import BuildCellGoal, CellDistance, CellDistances, CellReport, CellRobot, CellState, CellZone, RunCellGoal, RunProgramGoal, StopGoal
 from cobot_goals import turn
 from cobot_test import program
 from own_cell import NAMES, CellTestCase, kill, robot_in
@@ -103,6 +105,18 @@ class Cell(CellTestCase):
         self.recover_all()
         self.assert_done(self.send_run(RunCellGoal(cycles=1)).finish())
 
+    def test_the_example_stops_the_robots_whatever_signals_come_at_once(self):
+        example = os.path.join(rospkg.RosPack().get_path("cobot_command"), "examples", "run_cell.py")
+        runs = self.start(sys.executable, example, "--cycles", "0")
+        self.wait_until_it_holds_a_zone("RA")
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+            runs.signal(number)
+        self.assertEqual(runs.wait(), 1)
+        for robot in self.robots.values():
+            robot.wait_for_standstill()
+        self.recover_all()
+        self.assert_done(self.send_run(RunCellGoal(cycles=1)).finish())
+
     def test_a_robot_at_home_can_be_taken_out_and_brought_back(self):
         self.assert_denied(self.ask("take_out", "RB", ""), "who")
         self.assert_denied(self.ask("take_out", "RX", "Ann"), "RA, RB")
@@ -162,6 +176,17 @@ class Cell(CellTestCase):
         result = sent.finish()[1]
         self.assertEqual(result.error_description, told.failures[0])
         self.assertEqual(result.failures, told.failures, "what a cancel stops has not failed")
+
+    def test_a_monitor_that_fell_silent_is_told_of_and_has_measured_no_whole_run(self):
+        distances = rospy.Publisher("/cell/distances", CellDistances, queue_size=1, latch=True)
+        sent = self.send_run(RunCellGoal(cycles=0)).wait_until_active()
+        distances.publish(CellDistances(pairs=[CellDistance(robot="RA", other="RB", known=True, now=0.5)]))
+        self.state.wait_for(lambda m: "the monitor is silent" in m.diagnosis, "that it is silent")
+        sent.cancel()
+        self.assertEqual(sent.finish()[1].least_distance, -1.0)
+        distances.publish(CellDistances())
+        self.state.wait_for(lambda m: "silent" not in m.diagnosis, "that it was heard again")
+        distances.unregister()
 
     def test_reports_that_nobody_could_mean_are_counted_and_change_nothing(self):
         diagnosed = []

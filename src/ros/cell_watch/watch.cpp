@@ -20,6 +20,8 @@ namespace {
 
 /// Distances are not told more often.
 constexpr Duration kTellPeriod = std::chrono::milliseconds(50);
+/// That is told, too, where nothing is new, so that whoever listens knows of a monitor that has died.
+constexpr Duration kHeartbeat = std::chrono::seconds(1);
 /// The shortest that a timer is set to [s].
 constexpr double kAtOnce = 1e-4;
 /// A newer one says more than one that has to wait.
@@ -195,7 +197,8 @@ void Watch::advance(Instant now) {
     is_news_ = true;
   }
   carryOut();
-  if (is_news_ && (now - told_at_ >= kTellPeriod || monitor_.latched() != view_.status.latched)) tell(now);
+  const bool is_due = now - told_at_ >= kTellPeriod || monitor_.latched() != view_.status.latched;
+  if ((is_news_ && is_due) || now - published_at_ >= kHeartbeat) tell(now);
   arm(now);
 }
 
@@ -232,7 +235,8 @@ void Watch::tell(Instant now) {
     const std::lock_guard<std::mutex> lock(mutex_);
     view_ = std::move(view);
   }
-  if (!is_changed) return;
+  if (!is_changed && now - published_at_ < kHeartbeat) return;
+  published_at_ = now;
   message.header.stamp = ros::Time::now();
   distances_.publish(message);
 }
@@ -245,15 +249,14 @@ std::string Watch::carriedBy(std::size_t mover) const {
 }
 
 void Watch::arm(Instant now) {
-  auto next = monitor_.nextDeadline();
-  if (is_news_) next = std::min(next.value_or(Instant::max()), told_at_ + kTellPeriod);
+  Instant next = std::min(monitor_.nextDeadline().value_or(Instant::max()), published_at_ + kHeartbeat);
+  if (is_news_) next = std::min(next, told_at_ + kTellPeriod);
   for (const auto& belief : beliefs_) {
-    if (belief) next = std::min(next.value_or(Instant::max()), belief->until + Duration(1));
+    if (belief) next = std::min(next, belief->until + Duration(1));
   }
-  if (!next) return;
-  if (armed_ && *armed_ <= *next) return;  // it comes soon enough
+  if (armed_ && *armed_ <= next) return;  // it comes soon enough
   timer_.stop();
-  timer_.setPeriod(ros::WallDuration(std::max(kAtOnce, toSeconds(*next - now))));
+  timer_.setPeriod(ros::WallDuration(std::max(kAtOnce, toSeconds(next - now))));
   timer_.start();
   armed_ = next;
 }

@@ -86,6 +86,7 @@ class Watch {
   std::optional<Instant> armed_;
   bool is_news_ = true;  ///< since it was told last
   Instant told_at_{};
+  Instant published_at_{};
   std::unique_ptr<ros::AsyncSpinner> spinner_;
 
   mutable std::mutex mutex_;  // guards the next one

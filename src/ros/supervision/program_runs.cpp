@@ -135,6 +135,7 @@ void ProgramRuns::begin(const Handle& goal) {
   result_.least_distance = kNotHeard;
   fault_.reset();
   is_cancelled_ = false;
+  has_lost_monitor_ = false;
   begun_ = now_;
   members_.clear();
   for (const std::size_t robot : membersOf(*goal.getGoal())) {
@@ -256,6 +257,7 @@ int ProgramRuns::open() const {
 
 void ProgramRuns::endIfOver() {
   if (!goal_ || open() > 0) return;
+  if (has_lost_monitor_) result_.least_distance = kNotHeard;
   result_.makespan = ros::Duration(toSeconds(now_ - begun_));
   if (fault_) {
     result_.error_id = fault_->id;

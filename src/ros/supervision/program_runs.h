@@ -30,6 +30,8 @@ class ProgramRuns {
   void follow(const cell::CellStatus& status, const cobot_command::CellState& told, Instant now);
   /// The least of any two robots or mechanisms, as the monitor has measured it now [m].
   void heardDistance(double distance);
+  /// It is silent: what was measured before is not all of it.
+  void lostMonitor() { has_lost_monitor_ = true; }
   /// Why the monitor has stopped all; empty: it has not.
   void heardAlarm(std::string why) { alarm_ = std::move(why); }
 
@@ -80,6 +82,7 @@ class ProgramRuns {
   std::optional<Fault> fault_;  ///< the first one
   cobot_command::RunCellFeedback feedback_;
   bool is_cancelled_ = false;
+  bool has_lost_monitor_ = false;  ///< since it was sent
   cobot_command::RunCellResult result_;
   Instant begun_;
 

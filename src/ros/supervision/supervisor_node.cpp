@@ -19,6 +19,8 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 1000;  // of robots that all report at once
+/// It tells something each second.
+constexpr Duration kMonitorSilent = std::chrono::seconds(5);
 
 std::vector<std::string> namesOf(const cell::Artifact& artifact) {
   std::vector<std::string> names;
@@ -86,6 +88,7 @@ void SupervisorNode::takeState(const StateEvent& event) {
 }
 
 void SupervisorNode::takeDistances(const cobot_command::CellDistances& message) {
+  monitor_heard_ = steadyNow();
   alarm_ = message.alarmed != 0 ? foreignText(message.text) : std::string();
   runs_->heardAlarm(alarm_);
   for (const cobot_command::CellDistance& pair : message.pairs) {
@@ -105,13 +108,24 @@ void SupervisorNode::settle(Instant now) {
   }
   for (const auto& contact : contacts_) contact->settle(now);
   cell::CellStatus status = core.status(now);
-  if (!alarm_.empty()) {
-    status.diagnosis +=
-        (status.diagnosis.empty() ? "" : "; ") +
-        ("the monitor has stopped all: " + alarm_ + "; bring them apart, and call reset_monitor");
-  }
+  if (isMonitorLost(now)) runs_->lostMonitor();
+  const std::string of_monitor = diagnosisOfMonitor(now);
+  if (!of_monitor.empty()) status.diagnosis += (status.diagnosis.empty() ? "" : "; ") + of_monitor;
   const bool is_due = now >= told_at_ + supervisor_->artifact().parameters.report_period / 2;
   if (!told_ || is_due || !cell::areAlike(*told_, status)) tell(status, now);
+}
+
+bool SupervisorNode::isMonitorLost(Instant now) const {
+  return monitor_heard_ && now - *monitor_heard_ > kMonitorSilent;
+}
+
+std::string SupervisorNode::diagnosisOfMonitor(Instant now) const {
+  if (isMonitorLost(now)) {
+    return "the monitor is silent: distances are not watched; start it anew" +
+           (alarm_.empty() ? "" : ", as it had stopped all: " + alarm_);
+  }
+  if (alarm_.empty()) return {};
+  return "the monitor has stopped all: " + alarm_ + "; bring them apart, and call reset_monitor";
 }
 
 void SupervisorNode::tell(const cell::CellStatus& status, Instant now) {

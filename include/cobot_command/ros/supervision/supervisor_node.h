@@ -46,6 +46,9 @@ class SupervisorNode {
   void takeReport(const ReportEvent& event);
   void takeState(const StateEvent& event);
   void takeDistances(const cobot_command::CellDistances& message);
+  [[nodiscard]] bool isMonitorLost(Instant now) const;
+  /// What there is to be said of the monitor; empty: nothing.
+  [[nodiscard]] std::string diagnosisOfMonitor(Instant now) const;
   /// Decides what is due, stops whom it has to, and tells how things stand, if that is new or due.
   void settle(Instant now);
   void tell(const cell::CellStatus& status, Instant now);
@@ -56,7 +59,8 @@ class SupervisorNode {
   std::unique_ptr<ProgramRuns> runs_;
   std::unique_ptr<CellBuilder> builder_;
   std::unique_ptr<SupervisorDiagnostics> diagnostics_;
-  std::string alarm_;  ///< why the monitor has stopped all; empty: it has not
+  std::string alarm_;                     ///< why the monitor has stopped all; empty: it has not
+  std::optional<Instant> monitor_heard_;  ///< last
   std::optional<cell::CellStatus> told_;
   Instant told_at_;
   std::uint64_t number_ = 0;
