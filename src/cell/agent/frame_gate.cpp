@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/common/units.h"
 
@@ -22,6 +23,14 @@ const double kSameTurn = degToRad(0.01);  ///< of bases and TCPs [rad]
 bool isSame(const arm::Pose& a, const arm::Pose& b) {
   const double turn = Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
   return (a.translation() - b.translation()).norm() <= kSamePlace && std::abs(turn) <= kSameTurn;
+}
+
+std::string anotherThanInTheProgram(const char* what, const arm::Pose& is, const arm::Pose& has) {
+  const auto shown = [](const arm::Pose& pose) {
+    return fmt::format("[{:.6g}]", fmt::join(arm::toControllerPose(pose), ", "));
+  };
+  return fmt::format("the {} is another one than in the cell's program: {}, and there {}", what, shown(is),
+                     shown(has));
 }
 
 }  // namespace
@@ -88,9 +97,10 @@ std::optional<Failure> FrameGate::objectionToSetting(const command::Departure& d
   }
   const ArtifactFrame& frame = *permitted;
   if (!frame.start) return std::nullopt;
-  if (!isSame(departure.tcp, frame.tcp)) return differs("the TCP is another one than in the cell's program");
+  if (!isSame(departure.tcp, frame.tcp))
+    return differs(anotherThanInTheProgram("TCP", departure.tcp, frame.tcp));
   if (departure.base && !isSame(*departure.base, frame.base)) {
-    return differs("the base is another one than in the cell's program");
+    return differs(anotherThanInTheProgram("base", *departure.base, frame.base));
   }
   return std::nullopt;
 }

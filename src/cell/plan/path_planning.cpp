@@ -138,7 +138,10 @@ void PathPlanning::checkEnd(const Path& path, const arm::JointVector& end) {
     return fault(path.place, "to",
                  fmt::format("is {}, whose J{} is {:.4f} deg, and its steps end at {:.4f} deg", path.to,
                              joint + 1, radToDeg(end[joint]), radToDeg(last[joint])),
-                 "let the last step lead to the joints of the station");
+                 path.steps.back().at == path.to
+                     ? "it comes to the pose of the station with other joints: give it another station, or "
+                       "let a motion before it turn the arm to where it has to be"
+                     : "let the last step lead to the joints of the station");
   }
 }
 
