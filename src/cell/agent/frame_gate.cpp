@@ -97,8 +97,9 @@ std::optional<Failure> FrameGate::objectionToSetting(const command::Departure& d
   }
   const ArtifactFrame& frame = *permitted;
   if (!frame.start) return std::nullopt;
-  if (!isSame(departure.tcp, frame.tcp))
+  if (!isSame(departure.tcp, frame.tcp)) {
     return differs(anotherThanInTheProgram("TCP", departure.tcp, frame.tcp));
+  }
   if (departure.base && !isSame(*departure.base, frame.base)) {
     return differs(anotherThanInTheProgram("base", *departure.base, frame.base));
   }

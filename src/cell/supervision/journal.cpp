@@ -98,8 +98,9 @@ Snapshot toSnapshot(const json& line) {
   for (const json& one : line.at("robots")) {
     Snapshot::Robot robot{one.at("robot"), one.at("session"), one.at("behind"), {},
                           one.at("out"),   one.at("joins")};
-    for (const json& event : one.at("recent"))
+    for (const json& event : one.at("recent")) {
       robot.recent.push_back(toEvent(event.at(0), event.at(1), event.at(2)));
+    }
     snapshot.robots.push_back(std::move(robot));
   }
   line.at("states").get_to(snapshot.states);
