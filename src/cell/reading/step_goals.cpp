@@ -2,7 +2,6 @@
 
 #include <array>
 #include <functional>
-#include <utility>
 
 #include "reading/names.h"
 #include "reading/shape_reading.h"
@@ -59,7 +58,7 @@ void moveAbsolute(const YamlMap& map, const Robot& robot, Step& step) {
       has_joints ? jointsIn(map, "target_position", robot) : poseIn(map, "target_position", robot, step);
   files::takeMotion(map, goal);
   files::takePosture(map, goal);
-  step.goal = std::move(goal);
+  step.goal = goal;
 }
 
 void moveRelative(const YamlMap& map, const Robot& /*robot*/, Step& step) {
@@ -68,7 +67,7 @@ void moveRelative(const YamlMap& map, const Robot& /*robot*/, Step& step) {
   goal.data_format = map.named("data_format", kRelativeFormats);
   goal.target = files::toSix(map, "target_position");
   files::takeMotion(map, goal);
-  step.goal = std::move(goal);
+  step.goal = goal;
 }
 
 void moveCircle(const YamlMap& map, const Robot& robot, Step& step) {
@@ -78,13 +77,13 @@ void moveCircle(const YamlMap& map, const Robot& robot, Step& step) {
   goal.end_point = poseIn(map, "end_point", robot, step);
   if (map.has("arc_angle")) goal.arc_angle = map.number("arc_angle");
   files::takeMotion(map, goal);
-  step.goal = std::move(goal);
+  step.goal = goal;
 }
 
 void changeBase(const YamlMap& map, const Robot& /*robot*/, Step& step) {
   blocks::ChangeBaseGoal goal;
   goal.transformation = frameIn(map, "base", "base");
-  step.goal = std::move(goal);
+  step.goal = goal;
 }
 
 void changeTcp(const YamlMap& map, const Robot& /*robot*/, Step& step) {
@@ -98,14 +97,14 @@ void changeTcp(const YamlMap& map, const Robot& /*robot*/, Step& step) {
     }
   }
   if (map.has("mass_center")) goal.mass_center = files::toSix(map, "mass_center");
-  step.goal = std::move(goal);
+  step.goal = goal;
 }
 
 void script(const YamlMap& map, const Robot& /*robot*/, Step& step) {
   blocks::RunScriptGoal goal;
   goal.script = map.text("script");
   goal.await_motion = true;
-  step.goal = std::move(goal);
+  step.goal = goal;
 }
 
 Keys joinedKeys(std::initializer_list<Keys> lists) {

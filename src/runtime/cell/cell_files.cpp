@@ -16,6 +16,16 @@ namespace {
 /// Longer ones are refused for their length as cells are read; what has no end is not read that far.
 constexpr std::size_t kLongestCellFile = std::size_t{4} << 20;  // [bytes]
 
+/// Where links lead to, whether there is something or not.
+std::filesystem::path behindLinks(std::filesystem::path path) {
+  constexpr int kMostLinks = 40;  // as of Linux
+  std::error_code error;
+  for (int link = 0; link < kMostLinks && std::filesystem::is_symlink(path, error); ++link) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  }
+  return path;
+}
+
 }  // namespace
 
 Result<std::string, std::string> readFile(const std::string& name, std::size_t most) {
@@ -42,9 +52,7 @@ Result<std::string, std::string> readFile(const std::string& name, std::size_t m
 std::vector<std::string> writeFile(const std::string& name, const std::string& text,
                                    const std::string& made_of) {
   std::error_code error;
-  // Where a link leads to.
-  const std::filesystem::path target = std::filesystem::weakly_canonical(name, error);
-  if (error) return {fmt::format("{} cannot be written: {}", foreignText(name), error.message())};
+  const std::filesystem::path target = behindLinks(name);
   if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error)) {
     return {fmt::format("{} cannot be written: it is no file", foreignText(name))};
   }

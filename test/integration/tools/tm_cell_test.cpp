@@ -40,10 +40,10 @@ TEST_F(TmCell, refusesAnArtifactThatWasChanged) {
   const std::string artifact = built("handover");
   std::string text = textIn(artifact);
   text.resize(text.find('\n') + 1);
-  const std::string line = "PTP(\\" JPP\\",0,45";
+  const std::string line = R"(PTP(\"JPP\",0,45)";
   const auto at = text.find(line);
   ASSERT_NE(at, std::string::npos);
-  text.replace(at, line.size(), "PTP(\\" JPP\\",1,45");
+  text.replace(at, line.size(), R"(PTP(\"JPP\",1,45)");
   std::ofstream(artifact) << text << sha256Hex(text) << "\n";
   EXPECT_EQ(tmCell("verify " + artifact).exit_code, 0) << "that proves the supervisors";
   const Outcome verified = tmCell("verify " + artifact + " --cell " + cellFile("handover"));

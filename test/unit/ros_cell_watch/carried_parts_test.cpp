@@ -90,7 +90,7 @@ class PartsOfThePallet : public ::testing::Test {
     state.hash = pallet()->hash;
     state.instance = 7;
     state.epoch = 1;
-    state.number = ++number_;
+    state.number = ++number;
     state.mode = CellState::RUNNING;
     state.robots.resize(1);
     state.robots[0].name = "RA";
@@ -107,7 +107,7 @@ class PartsOfThePallet : public ::testing::Test {
   [[nodiscard]] bool isKnown(Instant now) const { return parts.beliefOf("RA", now).has_value(); }
 
   CarriedParts parts = *CarriedParts::of(pallet());
-  std::uint64_t number_ = 0;
+  std::uint64_t number = 0;
 };
 
 TEST_F(PartsOfThePallet, areThoseOfThePlaceThatTheStateTells) {
