@@ -23,7 +23,7 @@ std::optional<PathTracker> PathTracker::located(const ArtifactPath& path, const 
                                                 std::size_t behind, const arm::JointVector& joints) {
   PathTracker tracker(path, start, tracking);
   const PieceSpan span = piecesBehind(path, program, behind);
-  if (span.first == 0 && motion::JointRange::of(start).contains(joints, tracking)) return tracker;
+  if (span.first == 0 && tracker.isAtStart(joints)) return tracker;
   for (std::size_t index = span.first; index < span.end; ++index) {
     const ArtifactPiece& piece = path.pieces[index];
     if (!piece.range.contains(joints, tracking)) continue;
@@ -45,6 +45,10 @@ void PathTracker::sent() {
   resumes_within_.reset();
 }
 
+bool PathTracker::isAtStart(const arm::JointVector& joints) const {
+  return motion::JointRange::of(start_).contains(joints, tracking_);
+}
+
 std::size_t PathTracker::endOfSent() const {
   const auto end = std::find_if(path_->pieces.begin(), path_->pieces.end(),
                                 [this](const ArtifactPiece& piece) { return piece.frame >= next_frame_; });
@@ -53,7 +57,7 @@ std::size_t PathTracker::endOfSent() const {
 
 bool PathTracker::see(const arm::JointVector& joints) {
   if (resumes_within_) return resumes_within_->contains(joints, tracking_);
-  if (next_frame_ == 0) return motion::JointRange::of(start_).contains(joints, tracking_);
+  if (next_frame_ == 0) return isAtStart(joints);
   const std::size_t end = endOfSent();
   for (std::size_t index = piece_; index < end; ++index) {
     if (!path_->pieces[index].range.contains(joints, tracking_)) continue;
@@ -93,7 +97,7 @@ bool PathTracker::willTouch(ZoneIndex zone) const {
 
 bool PathTracker::isAtEnd(const arm::JointVector& joints) const {
   if (resumes_within_) return false;
-  if (next_frame_ == 0) return motion::JointRange::of(start_).contains(joints, tracking_);
+  if (next_frame_ == 0) return isAtStart(joints);
   const std::size_t end = endOfSent();
   return end > 0 && path_->pieces[end - 1].range.contains(joints, tracking_);
 }

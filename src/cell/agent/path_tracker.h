@@ -51,6 +51,7 @@ class PathTracker {
   [[nodiscard]] const ArtifactPath& path() const { return *path_; }
 
  private:
+  [[nodiscard]] bool isAtStart(const arm::JointVector& joints) const;
   /// Of the pieces of all frames that were sent.
   [[nodiscard]] std::size_t endOfSent() const;
   /// Of the last frame that was sent.

@@ -53,8 +53,7 @@ bool Whereabouts::see(const CellPlace& place, const arm::JointVector& joints) {
     }
     return is_on_path;
   }
-  const double allowed = std::max(artifact_->parameters.tracking, kStandsWithin);
-  return !place.station || (joints - made().stations[*place.station].joints).cwiseAbs().maxCoeff() <= allowed;
+  return !place.station || placeFits(*artifact_, robot_, place, joints);
 }
 
 bool Whereabouts::lookAtZones(const CellPlace& place, const arm::JointVector& joints, ZoneWatch::Of whose) {

@@ -142,7 +142,7 @@ std::vector<std::string> CellBuild::reportSupervisors() const {
                     fmt::join(part.never, ", ")));
   }
   for (const RobotProgram& robot : model_.program.robots) {
-    if (comesHome(robot)) continue;
+    if (wayHome(robot)) continue;
     lines.push_back(fmt::format(
         "{}: the first path of each station does not lead back home: without `paths` it never ends a cycle, "
         "unless somebody is in its way; list another path first",

@@ -35,26 +35,23 @@ class CycleWriter {
 
   Result<RobotCycle, std::string> write() {
     const RobotProgram& program = model_.program.robots[robot_];
-    std::size_t station = program.home;
-    for (std::size_t count = 0; count <= program.stations.size(); ++count) {
-      const auto path = std::find_if(program.paths.begin(), program.paths.end(),
-                                     [station](const PathProgram& one) { return one.from == station; });
-      if (path == program.paths.end()) break;
-      const auto index = static_cast<PathIndex>(path - program.paths.begin());
-      if (robot_ < artifact_.robots.size()) {
-        addPath(index, artifact_.robots[robot_].paths[index]);
-      } else {
-        const auto& of_mechanism = artifact_.mechanisms[robot_ - artifact_.robots.size()].paths[index];
-        if (!of_mechanism.duration) {
-          return refuse(fmt::format("{}: how long {} takes is not known: give it a duration in the cell file",
-                                    program.name, path->name));
-        }
-        addPath(index, of_mechanism);
-      }
-      station = path->to;
-      if (station == program.home) return std::move(cycle_);
+    const auto way = wayHome(program);
+    if (!way) {
+      return refuse(fmt::format("{}: the first path of each station does not lead back home", program.name));
     }
-    return refuse(fmt::format("{}: the first path of each station does not lead back home", program.name));
+    for (const PathIndex path : *way) {
+      if (robot_ < artifact_.robots.size()) {
+        addPath(path, artifact_.robots[robot_].paths[path]);
+        continue;
+      }
+      const auto& of_mechanism = artifact_.mechanisms[robot_ - artifact_.robots.size()].paths[path];
+      if (!of_mechanism.duration) {
+        return refuse(fmt::format("{}: how long {} takes is not known: give it a duration in the cell file",
+                                  program.name, program.paths[path].name));
+      }
+      addPath(path, of_mechanism);
+    }
+    return std::move(cycle_);
   }
 
  private:
@@ -95,16 +92,18 @@ class CycleWriter {
 
 }  // namespace
 
-bool comesHome(const RobotProgram& program) {
+std::optional<std::vector<PathIndex>> wayHome(const RobotProgram& program) {
+  std::vector<PathIndex> way;
   std::size_t station = program.home;
-  for (std::size_t count = 0; count <= program.stations.size(); ++count) {
+  while (way.size() <= program.stations.size()) {
     const auto path = std::find_if(program.paths.begin(), program.paths.end(),
                                    [station](const PathProgram& one) { return one.from == station; });
-    if (path == program.paths.end()) return false;
+    if (path == program.paths.end()) return std::nullopt;
+    way.push_back(static_cast<PathIndex>(path - program.paths.begin()));
     station = path->to;
-    if (station == program.home) return true;
+    if (station == program.home) return way;
   }
-  return false;
+  return std::nullopt;
 }
 
 Result<RobotCycle, std::string> cycleOf(const Artifact& artifact, const CellModel& model, RobotIndex robot) {

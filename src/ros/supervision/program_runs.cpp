@@ -26,6 +26,10 @@ bool isGone(const cell::RobotStatus& status) {
   return status.state == State::Out || (status.state == State::Lost && status.report_age > kGoneAfter);
 }
 
+std::string wordsOfGone(const cell::RobotStatus& status) {
+  return fmt::format("{} is {}: {}", status.name, toString(status.state), status.text);
+}
+
 bool canRun(State state) {
   return state == State::Ready || state == State::Moving || state == State::Waiting;
 }
@@ -225,8 +229,7 @@ void ProgramRuns::giveUpLost() {
     });
     if (!is_alone) continue;
     member.is_open = false;
-    fail({supervisor_error::kCellNotReady,
-          fmt::format("{} is {}: {}", status.name, toString(status.state), status.text),
+    fail({supervisor_error::kCellNotReady, wordsOfGone(status),
           "See what its node says; recover it, or confirm that its zones are clear"});
   }
   endIfOver();
@@ -244,8 +247,7 @@ void ProgramRuns::tell() {
   for (const Member& member : members_) {
     const cell::RobotStatus& status = status_.robots[member.robot];
     if (!member.is_open || is_cancelled_ || !isGone(status)) continue;
-    feedback_.failures.push_back(
-        fmt::format("{} is {}: {}", status.name, toString(status.state), status.text));
+    feedback_.failures.push_back(wordsOfGone(status));
   }
   goal_->publishFeedback(feedback_);
 }

@@ -51,7 +51,7 @@ Answer simulateCell(const SimulateOptions& options) {
   if (!artifact) return {{{"simulate", 0.0, {}, artifact.error()}}};
   const auto shared = std::make_shared<const cell::Artifact>(*std::move(artifact));
   for (const cell::RobotProgram& robot : shared->program.robots) {
-    if (comesHome(robot)) continue;
+    if (wayHome(robot)) continue;
     return wrong("simulate", robot.name +
                                  ": the first path of each station does not lead back home, so that "
                                  "no cycle would end: list another path first");

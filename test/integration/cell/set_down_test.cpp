@@ -1,10 +1,8 @@
 // What a robot sets down keeps no zone from others any more.
-#include <fstream>
-#include <sstream>
-
 #include "run_rig.h"
 #include "source_tree.h"
-#include <fmt/format.h>
+
+#include "cobot_command/runtime/cell/cell_files.h"
 
 namespace cobot_command::trial {
 namespace {
@@ -12,9 +10,7 @@ namespace {
 /// The robot of the pallet leaves its sheet at S, where nothing else of it reaches into the pallet's zone, as
 /// the last thing on its path, and goes home without it.
 std::string palletWhoseSheetIsLeftAtTheEdgeOfItsZone() {
-  std::stringstream file;
-  file << std::ifstream(test_support::inSourceTree("config/cells/pallet.yaml")).rdbuf();
-  std::string text = file.str();
+  std::string text = *runtime::readFile(test_support::inSourceTree("config/cells/pallet.yaml"));
   const std::string station = "T1: [0, 45, 60, -15, 90, 0]";
   text.insert(text.find(station), "S: [0, 29, 60, -15, 90, 0], ");
   text.resize(text.find("    - path: BRING"));

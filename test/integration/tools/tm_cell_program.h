@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -34,6 +36,12 @@ inline Outcome tmCell(const std::string& arguments) {
 
 inline std::string cellFile(const std::string& name) {
   return inSourceTree("config/cells/" + name + ".yaml");
+}
+
+inline std::string textIn(const std::string& file) {
+  std::stringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
 }
 
 /// A folder of its own, which goes with it.

@@ -1,7 +1,6 @@
 // The program tm_cell refuses cells of which nothing can be proved: with exit status 1, by name, and with
 // what helps (oracle 32).
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,9 +21,7 @@ using Changes = std::vector<std::pair<std::string, std::string>>;
 class TmCellRefuses : public TmCell {
  protected:
   [[nodiscard]] Outcome buildOf(const std::string& name, const Changes& changes) const {
-    std::stringstream whole;
-    whole << std::ifstream(cellFile(name)).rdbuf();
-    std::string text = whole.str();
+    std::string text = textIn(cellFile(name));
     for (const auto& [from, to] : changes) {
       const auto at = text.find(from);
       if (at == std::string::npos) {

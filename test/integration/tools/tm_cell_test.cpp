@@ -1,6 +1,5 @@
 // The program tm_cell as its caller sees it: standard output, files and exit code.
 #include <fstream>
-#include <sstream>
 #include <string>
 
 #include "tm_cell_program.h"
@@ -14,12 +13,6 @@ namespace cobot_command::test_support {
 namespace {
 
 using testing::HasSubstr;
-
-std::string textIn(const std::string& file) {
-  std::stringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 TEST_F(TmCell, buildsTheCellsOfTheDemosAndVerifiesThem) {
   for (const char* cell : {"handover", "head_on", "iris", "corridor", "pallet"}) {

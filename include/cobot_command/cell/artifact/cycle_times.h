@@ -1,7 +1,9 @@
 // One cycle of a robot from home to home, as it goes when nothing waits.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "cobot_command/cell/artifact/artifact.h"
 #include "cobot_command/cell/model/cell_model.h"
@@ -10,12 +12,11 @@
 
 namespace cobot_command::cell {
 
-/// Along the first path that is listed at each station. Else a robot that is always granted the first one
-/// never ends a cycle.
-[[nodiscard]] bool comesHome(const RobotProgram& program);
+/// The first path that is listed at each station, from home on. Nothing: that does not lead back home, so
+/// that a robot that is always granted the first one never ends a cycle.
+[[nodiscard]] std::optional<std::vector<PathIndex>> wayHome(const RobotProgram& program);
 
-/// Along the first path that is listed at each station. Precondition: the model is that of the artifact's
-/// program.
+/// Along that way. Precondition: the model is that of the artifact's program.
 [[nodiscard]] Result<RobotCycle, std::string> cycleOf(const Artifact& artifact, const CellModel& model,
                                                       RobotIndex robot);
 
