@@ -19,6 +19,7 @@ from cobot_command.msg import CellRobot, CellState, CellZone, RunCellAction, Run
 PATIENCE = 60.0  # [s]
 SOON = 3.0  # [s]
 LOOK_EVERY = 0.05  # [s]
+NOT_BEGUN = "it was told to end before it had begun"
 END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 REASONS = {CellRobot.ZONE_HELD: "{} has the zone", CellRobot.WOULD_BLOCK: "behind it {} could not come home any more",
            CellRobot.AGED: "{} has waited for longer", CellRobot.QUARANTINED: "{} is lost, or stands in the zone unasked",
@@ -95,9 +96,9 @@ def run(arguments):
     if not client.wait_for_server(rospy.Duration(1)):
         print(f"waits for {arguments.cell}/run_cell", flush=True)
     if not wait_until(lambda: client.wait_for_server(rospy.Duration(0.01)), end_asked, PATIENCE):
-        return f"nobody serves {arguments.cell}/run_cell: start cell.launch first"
+        return NOT_BEGUN if end_asked else f"nobody serves {arguments.cell}/run_cell: start cell.launch first"
     if not wait_until_it_has_begun(arguments.cell, end_asked):
-        return f"the cell was not READY within {PATIENCE:.0f} s: see rostopic echo -n 1 {arguments.cell}/state"
+        return NOT_BEGUN if end_asked else f"the cell was not READY within {PATIENCE:.0f} s: see rostopic echo -n 1 {arguments.cell}/state"
     teller = Teller()
     handle = client.send_goal(RunCellGoal(cycles=arguments.cycles, robots=arguments.robots), None, lambda _, feedback: teller.tell(feedback))
     if not wait_until(lambda: handle.get_comm_state() == CommState.DONE, end_asked, float("inf")):
