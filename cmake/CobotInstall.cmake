@@ -28,8 +28,6 @@ endif()
 get_property(exported_libraries GLOBAL PROPERTY COBOT_EXPORTED_LIBRARIES)
 get_property(libraries_of_nodes GLOBAL PROPERTY COBOT_LIBRARIES_OF_NODES)
 get_property(installed_programs GLOBAL PROPERTY COBOT_INSTALLED_PROGRAMS)
-# All that is installed, and no test.
-add_custom_target(rooms_and_programs DEPENDS ${exported_libraries} ${libraries_of_nodes} ${installed_programs})
 # They find the libraries wherever the prefix is.
 file(RELATIVE_PATH from_programs_to_libraries /${programs} /${libraries})
 set_target_properties(${installed_programs} PROPERTIES INSTALL_RPATH $ORIGIN/${from_programs_to_libraries})

@@ -1,7 +1,7 @@
 # The headers that most sources include, read once for all rooms and once for all tests: a third to a half of the time
 # of a compilation. For whoever builds everything from scratch, as the scripts do. Each source of a room includes what it
-# uses all the same: the core-only build of scripts/test precompiles those of the tests only.
-set(COBOT_PRECOMPILE OFF CACHE STRING "Precompile the headers that most sources include: ON, OFF, or TESTS for the tests only")
+# uses all the same: clang-tidy reads them without.
+option(COBOT_PRECOMPILE "Precompile the headers that most sources include")
 
 set(cobot_room_headers
     <algorithm>

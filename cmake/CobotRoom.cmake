@@ -29,7 +29,7 @@ if(COBOT_FUZZ)
 endif()
 
 include(CobotPrecompiled)
-if(COBOT_PRECOMPILE AND NOT COBOT_PRECOMPILE STREQUAL TESTS)
+if(COBOT_PRECOMPILE)
   cobot_precompiled_headers(cobot_room_headers HEADERS ${cobot_room_headers} USES Eigen3::Eigen fmt::fmt tl::expected)
   set_target_properties(cobot_room_headers PROPERTIES POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
 endif()
