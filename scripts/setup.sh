@@ -59,10 +59,12 @@ configure() {
   export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
   # What ccache wants to be told where headers are precompiled.
   export CCACHE_SLOPPINESS=pch_defines,time_macros
+  # Of our messages only what is used here: nothing speaks Lisp.
+  export ROS_LANG_DISABLE=genlisp
   # The ROS tools belong to the system's Python, whatever else stands first on the PATH.
   cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
-    -DBUILD_SHARED_LIBS=ON -DCOBOT_WARNINGS_AS_ERRORS=ON -DCOBOT_PRECOMPILE=ON -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-    -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
+    -DBUILD_SHARED_LIBS=ON -DCOBOT_WARNINGS_AS_ERRORS=ON -DCOBOT_PRECOMPILE=ON -DCOBOT_UNITY=ON \
+    -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >"$folder/configure.log" 2>&1 ||
     { cat "$folder/configure.log" >&2; exit 1; }
 }

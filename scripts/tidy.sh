@@ -5,9 +5,8 @@ readonly most_changed=12
 
 # Into a folder of its own: the commands of the build, without the precompiled headers of another compiler.
 commands_for_tidy() {
-  mkdir -p "$build/tidy"
-  sed -E 's/ -fpch-preprocess//; s/ -Winvalid-pch -include [^ ]*cmake_pch.hxx//' "$build/compile_commands.json" \
-    >"$build/tidy/compile_commands.json"
+  configure "$build/tidy" -DCOBOT_BUILD_TESTS=ON -DCOBOT_PRECOMPILE=OFF -DCOBOT_UNITY=OFF
+  sed -i "s#$build/tidy/#$build/#g" "$build/tidy/compile_commands.json"
 }
 
 # tidy <source>...

@@ -7,7 +7,7 @@
 namespace cobot_command::automata {
 namespace {
 
-constexpr EventIndex kNone = ~EventIndex{0};
+constexpr EventIndex kNoEvent = ~EventIndex{0};
 
 /// Sets that grow together, each known by its lowest member.
 class Groups {
@@ -45,7 +45,7 @@ Groups groupsOf(const Problem& problem) {
 void add(PartOfProblem& part, const Problem& problem, std::size_t index, std::vector<EventIndex>& new_event) {
   Automaton automaton = problem.automata[index];
   for (EventIndex& event : automaton.alphabet) {
-    if (new_event[event] == kNone) {
+    if (new_event[event] == kNoEvent) {
       new_event[event] = static_cast<EventIndex>(part.events.size());
       part.events.push_back(event);
       part.problem.events.push_back(problem.events[event]);
@@ -62,7 +62,7 @@ void add(PartOfProblem& part, const Problem& problem, std::size_t index, std::ve
 std::vector<PartOfProblem> independentParts(const Problem& problem) {
   Groups groups = groupsOf(problem);
   std::vector<PartOfProblem> parts;
-  std::vector<EventIndex> new_event(problem.events.size(), kNone);
+  std::vector<EventIndex> new_event(problem.events.size(), kNoEvent);
   for (std::size_t leader = 0; leader < problem.automata.size(); ++leader) {
     if (groups.leaderOf(leader) != leader) continue;
     PartOfProblem& part = parts.emplace_back();

@@ -6,13 +6,6 @@
 #include "cobot_command/blocks/shared/error_ids.h"
 
 namespace cobot_command::blocks {
-namespace {
-
-/// As for the tool; whether this arm carries both is told when they come together.
-constexpr double kMaxWeight = 14;
-
-}  // namespace
-
 ErrorTable ChangeLoadGoal::errors() {
   return ErrorTable().anyCommand().turn().row(own_error::kLoadRange, "Load range: 0~14 kg", kSetInRange,
                                               "weight is negative, above 14, or not a number");

@@ -8,7 +8,6 @@
 namespace cobot_command::blocks {
 namespace {
 
-constexpr double kMaxWeight = 14;
 /// Far above that of 14 kg at the end of the longest arm; below, it is a number that the controller can hold.
 constexpr double kMaxInertia = 1e9;
 

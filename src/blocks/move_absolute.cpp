@@ -10,8 +10,8 @@
 namespace cobot_command::blocks {
 namespace {
 
-constexpr std::array<std::string_view, 5> kFormatNames{"JPP", "CPP", "CPR", "CAP", "CAR"};
-constexpr FormatList kFormats(kFormatNames);
+constexpr std::array<std::string_view, 5> kAbsoluteNames{"JPP", "CPP", "CPR", "CAP", "CAR"};
+constexpr FormatList kAbsoluteFormats(kAbsoluteNames);
 
 bool isLine(const MoveAbsoluteGoal& goal) {
   return goal.movement_command == static_cast<int>(Movement::Line);
@@ -68,7 +68,7 @@ ErrorTable MoveAbsoluteGoal::errors() {
 }
 
 std::optional<script::DataFormat> formatOf(const MoveAbsoluteGoal& goal) {
-  return kFormats.at(goal.data_format);
+  return kAbsoluteFormats.at(goal.data_format);
 }
 
 GoalTraits traitsOf(const MoveAbsoluteGoal& goal) {
@@ -81,8 +81,8 @@ std::vector<Failure> check(const MoveAbsoluteGoal& goal) {
   ParameterChecks checks;
   checkMotion(checks, parametersOf(goal), formatOf(goal));
   checkRobotPose(checks, goal);
-  checkMovement(checks, goal.movement_command, goal.data_format, kFormats, motion_error::kFormatForPtp,
-                motion_error::kFormatForLine);
+  checkMovement(checks, goal.movement_command, goal.data_format, kAbsoluteFormats,
+                motion_error::kFormatForPtp, motion_error::kFormatForLine);
   if (goal.target_pose) {
     checks.require(!isInJoints(goal), own_error::kPoseNeedsCartesian, "target_pose with data_format JPP");
     checkPose(checks, "target_pose", *goal.target_pose);

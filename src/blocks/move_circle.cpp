@@ -13,8 +13,8 @@
 namespace cobot_command::blocks {
 namespace {
 
-constexpr std::array<std::string_view, 2> kFormatNames{"CPP", "CAP"};
-constexpr FormatList kFormats(kFormatNames);
+constexpr std::array<std::string_view, 2> kCircleNames{"CPP", "CAP"};
+constexpr FormatList kCircleFormats(kCircleNames);
 constexpr double kMaxArcAngle = 360;
 
 void checkPoint(ParameterChecks& checks, const char* values_field, const SixValues& values,
@@ -50,7 +50,7 @@ ErrorTable MoveCircleGoal::errors() {
 }
 
 std::optional<script::DataFormat> formatOf(const MoveCircleGoal& goal) {
-  return kFormats.at(goal.data_format);
+  return kCircleFormats.at(goal.data_format);
 }
 
 GoalTraits traitsOf(const MoveCircleGoal& goal) {
@@ -67,7 +67,7 @@ std::vector<Failure> check(const MoveCircleGoal& goal) {
   checkPoint(checks, "end_point", goal.end_point, "end_pose", goal.end_pose);
   checks.require(isWithin(goal.arc_angle, 0, kMaxArcAngle), own_error::kArcAngleRange,
                  fmt::format("arc_angle is {}", goal.arc_angle));
-  checks.require(format.has_value(), own_error::kFormatForCircle, kFormats.found(goal.data_format));
+  checks.require(format.has_value(), own_error::kFormatForCircle, kCircleFormats.found(goal.data_format));
   return std::move(checks).violations();
 }
 

@@ -7,9 +7,9 @@
 namespace cobot_command::blocks {
 namespace {
 
-constexpr std::array<std::string_view, 9> kFormatNames{"JPP", "CPP", "CPR", "CAP", "CAR",
-                                                       "TPP", "TPR", "TAP", "TAR"};
-constexpr FormatList kFormats(kFormatNames);
+constexpr std::array<std::string_view, 9> kRelativeNames{"JPP", "CPP", "CPR", "CAP", "CAR",
+                                                         "TPP", "TPR", "TAP", "TAR"};
+constexpr FormatList kRelativeFormats(kRelativeNames);
 
 }  // namespace
 
@@ -29,7 +29,7 @@ ErrorTable MoveRelativeGoal::errors() {
 }
 
 std::optional<script::DataFormat> formatOf(const MoveRelativeGoal& goal) {
-  return kFormats.at(goal.data_format);
+  return kRelativeFormats.at(goal.data_format);
 }
 
 GoalTraits traitsOf(const MoveRelativeGoal& goal) {
@@ -39,8 +39,8 @@ GoalTraits traitsOf(const MoveRelativeGoal& goal) {
 std::vector<Failure> check(const MoveRelativeGoal& goal) {
   ParameterChecks checks;
   checkMotion(checks, parametersOf(goal), formatOf(goal));
-  checkMovement(checks, goal.movement_command, goal.data_format, kFormats, relative_error::kFormatForPtp,
-                relative_error::kFormatForLine);
+  checkMovement(checks, goal.movement_command, goal.data_format, kRelativeFormats,
+                relative_error::kFormatForPtp, relative_error::kFormatForLine);
   checks.sixValues("target_position", goal.target);
   return std::move(checks).violations();
 }

@@ -16,7 +16,6 @@
 namespace cobot_command::blocks {
 namespace {
 
-constexpr int kMaxCycles = 1000000;
 constexpr double kMaxDwell = 3600;
 
 /// What is wrong with a step besides its move.

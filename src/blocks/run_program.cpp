@@ -12,8 +12,6 @@
 namespace cobot_command::blocks {
 namespace {
 
-constexpr int kMaxCycles = 1000000;
-
 /// Detail of its plan.
 struct GuidedProgram {
   ProgramGuidePtr guide;

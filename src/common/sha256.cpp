@@ -15,10 +15,6 @@ void require(bool done) {
   if (!done) throw std::bad_alloc();
 }
 
-struct Free {
-  void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-};
-
 }  // namespace
 
 struct Sha256::State {
@@ -28,6 +24,9 @@ struct Sha256::State {
   }
   State& operator=(const State&) = delete;
 
+  struct Free {
+    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+  };
   std::unique_ptr<EVP_MD_CTX, Free> context;
 };
 

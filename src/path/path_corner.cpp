@@ -9,7 +9,7 @@
 namespace cobot_command::path {
 namespace {
 
-constexpr Duration kStep = std::chrono::milliseconds(1);
+constexpr Duration kCornerStep = std::chrono::milliseconds(1);
 constexpr double kNoWay = 1e-9;  // [m]
 
 /// Below which share of a move in joint space the moved frame is within `metres` of where it began.
@@ -61,11 +61,12 @@ Duration overlapBetween(const PlannedPoint& before, const PlannedPoint& next, co
     return Duration::zero();
   }
   return motion::overlapAt(scene.arm, {*before.motion, *next.motion, before.moved_frame},
-                           blendOf(before, next, scene), {Duration::max(), kStep, motion::kLeastSegment});
+                           blendOf(before, next, scene),
+                           {Duration::max(), kCornerStep, motion::kLeastSegment});
 }
 
 Duration shorterOverlap(Duration overlap) {
-  const Duration half = overlap / 2 - overlap / 2 % kStep;
+  const Duration half = overlap / 2 - overlap / 2 % kCornerStep;
   return half < motion::kLeastSegment ? Duration::zero() : half;
 }
 

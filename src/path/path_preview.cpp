@@ -7,7 +7,7 @@
 namespace cobot_command::path {
 namespace {
 
-constexpr Duration kStep = std::chrono::milliseconds(20);
+constexpr Duration kDrawnStep = std::chrono::milliseconds(20);
 /// Of a path with many points each has fewer places: it is looked at as a whole.
 constexpr std::size_t kMostPlaces = 4000;
 constexpr std::size_t kLeastPlaces = 4;  // of a point
@@ -52,7 +52,7 @@ class Preview {
     const bool is_last = index + 1 == plan_.points().size();
     const Duration end = is_last ? plan_.duration() : plan_.points()[index + 1].start;
     const std::size_t most = std::max(kLeastPlaces, kMostPlaces / (plan_.points().size() - first_));
-    const auto steps = std::clamp<Duration::rep>((end - point.start) / kStep, 1, static_cast<int>(most));
+    const auto steps = std::clamp<Duration::rep>((end - point.start) / kDrawnStep, 1, static_cast<int>(most));
     for (Duration::rep step = line.empty() ? 0 : 1; step <= steps; ++step) {
       const Duration time = point.start + (end - point.start) * step / steps;
       line.push_back(placeOf(point, plan_.at(time).position));

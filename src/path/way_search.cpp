@@ -6,7 +6,7 @@
 namespace cobot_command::path {
 namespace {
 
-constexpr Duration kStep = std::chrono::milliseconds(10);
+constexpr Duration kSearchStep = std::chrono::milliseconds(10);
 constexpr Duration kFinest = std::chrono::microseconds(5);
 /// Where a way turns round it is next to itself: of places within that the nearest one counts.
 constexpr Duration kTurn = std::chrono::milliseconds(500);
@@ -50,7 +50,7 @@ class WaySearch {
 
 Duration WaySearch::downhill(Duration time) const {
   double gap = gapAt(time);
-  for (Duration step = kStep / 2; step >= kFinest;) {
+  for (Duration step = kSearchStep / 2; step >= kFinest;) {
     const Duration before = within(time - step);
     const Duration behind = within(time + step);
     const double gap_before = gapAt(before);
@@ -67,8 +67,8 @@ Duration WaySearch::downhill(Duration time) const {
 
 Duration WaySearch::nearestAbout(Duration place) const {
   Duration nearest = place;
-  for (Duration from = within(place - kTurn); from < within(place + kTurn); from += kStep) {
-    const auto other = onStep(from, kStep);
+  for (Duration from = within(place - kTurn); from < within(place + kTurn); from += kSearchStep) {
+    const auto other = onStep(from, kSearchStep);
     if (other && gapAt(*other) < gapAt(nearest)) nearest = *other;
   }
   return nearest;
@@ -83,11 +83,11 @@ std::optional<Duration> placeBetween(const DrivenPath& driven, const arm::JointV
   Duration front = around;
   Duration back = around;
   for (int steps = 1; steps == 1 || front < span.until || back > span.from; ++steps) {
-    for (const auto& [place, step] : {std::pair(front, kStep), std::pair(back, -kStep)}) {
+    for (const auto& [place, step] : {std::pair(front, kSearchStep), std::pair(back, -kSearchStep)}) {
       if (const auto found = search.onStep(place, step)) return search.nearestAbout(*found);
     }
-    front = search.within(front + kStep);
-    back = search.within(back - kStep);
+    front = search.within(front + kSearchStep);
+    back = search.within(back - kSearchStep);
     if (steps % kStepsBetweenQuestions == 0 && give_up && give_up()) return std::nullopt;
   }
   return std::nullopt;

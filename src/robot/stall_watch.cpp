@@ -4,7 +4,7 @@ namespace cobot_command::robot {
 namespace {
 
 /// At different times, however long there is between them: one alone may have been on its way for long.
-constexpr int kFrames = 5;
+constexpr int kFramesStalled = 5;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void StallWatch::see(const RobotWatch& robot, Instant now) {
 }
 
 bool StallWatch::stalled(Duration patience) const {
-  return moved_ && rest_ && rest_->frames >= kFrames && rest_->last - rest_->since >= patience;
+  return moved_ && rest_ && rest_->frames >= kFramesStalled && rest_->last - rest_->since >= patience;
 }
 
 }  // namespace cobot_command::robot

@@ -8,7 +8,7 @@ constexpr double kSlow = degToRad(0.1);  // [rad/s]
 /// In which that speed makes kSamePlace of a joint angle.
 constexpr Duration kRest = std::chrono::milliseconds(100);
 /// Frames may come late and together: of two alone it is not known how much time is between them.
-constexpr int kFrames = 3;
+constexpr int kFramesAtRest = 3;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void Standstill::follow(const arm::JointVector& joints, Instant received) {
   } else if ((joints - rest_->joints).cwiseAbs().maxCoeff() > kSamePlace) {
     rest_ = Rest{joints, received};
     moving_ = true;
-  } else if (++rest_->frames >= kFrames && received - rest_->since >= kRest) {
+  } else if (++rest_->frames >= kFramesAtRest && received - rest_->since >= kRest) {
     moving_ = false;
   }
 }

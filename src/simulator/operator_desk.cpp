@@ -12,10 +12,6 @@ namespace {
 OperatorReply done(std::string text) {
   return {true, std::move(text)};
 }
-OperatorReply notDone(std::string text) {
-  return {false, std::move(text)};
-}
-
 constexpr const char* kNoProject = "no project runs: run it first";
 constexpr int kSpeedStep = 5;  // [%] of Stick_Plus and Stick_Minus (ours)
 

@@ -17,10 +17,6 @@ namespace {
 
 using Complaint = std::optional<std::string>;
 
-OperatorReply notDone(std::string text) {
-  return {false, std::move(text)};
-}
-
 template <class Map>
 Complaint objectionTo(const Map& map, const char* what, const std::string& name) {
   const auto found = map.find(name);

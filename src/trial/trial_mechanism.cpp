@@ -6,7 +6,7 @@
 namespace cobot_command::trial {
 namespace {
 
-constexpr Duration kMeasureEvery = std::chrono::milliseconds(20);
+constexpr Duration kAdvancedEvery = std::chrono::milliseconds(20);
 /// Of one whose file does not say how long its paths take.
 constexpr double kUsualDuration = 3.0;  // [s]
 
@@ -40,7 +40,7 @@ void TrialMechanism::hear(const cell::CellStatus& state, std::uint64_t number, I
 }
 
 void TrialMechanism::advanceTo(Instant now) {
-  if (advanced_at_ && now < *advanced_at_ + kMeasureEvery) return;
+  if (advanced_at_ && now < *advanced_at_ + kAdvancedEvery) return;
   const double farthest = advanced_at_ ? speed_ * toSeconds(now - *advanced_at_) : 0.0;
   advanced_at_ = now;
   target_ = agent_->target().value_or(target_);
@@ -51,7 +51,7 @@ void TrialMechanism::advanceTo(Instant now) {
 }
 
 Instant TrialMechanism::nextEvent() const {
-  return advanced_at_ ? *advanced_at_ + kMeasureEvery : Instant{};
+  return advanced_at_ ? *advanced_at_ + kAdvancedEvery : Instant{};
 }
 
 }  // namespace cobot_command::trial

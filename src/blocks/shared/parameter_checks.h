@@ -16,6 +16,11 @@ namespace cobot_command::blocks {
   return value >= lowest && value <= highest;
 }
 
+/// Of a tool, or of a load, in kg; whether the arm carries both is told when they come together.
+inline constexpr double kMaxWeight = 14;
+/// Of what is repeated; 0 for ever.
+inline constexpr int kMaxCycles = 1000000;
+
 /// What command_id 0 does where there is no queue tag.
 inline constexpr const char* kNoCommandId = "gives none";
 

@@ -26,7 +26,7 @@ using path::DrivenPath;
 using path::Retrace;
 
 constexpr double kLeastSpeed = 1;  // [%]
-constexpr double kDefaultSpeed = 25;
+constexpr double kRetraceSpeed = 25;
 constexpr double kPercent = 100;
 
 /// What its plan hands to its run.
@@ -109,7 +109,7 @@ Result<Retrace, Failure> retraceOf(const RetraceGoal& goal, const PlanningScene&
   Retrace retrace;
   retrace.from = *place;
   retrace.to = target->time;
-  retrace.rate = std::max((goal.speed == 0 ? kDefaultSpeed : goal.speed) / kPercent * scene.speed_share,
+  retrace.rate = std::max((goal.speed == 0 ? kRetraceSpeed : goal.speed) / kPercent * scene.speed_share,
                           path::kLeastRetraceRate);
   retrace.start = joints;
   retrace.end = target->joints;
@@ -192,7 +192,7 @@ std::vector<Failure> check(const RetraceGoal& goal) {
   checks.bufferMode(goal.buffer_mode);
   checks.require(goal.speed == 0 || isWithin(goal.speed, kLeastSpeed, kPercent),
                  motion_error::kSpeedRangePercent,
-                 fmt::format("speed is {}; allowed: 1..100 %, and 0 for {} %", goal.speed, kDefaultSpeed));
+                 fmt::format("speed is {}; allowed: 1..100 %, and 0 for {} %", goal.speed, kRetraceSpeed));
   checks.require(
       goal.point >= RetraceGoal::kEnd && goal.method_id >= 0, own_error::kPointNotDriven,
       fmt::format("point is {}, method_id {}; allowed: 0 or more each, point also -1 (START) and -2 (END)",

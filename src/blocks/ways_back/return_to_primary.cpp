@@ -13,7 +13,7 @@
 namespace cobot_command::blocks {
 namespace {
 
-constexpr double kDefaultSpeed = 10;  // [%]
+constexpr double kReturnSpeed = 10;   // [%]
 constexpr int kTimeToTopSpeed = 500;  // [ms]
 
 bool isPtp(const ReturnToPrimaryGoal& goal) {
@@ -122,7 +122,7 @@ std::vector<Failure> check(const ReturnToPrimaryGoal& goal) {
 Order orderOf(const ReturnToPrimaryGoal& goal, const arm::Pose& base) {
   const ReturnTarget target = *targetOf(goal);
   script::MotionOptions options;
-  options.speed = std::max(1, static_cast<int>(std::lround(goal.speed == 0 ? kDefaultSpeed : goal.speed)));
+  options.speed = std::max(1, static_cast<int>(std::lround(goal.speed == 0 ? kReturnSpeed : goal.speed)));
   options.accel_time = kTimeToTopSpeed;
   script::DataFormat format;
   if (!isPtp(goal)) {

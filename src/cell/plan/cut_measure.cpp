@@ -6,6 +6,8 @@
 #include <string>
 #include <variant>
 
+#include "plan/path_planning.h"
+
 #include "cobot_command/arm/forward_kinematics.h"
 #include "cobot_command/blocks/shared/order.h"
 #include "cobot_command/planning/sampling.h"
@@ -16,8 +18,6 @@ namespace cobot_command::cell {
 namespace {
 
 constexpr std::size_t kSamples = 256;
-/// Behind the end of the motion before: it has stood then.
-constexpr Duration kLate = std::chrono::seconds(1);
 /// Farther, and a joint has another turn, or the arm another posture [rad].
 constexpr double kOtherPosture = 1e-3;
 

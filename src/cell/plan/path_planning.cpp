@@ -16,8 +16,6 @@ namespace cobot_command::cell {
 namespace {
 
 constexpr double kEndTolerance = 1e-6;  // [rad]
-/// Behind the end of the motion before: it has stood then.
-constexpr Duration kLate = std::chrono::seconds(1);
 
 template <class Command>
 std::optional<motion::Blend> blendOfCommand(const Command& command) {

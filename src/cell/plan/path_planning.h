@@ -1,6 +1,7 @@
 // One path of a program, planned step by step.
 #pragma once
 
+#include <chrono>
 #include <set>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "cobot_command/planning/script_planner.h"
 
 namespace cobot_command::cell {
+
+/// Behind the end of the motion before: it has stood then.
+inline constexpr Duration kLate = std::chrono::seconds(1);
 
 /// What counts where a robot stands.
 struct Standing {

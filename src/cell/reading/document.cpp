@@ -15,8 +15,6 @@ namespace cobot_command::cell {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 1 << 20;
-
 /// Notes where a document begins, and passes over what stands in it.
 class DocumentStart : public YAML::EventHandler {
  public:

@@ -2,6 +2,7 @@
 
 #include "checks/station_graph.h"
 #include "reading/names.h"
+#include "reading/program_reading.h"
 #include "reading/shape_reading.h"
 #include "reading/thing_reading.h"
 #include <fmt/format.h>
@@ -17,7 +18,6 @@ using files::YamlMap;
 
 constexpr std::size_t kMostMechanisms = 64;
 constexpr std::size_t kMostPositions = 256;
-constexpr std::size_t kMostPaths = 256;
 constexpr double kLongestDuration = 3600;
 
 void takeAxis(const YamlMap& mechanism, Mechanism& made) {

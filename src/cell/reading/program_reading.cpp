@@ -4,6 +4,7 @@
 
 #include "checks/program_checks.h"
 #include "checks/step_checks.h"
+#include "reading/document.h"
 #include "reading/names.h"
 #include "reading/station_poses.h"
 #include "reading/step_goals.h"
@@ -20,8 +21,6 @@ namespace {
 
 using files::YamlMap;
 
-constexpr std::size_t kMostPaths = 256;
-constexpr std::size_t kMostBytes = 1 << 20;  // of a file of steps, as for goals
 constexpr std::size_t kMostSteps = blocks::CheckSequenceGoal::kMostSteps;
 
 std::string partIn(const YamlMap& map, const char* key, const std::vector<Part>& parts) {

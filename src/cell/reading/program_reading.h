@@ -7,6 +7,8 @@ namespace cobot_command::cell {
 
 /// How many steps all programs of a cell may have: aliases make long programs of short files.
 inline constexpr std::size_t kMostStepsOfCell = 20000;
+/// Of the program of a robot or of a mechanism.
+inline constexpr std::size_t kMostPaths = 256;
 
 struct ProgramReading {
   FaultList& faults;

@@ -35,6 +35,10 @@ int print(const Answer& answer, bool json) {
   return status;
 }
 
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
 Answer wrong(const std::string& stage, const std::string& fault) {
   return {{{stage, 0.0, {}, {fault}}}};
 }

@@ -1,10 +1,13 @@
 // What a command of tm_cell found, for people or, with --json, for programs.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
 namespace cobot_command::tools {
+
+using Clock = std::chrono::steady_clock;
 
 /// Exit statuses.
 inline constexpr int kYes = 0;
@@ -26,6 +29,8 @@ struct Answer {
 
 /// A line of each thing that was found; with `json` one line with all of it. Returns the exit status.
 [[nodiscard]] int print(const Answer& answer, bool json);
+
+[[nodiscard]] double secondsSince(Clock::time_point begin);
 
 /// Answers that one thing is wrong.
 [[nodiscard]] Answer wrong(const std::string& stage, const std::string& fault);

@@ -21,12 +21,7 @@ using runtime::readFile;
 using runtime::writeFile;
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMaxStates = 5000000;
-
-double secondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// A stage of each problem: how many figures are the same, and each that is not.
 void addFigures(const std::vector<automata::OracleFigure>& figures, Answer& answer) {

@@ -15,11 +15,6 @@ using runtime::writeFile;
 namespace {
 
 using cell::BuildStage;
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 AnswerStage checked(const cell::Cell& cell, Clock::time_point begin) {
   AnswerStage stage{"check", secondsSince(begin), {}, {}};

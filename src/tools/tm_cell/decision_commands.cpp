@@ -22,7 +22,6 @@ namespace cobot_command::tools {
 using runtime::readArtifact;
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Verdict = automata::Decision::Verdict;
 
 std::optional<automata::EventIndex> eventNamed(const automata::Problem& problem, const std::string& name) {
@@ -94,10 +93,6 @@ void addRules(const cell::PartRules& part, cell::Policy policy, AnswerStage& sta
         "refuse the same {} events and no other",
         robots, part.rules.size(), part.frontier, part.states, part.refused));
   }
-}
-
-double secondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 }  // namespace

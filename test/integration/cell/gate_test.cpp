@@ -8,7 +8,7 @@ namespace cobot_command::trial {
 namespace {
 
 using command::Departure;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 namespace own_error = blocks::own_error;
 
 /// The robot is ordered a cycle, and refused its first frame.

@@ -7,7 +7,7 @@ namespace {
 using cell::RobotState;
 using cell::WaitReason;
 using cell::ZoneState;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// Zones of R2 in the iris: with each of the others.
 constexpr cell::ZoneIndex kOfR1 = 0;
@@ -65,7 +65,7 @@ TEST(ARobotThatIsKilledInTwoZones, keepsTheOthersBeforeThemUntilTheyAreConfirmed
   for (const cell::RobotIndex other : {0, 2}) {
     EXPECT_FALSE(rig.isMoving(other));
     EXPECT_EQ(rig.of(other).reason, WaitReason::Quarantined) << other;
-    EXPECT_THAT(rig.of(other).blocked_by, testing::Contains("R2"));
+    EXPECT_THAT(rig.of(other).blocked_by, ::testing::Contains("R2"));
   }
   const auto refused = rig.supervision().confirmClear("R2", "me", false, rig.trial->now());
   EXPECT_FALSE(refused.success);

@@ -11,7 +11,7 @@ namespace {
 using cell::RobotState;
 using cell::SupervisorMode;
 using cell::WaitReason;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// How far the first joint is from the path, on which it does not move in the handover.
 double turned(RunRig& rig, cell::RobotIndex robot) {

@@ -74,8 +74,8 @@ bool RunRig::passUntil(const std::function<bool()>& done, Duration most) {
   static_cast<void>(trial->passUntil(
       [&] {
         look();
-        is_done = !testing::Test::HasFatalFailure() && done();
-        return is_done || testing::Test::HasFatalFailure();
+        is_done = !::testing::Test::HasFatalFailure() && done();
+        return is_done || ::testing::Test::HasFatalFailure();
       },
       most));
   return is_done;

@@ -6,7 +6,7 @@ namespace cobot_command::trial {
 namespace {
 
 using cell::SupervisorMode;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::size_t sentBy(RunRig& rig) {
   std::size_t sent = 0;

@@ -23,7 +23,7 @@ void expectRecovery(const std::vector<simulator::OperatorAction>& trouble,
   for (const auto& action : trouble) rig.robot(0).operate(action);
   ASSERT_TRUE(rig.passUntil([&] { return rig.robot(0).hasEnded(); }, 30s));
   EXPECT_EQ(rig.robot(0).lastOutcome()->ending, blocks::Ending::Aborted);
-  EXPECT_THAT(rig.robot(0).lastOutcome()->error_description, testing::HasSubstr(why));
+  EXPECT_THAT(rig.robot(0).lastOutcome()->error_description, ::testing::HasSubstr(why));
   rig.pass(1s);
   EXPECT_EQ(rig.of(0).state, RobotState::Fault);
   EXPECT_EQ(rig.zone(*held).owner, "R1");
@@ -64,7 +64,7 @@ TEST(ARobotWithAnErrorWhileItStands, isRecoveredOnceThatIsOver) {
   EXPECT_EQ(rig.of(0).state, RobotState::Fault);
   const auto refused = rig.supervision().recover("RA", "HOME", "me", rig.trial->now());
   EXPECT_FALSE(refused.success);
-  EXPECT_THAT(refused.message, testing::HasSubstr("end that at its pendant first"));
+  EXPECT_THAT(refused.message, ::testing::HasSubstr("end that at its pendant first"));
   rig.robot(0).operate(simulator::ClearError{});
   rig.pass(1s);
   const auto recovered = rig.supervision().recover("RA", "HOME", "me", rig.trial->now());
@@ -124,7 +124,7 @@ TEST(ARobotWhoseProjectDoesNotRun, isNotReady) {
   EXPECT_FALSE(rig.trial->start());
   EXPECT_EQ(rig.mode(), cell::SupervisorMode::Starting);
   EXPECT_EQ(rig.of(0).state, RobotState::Fault);
-  EXPECT_THAT(rig.of(0).text, testing::HasSubstr("connection refused"));
+  EXPECT_THAT(rig.of(0).text, ::testing::HasSubstr("connection refused"));
   rig.robot(0).operate(simulator::RunProject{});
   EXPECT_TRUE(rig.passUntil([&] { return rig.mode() == cell::SupervisorMode::Ready; }, 30s));
 }

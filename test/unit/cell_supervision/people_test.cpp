@@ -7,7 +7,7 @@ namespace {
 
 using test_support::handover;
 using test_support::headOn;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using namespace std::chrono_literals;
 
 TEST(AHold, grantsNothingNewAndLetsWhatHappensCount) {

@@ -9,9 +9,9 @@ namespace {
 using test_support::handover;
 using test_support::headOn;
 using test_support::iris;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using namespace std::chrono_literals;
 
 /// R1 and R2 in their own zones, R3 on its way, as in oracle 8.

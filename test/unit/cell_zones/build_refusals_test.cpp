@@ -10,8 +10,8 @@
 namespace cobot_command::cell {
 namespace {
 
-using testing::Contains;
-using testing::HasSubstr;
+using ::testing::Contains;
+using ::testing::HasSubstr;
 
 struct Refusal {
   BuildStage stage = BuildStage::Verify;
@@ -91,7 +91,7 @@ TEST(ACellOfTooManyStates, isRefusedWhereSafeOrdersCannotDecideEither) {
 /// Else the above would say nothing.
 TEST(TheSameCells, areBuiltAsTheyAre) {
   for (const char* name : {"handover", "head_on", "pallet"}) {
-    EXPECT_THAT(refusalOf(name, [](Cell&) {}).faults, testing::IsEmpty()) << name;
+    EXPECT_THAT(refusalOf(name, [](Cell&) {}).faults, ::testing::IsEmpty()) << name;
   }
 }
 

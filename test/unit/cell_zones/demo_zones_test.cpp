@@ -10,8 +10,8 @@
 namespace cobot_command::cell {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 constexpr const char* kDemos[] = {"handover", "head_on", "iris", "corridor"};
 
@@ -193,7 +193,7 @@ TEST(TheSoundnessOfTheDemos, isLostWithAnyZone) {
       }
       const Soundness found = checkSoundness(cell.cell, cell.claims, held);
       ASSERT_FALSE(found.faults.empty()) << name << " without " << cell.zones[zone].name;
-      EXPECT_THAT(found.faults, testing::Contains(testing::HasSubstr("step")));
+      EXPECT_THAT(found.faults, ::testing::Contains(::testing::HasSubstr("step")));
     }
   }
 }

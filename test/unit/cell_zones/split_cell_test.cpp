@@ -14,7 +14,7 @@
 namespace cobot_command::cell {
 namespace {
 
-using testing::IsEmpty;
+using ::testing::IsEmpty;
 
 constexpr std::array<const char*, 3> kDemos{"handover", "head_on", "iris"};
 
