@@ -9,8 +9,42 @@
 
 namespace cobot_command::cell {
 
-std::vector<std::string> CellBuild::report(BuildStage stage) const {
+namespace {
+
+std::vector<std::string> linesOf(const std::vector<CutReport>& cuts) {
+  if (cuts.empty()) return {"no motion is cut"};
   std::vector<std::string> lines;
+  for (const CutReport& cut : cuts) {
+    lines.push_back(fmt::format("{} {}, step {}: cut at {:.0f} % before {}, which saves {:.2f} s of holding",
+                                cut.robot, cut.path, cut.step + 1, 100.0 * cut.progress,
+                                fmt::join(cut.zones, ", "), toSeconds(cut.saved)));
+  }
+  return lines;
+}
+
+std::vector<std::string> linesOf(const Soundness& soundness, double margin) {
+  std::vector<std::string> lines{
+      fmt::format("{} pairs of pieces that no zone keeps apart; least distance {:.1f} mm, margin {:.1f} mm",
+                  soundness.pairs, mToMm(soundness.least), mToMm(margin))};
+  if (!soundness.worst.empty()) lines.push_back("the worst: " + soundness.worst);
+  return lines;
+}
+
+std::vector<std::string> linesOf(const std::vector<automata::Verification>& verified) {
+  std::vector<std::string> lines;
+  for (const auto& part : verified) {
+    lines.push_back(fmt::format(
+        "{} states of plants and specs, {} dead, {} blocking; {} reached, {} refused by zones and "
+        "{} beyond: as synthesized",
+        part.counts.plant_and_spec, part.counts.dead, part.counts.blocking, part.counts.states,
+        part.counts.refused_by_spec, part.counts.refused_beyond_spec));
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> CellBuild::report(BuildStage stage) const {
   switch (stage) {
     case BuildStage::Plan:
       return reportPlan();
@@ -19,36 +53,17 @@ std::vector<std::string> CellBuild::report(BuildStage stage) const {
     case BuildStage::Zones:
       return reportZones();
     case BuildStage::Split:
-      for (const CutReport& cut : cuts_) {
-        lines.push_back(fmt::format(
-            "{} {}, step {}: cut at {:.0f} % before {}, which saves {:.2f} s of holding", cut.robot, cut.path,
-            cut.step + 1, 100.0 * cut.progress, fmt::join(cut.zones, ", "), toSeconds(cut.saved)));
-      }
-      if (cuts_.empty()) lines.emplace_back("no motion is cut");
-      break;
+      return linesOf(cuts_);
     case BuildStage::Soundness:
-      lines.push_back(fmt::format(
-          "{} pairs of pieces that no zone keeps apart; least distance {:.1f} mm, margin {:.1f} mm",
-          soundness_.pairs, mToMm(soundness_.least), mToMm(cell_.parameters.margin)));
-      if (!soundness_.worst.empty()) lines.push_back("the worst: " + soundness_.worst);
-      break;
+      return linesOf(soundness_, cell_.parameters.margin);
     case BuildStage::Instrument:
-      lines.push_back(
-          fmt::format("{} events, {} automata", model_.events.size(), model_.problem.automata.size()));
-      break;
+      return {fmt::format("{} events, {} automata", model_.events.size(), model_.problem.automata.size())};
     case BuildStage::Synthesize:
       return reportSupervisors();
     case BuildStage::Verify:
-      for (const auto& part : verified_) {
-        lines.push_back(fmt::format(
-            "{} states of plants and specs, {} dead, {} blocking; {} reached, {} refused by zones and "
-            "{} beyond: as synthesized",
-            part.counts.plant_and_spec, part.counts.dead, part.counts.blocking, part.counts.states,
-            part.counts.refused_by_spec, part.counts.refused_beyond_spec));
-      }
-      break;
+      return linesOf(verified_);
   }
-  return lines;
+  return {};
 }
 
 std::vector<std::string> CellBuild::reportPlan() const {

@@ -41,6 +41,7 @@ class CellRecord {
 
   /// With that robot at that place, and what it holds there; nothing, where another robot holds some of that.
   [[nodiscard]] std::optional<automata::Tuple> placed(RobotIndex robot, automata::StateIndex place) const;
+  [[nodiscard]] std::optional<RobotIndex> robotNamed(const std::string& name) const;
   [[nodiscard]] const Robot& robot(RobotIndex robot) const { return robots_[robot]; }
   [[nodiscard]] const automata::Tuple& tuple() const { return tuple_; }
   [[nodiscard]] std::optional<RobotIndex> holderOf(ZoneIndex zone) const;
@@ -61,7 +62,6 @@ class CellRecord {
   bool apply(const journal::Snapshot& snapshot);
   [[nodiscard]] journal::Snapshot snapshot() const;
   void makeAnew();
-  [[nodiscard]] std::optional<RobotIndex> robotNamed(const std::string& name) const;
   [[nodiscard]] std::optional<automata::StateIndex> placeNamed(RobotIndex robot,
                                                                const std::string& name) const;
 

@@ -44,7 +44,6 @@ class Supervision::Parts {
 
  private:
   // --- Reports.
-  [[nodiscard]] std::optional<RobotIndex> robotNamed(const std::string& name) const;
   void join(RobotIndex robot);
   void takeEvents(RobotIndex robot, Instant now);
   /// False: nothing behind it is looked at any more.

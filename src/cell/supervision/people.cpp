@@ -90,7 +90,7 @@ PersonsAnswer Supervision::Parts::stop(Instant now) {
 
 PersonsAnswer Supervision::Parts::recover(const std::string& name, const std::string& place_name,
                                           const std::string& person, Instant now) {
-  const auto robot = robotNamed(name);
+  const auto robot = record_.robotNamed(name);
   if (!robot) return noSuchRobot(name, rules_.model().program.robots);
   const auto& places = rules_.model().places[*robot];
   const auto place = std::find_if(places.begin(), places.end(),
@@ -160,7 +160,7 @@ std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex ro
 
 PersonsAnswer Supervision::Parts::confirmClear(const std::string& name, const std::string& person,
                                                bool was_moved, Instant now) {
-  const auto robot = robotNamed(name);
+  const auto robot = record_.robotNamed(name);
   if (!robot) return noSuchRobot(name, rules_.model().program.robots);
   const RobotWatch& watch = robots_[*robot];
   if (isAble(*robot, now)) {
@@ -192,7 +192,7 @@ PersonsAnswer Supervision::Parts::confirmClear(const std::string& name, const st
 }
 
 PersonsAnswer Supervision::Parts::takeOut(const std::string& name, const std::string& person, Instant now) {
-  const auto robot = robotNamed(name);
+  const auto robot = record_.robotNamed(name);
   if (!robot) return noSuchRobot(name, rules_.model().program.robots);
   if (person.empty()) return refused("it has to be said who takes it out");
   const bool is_home = record_.tuple()[*robot] == rules_.initial()[*robot] && !robots_[*robot].request;

@@ -48,13 +48,6 @@ std::optional<std::string> objectionTo(const CellModel& model, RobotIndex robot,
 
 }  // namespace
 
-std::optional<RobotIndex> Supervision::Parts::robotNamed(const std::string& name) const {
-  for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
-    if (nameOf(robot) == name) return robot;
-  }
-  return std::nullopt;
-}
-
 void Supervision::Parts::fail(RobotIndex robot, const std::string& why) {
   robots_[robot].request.reset();
   if (robots_[robot].fault().empty()) robots_[robot].fail(why);
@@ -67,7 +60,7 @@ bool Supervision::Parts::take(const RobotReport& report, Instant now) {
     ++counts_.malformed;
     return false;
   }
-  const auto robot = robotNamed(report.robot);
+  const auto robot = record_.robotNamed(report.robot);
   if (!robot) {
     ++counts_.unknown_robots;
     return false;

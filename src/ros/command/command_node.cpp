@@ -89,6 +89,13 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
         adjustRetrying();
       },
       false, false);
+  makeServices(node, parameters);
+  startCore(node, std::move(parameters));
+  keep_alive_ = keepAlives(node);
+  finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
+}
+
+void CommandNode::makeServices(const ros::NodeHandle& node, const CommandParameters& parameters) {
   const JointNames joint_names = jointNames(parameters.prefix);
   const GoalSink goal_sink = sink();
   servers_ = serveActions({node, joint_names, goal_sink});
@@ -104,7 +111,10 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       node, KinematicsServices::Sources{arm, [this] { return tables_->tables(); }});
   robot_data_ = std::make_unique<RobotDataPublisher>(node, joint_names, arm);
   dynamics_ = dynamicsServices(node);
-  // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
+}
+
+void CommandNode::startCore(const ros::NodeHandle& node, CommandParameters parameters) {
+  // It may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
       [this](const command::Action& action, Instant now) { onAction(action, now); }, ports());
@@ -114,8 +124,6 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   runtime_->useTables(parameters.tables.tables);
   runtime_->useExchangeRules(parameters.exchange);
   if (parameters.limits) static_cast<void>(runtime_->writeLimits(*parameters.limits));  // they were tried
-  keep_alive_ = keepAlives(node);
-  finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
     target.host = default_host_;

@@ -65,6 +65,8 @@ class CommandNode {
   void tellPaths(const command::Action& action);
   void tellRobot(const command::Action& action, const ClockPair& clocks);
 
+  void makeServices(const ros::NodeHandle& node, const CommandParameters& parameters);
+  void startCore(const ros::NodeHandle& node, CommandParameters parameters);
   [[nodiscard]] command::CorePorts ports();
   [[nodiscard]] GoalSink sink();
   [[nodiscard]] GoalIntake::Core intakeCore();
