@@ -14,6 +14,7 @@ namespace {
 std::vector<std::string> linesOf(const std::vector<CutReport>& cuts) {
   if (cuts.empty()) return {"no motion is cut"};
   std::vector<std::string> lines;
+  lines.reserve(cuts.size());
   for (const CutReport& cut : cuts) {
     lines.push_back(fmt::format("{} {}, step {}: cut at {:.0f} % before {}, which saves {:.2f} s of holding",
                                 cut.robot, cut.path, cut.step + 1, 100.0 * cut.progress,
@@ -32,6 +33,7 @@ std::vector<std::string> linesOf(const Soundness& soundness, double margin) {
 
 std::vector<std::string> linesOf(const std::vector<automata::Verification>& verified) {
   std::vector<std::string> lines;
+  lines.reserve(verified.size());
   for (const auto& part : verified) {
     lines.push_back(fmt::format(
         "{} states of plants and specs, {} dead, {} blocking; {} reached, {} refused by zones and "
