@@ -1,5 +1,5 @@
-# Several sources of a target compiled as one, so that the headers they share are read once: half of the time of a build
-# from scratch. For whoever builds everything, as the scripts do; who changes one source waits for its neighbours then.
+# Several sources of a target compiled as one, so that the headers they share are read once: half of the time of the
+# compiler. For whoever builds everything, as the scripts do; who changes one source waits for its neighbours then.
 # What one source may leave out because its neighbour includes it, clang-tidy shows: it reads each by itself.
 # Names without linkage meet: two sources that call different things the same cannot be compiled together. Find another
 # name, make one thing of two that are the same, or name the source as ALONE where its room or test is declared.

@@ -3,7 +3,8 @@
 # More are for scripts/tidy: ten seconds each are a long time for a change that touches everything.
 readonly most_changed=12
 
-# Into a folder of its own: the commands of the build, without the precompiled headers of another compiler.
+# Into a folder of its own: each source by itself, without the precompiled headers of another compiler. What is generated
+# is that of the build.
 commands_for_tidy() {
   configure "$build/tidy" -DCOBOT_BUILD_TESTS=ON -DCOBOT_PRECOMPILE=OFF -DCOBOT_UNITY=OFF
   sed -i "s#$build/tidy/#$build/#g" "$build/tidy/compile_commands.json"

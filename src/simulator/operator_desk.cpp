@@ -12,6 +12,7 @@ namespace {
 OperatorReply done(std::string text) {
   return {true, std::move(text)};
 }
+
 constexpr const char* kNoProject = "no project runs: run it first";
 constexpr int kSpeedStep = 5;  // [%] of Stick_Plus and Stick_Minus (ours)
 

@@ -91,8 +91,6 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       false, false);
   makeServices(node, parameters);
   startCore(node, std::move(parameters));
-  keep_alive_ = keepAlives(node);
-  finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
 }
 
 void CommandNode::makeServices(const ros::NodeHandle& node, const CommandParameters& parameters) {
@@ -114,7 +112,7 @@ void CommandNode::makeServices(const ros::NodeHandle& node, const CommandParamet
 }
 
 void CommandNode::startCore(const ros::NodeHandle& node, CommandParameters parameters) {
-  // It may speak at once. Goals come in on the spinner, which is not here yet.
+  // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
       [this](const command::Action& action, Instant now) { onAction(action, now); }, ports());
@@ -124,6 +122,8 @@ void CommandNode::startCore(const ros::NodeHandle& node, CommandParameters param
   runtime_->useTables(parameters.tables.tables);
   runtime_->useExchangeRules(parameters.exchange);
   if (parameters.limits) static_cast<void>(runtime_->writeLimits(*parameters.limits));  // they were tried
+  keep_alive_ = keepAlives(node);
+  finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
     target.host = default_host_;
