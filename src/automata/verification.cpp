@@ -65,8 +65,7 @@ std::vector<bool> largestSolution(const Model& model) {
 class Verifier {
  public:
   Verifier(const CompiledSupervisor& supervisor, const Holds& holds)
-      : supervisor_(supervisor),
-        holds_(holds),
+      : holds_(holds),
         frontier_(supervisor.frontier.begin(), supervisor.frontier.end()),
         model_(supervisor.problem) {}
 
@@ -248,7 +247,6 @@ class Verifier {
     return std::move(found_);
   }
 
-  const CompiledSupervisor& supervisor_;
   const Holds& holds_;
   std::set<Tuple> frontier_;
   Model model_;

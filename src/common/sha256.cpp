@@ -25,7 +25,7 @@ struct Sha256::State {
   State& operator=(const State&) = delete;
 
   struct Free {
-    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+    void operator()(EVP_MD_CTX* held) const { EVP_MD_CTX_free(held); }
   };
   std::unique_ptr<EVP_MD_CTX, Free> context;
 };

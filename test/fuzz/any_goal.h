@@ -269,7 +269,10 @@ class AnyGoal {
   }
 
   /// Which fields of the next struct are varied.
-  void begin() { mask_ = input_.byte() | input_.byte() << 8 | input_.byte() << 16; }
+  void begin() {
+    mask_ = 0;
+    for (const int shift : {0, 8, 16}) mask_ |= static_cast<unsigned>(input_.byte()) << shift;
+  }
   bool varied() {
     const bool is_varied = (mask_ & 1) != 0;
     mask_ >>= 1;

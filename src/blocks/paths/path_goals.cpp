@@ -235,9 +235,9 @@ void PathGoals::endStatus() {
 }
 
 void PathGoals::tellControls(PathStatus& status) const {
-  constexpr double kPercent = 100;
-  status.feedrate = kPercent * controls_.asked();
-  status.feedrate_effective = kPercent * controls_.effective(running(chain_));
+  constexpr double kFull = 100;  // [%]
+  status.feedrate = kFull * controls_.asked();
+  status.feedrate_effective = kFull * controls_.effective(running(chain_));
   const Member* const at_gate = chain_.firstAtGate();
   status.gate_waits = at_gate != nullptr && chain_.placeOf(*at_gate, place_).waits_for_tracking;
 }

@@ -146,7 +146,7 @@ class SimulatorRuntime::Impl {
     event(controller_, now);
     controller_.advance(now);
     for (const auto& output : controller_.takeOutputs()) {
-      std::visit([this](const auto& what) { carryOut(what); }, output);
+      std::visit([this](const auto& what) { this->carryOut(what); }, output);
     }
     awaitNextEvent();
   }

@@ -284,8 +284,8 @@ Result<std::optional<Statement>, std::string> parseLine(std::string_view line) {
   return refuse(fmt::format("column {}: expected {}, found {}", at + 1, expected, found(line, at)));
 }
 
-bool isConstant(std::string_view word) {
-  return constants.find(std::string(word)) != nullptr;
+bool isConstant(std::string_view name) {
+  return constants.find(std::string(name)) != nullptr;
 }
 
 }  // namespace cobot_command::tm_script

@@ -15,6 +15,6 @@ namespace cobot_command::tm_script {
 [[nodiscard]] Result<std::optional<Statement>, std::string> parseLine(std::string_view line);
 
 /// true, empty, newline and the like.
-[[nodiscard]] bool isConstant(std::string_view word);
+[[nodiscard]] bool isConstant(std::string_view name);
 
 }  // namespace cobot_command::tm_script

@@ -38,7 +38,7 @@ TEST(ARobotThatIsSilentInAZone, keepsItAndGoesOnByItselfWhenItIsHeardAgain) {
 TEST(ARobotThatIsSilentForAMomentAgainAndAgain, losesNothingButTime) {
   RunRig rig(artifactOf("head_on"));
   rig.begin(2);
-  for (int i = 0; i < 40; ++i) {
+  for (unsigned i = 0; i < 40; ++i) {
     const cell::RobotIndex robot = i % 2;
     rig.trial->cut(robot, true);
     rig.pass(std::chrono::milliseconds(550 + 170 * (i % 7)));
@@ -62,7 +62,7 @@ TEST(ARobotThatIsKilledInTwoZones, keepsTheOthersBeforeThemUntilTheyAreConfirmed
     EXPECT_EQ(rig.zone(zone).owner, "R2");
     EXPECT_EQ(rig.zone(zone).state, ZoneState::Quarantined);
   }
-  for (const cell::RobotIndex other : {0, 2}) {
+  for (const cell::RobotIndex other : {0U, 2U}) {
     EXPECT_FALSE(rig.isMoving(other));
     EXPECT_EQ(rig.of(other).reason, WaitReason::Quarantined) << other;
     EXPECT_THAT(rig.of(other).blocked_by, ::testing::Contains("R2"));

@@ -86,13 +86,13 @@ TEST(AStopOfTheCell, standsAllRobotsAndLeavesThemTheirZones) {
   rig.supervision().hold(false, rig.trial->now());
   rig.pass(5s);
   EXPECT_EQ(rig.zone(0).owner, "RA");
-  for (const cell::RobotIndex robot : {0, 1}) {
+  for (const cell::RobotIndex robot : {0U, 1U}) {
     const auto recovered =
         rig.supervision().recover(rig.robot(robot).name(), rig.of(robot).place, "me", rig.trial->now());
     ASSERT_TRUE(recovered.success) << recovered.message;
   }
   rig.pass(1s);
-  for (const cell::RobotIndex robot : {0, 1}) rig.order(robot, 1);
+  for (const cell::RobotIndex robot : {0U, 1U}) rig.order(robot, 1);
   EXPECT_TRUE(rig.endsAll());
 }
 

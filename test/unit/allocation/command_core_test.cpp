@@ -71,7 +71,7 @@ class Story {
       return core_.takeActions();
     });
     for (const auto& action : actions) {
-      std::visit([this](const auto& what) { take(what); }, action);
+      std::visit([this](const auto& what) { this->take(what); }, action);
     }
   }
 

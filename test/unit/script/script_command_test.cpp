@@ -242,7 +242,7 @@ TEST(ToText, keepsAForgottenCheckOfANameFromBecomingACommand) {
 }
 #else
 TEST(ToTextDeathTest, assertsThatANameIsOne) {
-  EXPECT_DEATH(toText(ChangeBase{"a\r\nScriptExit()"}), "isName");
+  EXPECT_DEATH(static_cast<void>(toText(ChangeBase{"a\r\nScriptExit()"})), "isName");
 }
 #endif
 

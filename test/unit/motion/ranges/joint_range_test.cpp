@@ -120,7 +120,7 @@ TEST(JointRangeOfAPath, isThatOfJ1OnAnArcAboutItsAxis) {
   };
   const Circle arc{about(20), about(60), std::nullopt, TcpSpeed{0.2}, milliseconds(200)};
   const auto motion = planned(plan(model(), workingPosture(), arc, {}));
-  const auto at = [&](Duration time) {
+  const auto at = [&](Duration time) -> arm::JointVector {
     return workingPosture() + degrees(60.0 * motion->progress(time), 0, 0, 0, 0, 0);
   };
   for (const int length : {1, 10, 100}) {
