@@ -31,6 +31,8 @@ function(cobot_precompiled_headers name)
   target_compile_features(${name} PRIVATE cxx_std_17)
   target_precompile_headers(${name} PRIVATE ${PRECOMPILED_HEADERS})
   target_link_libraries(${name} PRIVATE ${PRECOMPILED_USES} cobot_warnings)
+  # For ccache, which compares what is in them.
+  target_compile_options(${name} PRIVATE "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endfunction()
 
 function(cobot_use_precompiled target name)

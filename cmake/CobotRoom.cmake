@@ -75,6 +75,7 @@ endfunction()
 # Makes one GoogleTest program; each of its tests is a CTest entry of its own, named <name>.<Suite>.<test>, that may take
 # 120 s or the time that is given, and under a sanitizer five times as long. One that COBOT_TESTED_ELSEWHERE names is made
 # only when it is asked for.
+set(COBOT_TEST_OPTIONS "" CACHE STRING "Compiler options of the test programs, behind those of everything")
 set(COBOT_TESTED_ELSEWHERE "" CACHE STRING "Test programs that another build makes and runs: names as in cobot_add_test")
 function(cobot_add_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;ALONE;USES" ${ARGN})
@@ -89,6 +90,7 @@ function(cobot_add_test name)
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test/support)
   target_link_libraries(test_${name} PRIVATE ${TEST_USES} cobot_source_tree GTest::gmock GTest::gtest_main cobot_warnings)
+  target_compile_options(test_${name} PRIVATE ${COBOT_TEST_OPTIONS})
   cobot_use_unity(test_${name} ALONE ${TEST_ALONE})
   cobot_use_precompiled(test_${name} cobot_test_headers)
   if(name IN_LIST COBOT_TESTED_ELSEWHERE)

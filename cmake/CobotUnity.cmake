@@ -6,7 +6,8 @@
 option(COBOT_UNITY "Compile several sources of a target as one")
 
 # cobot_use_unity(<target> [ALONE <source>...])
-# About eight together. Which ones, their names decide: what is added, or compiled alone, moves no other source.
+# About eight together. Which ones, their names decide: what is compiled alone moves no other source, and what is added
+# does so only where it makes one more group.
 function(cobot_use_unity target)
   if(NOT COBOT_UNITY)
     return()
