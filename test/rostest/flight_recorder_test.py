@@ -18,6 +18,7 @@ from waiting import wait_until
 
 FOLDER = pathlib.Path(sys.argv[1])
 FAR = 2000  # [mm]; out of reach
+ACTIONS = ("connect", "move_absolute", "move_relative", "pick_and_place")  # of the run
 
 
 class FlightRecorder(OutcomeTestCase):
@@ -29,7 +30,7 @@ class FlightRecorder(OutcomeTestCase):
                 file.unlink()  # of an earlier run
         recorder = Heard("roslaunch", "cobot_command", "record.launch", f"file:={bag}")
         self.addCleanup(recorder.clear_away)
-        wait_until(lambda: not recorder.is_alive() or is_heard("frames"), "the recorder")
+        wait_until(lambda: not recorder.is_alive() or hears_the_run(), "the recorder")
         self.assertTrue(recorder.is_alive(), recorder.output())
         self.drive()
         self.assertEqual(recorder.end(signal.SIGINT)[0], 0, recorder.output())
@@ -60,11 +61,11 @@ class FlightRecorder(OutcomeTestCase):
             self.assertTrue(words in page, f"{words} is not in the report")  # which is too long to be shown
 
 
-def is_heard(topic):
-    """Whether the command node has a connection to somebody who listens to the topic, and that is the recorder."""
-    name = rospy.resolve_name(topic)
+def hears_the_run():
+    """Whether the recorder is connected to all that the command node will say: it comes to one after the other."""
     node = xmlrpc.client.ServerProxy(rosgraph.Master("/test").lookupNode("/command_node"))
-    return any(connection[4] == name and "recorder" in connection[1] for connection in node.getBusInfo("/test")[2])
+    heard = {connection[4] for connection in node.getBusInfo("/test")[2] if "recorder" in connection[1]}
+    return heard.issuperset(rospy.resolve_name(name) for name in ("frames", *(f"{action}/result" for action in ACTIONS)))
 
 
 if __name__ == "__main__":
