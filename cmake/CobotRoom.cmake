@@ -71,11 +71,12 @@ function(cobot_add_program name)
   set_property(GLOBAL APPEND PROPERTY COBOT_INSTALLED_PROGRAMS ${name})
 endfunction()
 
+set(COBOT_TEST_OPTIONS "" CACHE STRING "Compiler options of the test programs, behind those of everything")
+
 # cobot_add_test(<name> SOURCES <file>... [ALONE <file>...] USES <target>... [TIMEOUT <seconds>])
 # Makes one GoogleTest program; each of its tests is a CTest entry of its own, named <name>.<Suite>.<test>, that may take
 # 120 s or the time that is given, and under a sanitizer five times as long. One that COBOT_TESTED_ELSEWHERE names is made
 # only when it is asked for.
-set(COBOT_TEST_OPTIONS "" CACHE STRING "Compiler options of the test programs, behind those of everything")
 set(COBOT_TESTED_ELSEWHERE "" CACHE STRING "Test programs that another build makes and runs: names as in cobot_add_test")
 function(cobot_add_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;ALONE;USES" ${ARGN})

@@ -1,4 +1,4 @@
-// The one place where the controller's mm and degrees become SI (m, rad) and back.
+// The one place where the controller's mm, degrees and percent become SI (m, rad, shares) and back.
 #pragma once
 
 namespace cobot_command {
@@ -20,5 +20,8 @@ inline constexpr double kPi = 3.14159265358979323846;
 
 /// Of moments of inertia [kg mm^2], in as many kg m^2.
 inline constexpr double kMm2PerM2 = 1e6;
+
+/// Of a share, 0 to 1, in as many of it.
+inline constexpr double kPercent = 100;
 
 }  // namespace cobot_command

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::blocks {
 namespace {
@@ -235,9 +236,8 @@ void PathGoals::endStatus() {
 }
 
 void PathGoals::tellControls(PathStatus& status) const {
-  constexpr double kFull = 100;  // [%]
-  status.feedrate = kFull * controls_.asked();
-  status.feedrate_effective = kFull * controls_.effective(running(chain_));
+  status.feedrate = kPercent * controls_.asked();
+  status.feedrate_effective = kPercent * controls_.effective(running(chain_));
   const Member* const at_gate = chain_.firstAtGate();
   status.gate_waits = at_gate != nullptr && chain_.placeOf(*at_gate, place_).waits_for_tracking;
 }

@@ -10,7 +10,6 @@ namespace cobot_command::blocks {
 namespace {
 
 constexpr Duration kEvery = std::chrono::milliseconds(50);
-constexpr double kPercent = 100;
 
 int moveIdOf(const PathChain& chain, std::size_t point) {
   const PathChain::Member& member = chain.members()[chain.memberAt(point)];

@@ -27,7 +27,6 @@ using path::Retrace;
 
 constexpr double kLeastSpeed = 1;  // [%]
 constexpr double kRetraceSpeed = 25;
-constexpr double kPercent = 100;
 
 /// What its plan hands to its run.
 struct RetraceOrder {

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/units.h"
+
 namespace cobot_command::command {
 namespace {
 
-constexpr double kPercent = 100;
 using Holder = PauseDesk::Holder;
 
 }  // namespace

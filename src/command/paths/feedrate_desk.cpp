@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::command {
 namespace {
 
-constexpr double kPercent = 100.0;
 constexpr const char* kWaits = "paths wait until resume_path, or a feedrate above 0";
 
 FeedrateAnswer refusal(int error_id, std::string message) {

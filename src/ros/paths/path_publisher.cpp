@@ -7,6 +7,7 @@
 #include "paths/path_messages.h"
 
 #include "cobot_command/blocks/load_path.h"
+#include "cobot_command/common/units.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -63,7 +64,6 @@ void PathPublisher::take(const command::RunTold& told) {
 }
 
 void PathPublisher::take(const command::PathControlsChanged& changed) {
-  constexpr double kPercent = 100;
   if (told_.path_planner_active) return;
   told_.feedrate = kPercent * changed.controls.asked();
   told_.feedrate_effective = kPercent * changed.controls.effective(std::nullopt);
