@@ -29,8 +29,8 @@ build_sanitized() {
 # followed, cost a third of the time of the compiler, and what they find before it does is left to --sanitize address.
 readonly core_sanitizers=address,bool,bounds,builtin,enum,integer-divide-by-zero,return,shift,signed-integer-overflow,unreachable
 
-# What ROS could hide shows here: rooms of the core are built without it; and what one compiler lets pass: g++ builds
-# everything, clang this. What precompiled headers hide, clang-tidy shows. Nothing is gained by optimizing the tests
+# What ROS could hide shows here: rooms of the core are built without it; and what one compiler lets pass: clang builds
+# this, g++ all but these tests. What precompiled headers hide, clang-tidy shows. Nothing is gained by optimizing the tests
 # themselves, and half of the compiler's time is lost.
 build_core() {
   configure "$build/watched" -DCOBOT_CORE_ONLY=ON -DCOBOT_SANITIZE="$core_sanitizers" -DCMAKE_CXX_COMPILER=clang++ \

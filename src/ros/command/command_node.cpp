@@ -112,7 +112,7 @@ void CommandNode::makeServices(const ros::NodeHandle& node, const CommandParamet
 }
 
 void CommandNode::startCore(const ros::NodeHandle& node, CommandParameters parameters) {
-  // Last: it may speak at once. Goals come in on the spinner, which is not here yet.
+  // It may speak at once. Goals come in on the spinner, which is not here yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
       [this](const command::Action& action, Instant now) { onAction(action, now); }, ports());

@@ -7,6 +7,7 @@
 #include "figure.h"
 #include "session_states.h"
 #include "thorough.h"
+#include "watched.h"
 
 namespace cobot_command::runtime {
 namespace {
@@ -16,13 +17,8 @@ constexpr auto kQuickEnough = std::chrono::seconds(10);
 constexpr double kLimitMs = 500;
 
 // What takes two seconds takes a hundred under a sanitizer: time for a heap of status frames.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kLines = 1;
-constexpr double kLength = 100;  // [mm]
-#else
-constexpr int kLines = 20;
-constexpr double kLength = 300;  // [mm]
-#endif
+constexpr int kLines = testing::kIsWatched ? 1 : 20;
+constexpr double kLength = testing::kIsWatched ? 100 : 300;  // [mm]
 
 /// Far more than kRetirement to plan, on the core's thread, and no motion.
 blocks::CheckSequenceGoal longPlanning() {

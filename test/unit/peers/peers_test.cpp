@@ -3,6 +3,7 @@
 #include <ctime>
 
 #include "peer_stage.h"
+#include "watched.h"
 #include <gmock/gmock.h>
 
 #include "cobot_command/blocks/shared/error_catalogue.h"
@@ -21,11 +22,7 @@ using testing::MisbehavingPeer;
 constexpr std::size_t kMostMemory = std::size_t{128} * 1024 * 1024;
 /// Far above what the longest flood takes, in a build with sanitizers too.
 // [s]: what burns time without an end takes more, watched or not.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kMostCpuTime = 60;
-#else
-constexpr double kMostCpuTime = 10;
-#endif
+constexpr double kMostCpuTime = testing::kIsWatched ? 60 : 10;
 
 double cpuTime() {
   timespec time{};
