@@ -1,5 +1,7 @@
 // tm_cell: from the file of a cell to a verified artifact, and what it decides. No ROS.
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <string>
@@ -22,6 +24,21 @@ namespace {
 
 using namespace cobot_command::tools;
 using cobot_command::cell::BuildStage;
+
+/// Beside a range, which a NaN is neither below nor above.
+CLI::Validator isNumber() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is not a number" : std::string();
+      },
+      "");
+}
+
+/// Of a file: an empty name is a variable of the shell that was not set.
+CLI::Validator isNamed() {
+  return CLI::Validator(
+      [](std::string& text) { return text.empty() ? std::string("the name is empty") : std::string(); }, "");
+}
 
 /// What the words of the command line set.
 struct Given {
@@ -58,7 +75,7 @@ class Commands {
     addStage("instrument", "Make events and automata of the programs", BuildStage::Instrument);
     addStage("synthesize", "Find the supervisor", BuildStage::Synthesize);
     CLI::App* build = addStage("build", "All of that, verified, into one artifact", BuildStage::Verify);
-    build->add_option("-o,--output", given_.build.output, "The artifact")->required();
+    build->add_option("-o,--output", given_.build.output, "The artifact")->required()->check(isNamed());
     addArtifactCommands();
     addAutomataCommands();
     addCover();
@@ -108,10 +125,13 @@ class Commands {
   }
 
   void addArtifactCommands() {
-    addArtifact("verify", "Prove an artifact anew, from its bytes", [this] {
-      return verifyArtifact(given_.artifact, given_.cell_file,
-                            std::max(1U, std::thread::hardware_concurrency()));
-    })->add_option("--cell", given_.cell_file, "The file that it has to be made of, byte by byte");
+    addArtifact("verify", "Prove an artifact anew, from its bytes",
+                [this] {
+                  return verifyArtifact(given_.artifact, given_.cell_file,
+                                        std::max(1U, std::thread::hardware_concurrency()));
+                })
+        ->add_option("--cell", given_.cell_file, "The file that it has to be made of, byte by byte")
+        ->check(isNamed());
     CLI::App* explain = addArtifact("explain", "Whether an event is granted, and why not", [this] {
       return explainEvent(given_.artifact, given_.happened, given_.event);
     });
@@ -123,7 +143,8 @@ class Commands {
     CLI::App* schedule = addArtifact("schedule", "The shortest cycle of all robots",
                                      [this] { return scheduleCell(given_.artifact, given_.seconds); });
     schedule->add_option("--seconds", given_.seconds, "So long it is searched for")
-        ->check(CLI::Range(0.001, 86400.0));
+        ->check(CLI::Range(0.001, 86400.0))
+        ->check(isNumber());
     addSimulate();
     addAsk();
     CLI::App* exported = addArtifact("export", "The automata, for other programs", [this] {
@@ -151,7 +172,8 @@ class Commands {
     simulate->add_option("--seed", options.seed, "The same gives the same run");
     simulate->add_flag("--random", options.is_random, "Project speeds, pauses, and delays of messages");
     simulate->add_option("--loss", options.loss, "So many of the messages are lost, in %")
-        ->check(CLI::Range(0.0, 90.0));
+        ->check(CLI::Range(0.0, 90.0))
+        ->check(isNumber());
     simulate->add_flag("--quiet", options.is_quiet, "Only how it ended");
   }
 
@@ -185,9 +207,11 @@ class Commands {
                           [this] { return coverMesh(given_.cover); });
     cover->add_option("FILE", given_.cover.mesh, "An STL file, text or binary")->required();
     cover->add_option("--cell", given_.cover.cell, "The boxes consist of cells with this edge [mm]")
-        ->check(CLI::Range(1.0, 1000.0));
+        ->check(CLI::Range(1.0, 1000.0))
+        ->check(isNumber());
     cover->add_option("--scale", given_.cover.scale, "So many mm are one unit of the file: 1000 for metres")
-        ->check(CLI::Range(1e-6, 1e6));
+        ->check(CLI::Range(1e-6, 1e6))
+        ->check(isNumber());
     cover->add_option("-o,--output", given_.cover.output, "A file; without it standard output");
   }
 

@@ -38,6 +38,20 @@ class TmCellRefuses : public TmCell {
   static constexpr const char* kParameters = "parameters: {voxel: 20, step_bound: 10, margin: 20}";
 };
 
+TEST_F(TmCellRefuses, optionsThatAreNoNumberOrAnEmptyName) {
+  for (const std::string arguments :
+       {"simulate x --loss nan", "schedule x --seconds nan", "cover x --cell nan", "cover x --scale -nan"}) {
+    const Outcome outcome = tmCell(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("nan is not a number")) << arguments;
+  }
+  for (const std::string arguments : {"build x -o ''", "verify x --cell ''"}) {
+    const Outcome outcome = tmCell(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("the name is empty")) << arguments;
+  }
+}
+
 TEST_F(TmCellRefuses, aMarginSoLargeThatHomeIsInsideAZone) {
   const Outcome outcome = buildOf("handover", {{"margin: 20}", "margin: 150}"}});
   EXPECT_EQ(outcome.exit_code, 1);
