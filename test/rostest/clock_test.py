@@ -3,7 +3,7 @@
 import threading
 
 import rospy
-from actionlib_msgs.msg import GoalStatus
+from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from tf2_msgs.msg import TFMessage
 
 from cobot_command.msg import CommandStatus
@@ -54,6 +54,18 @@ class ClockTest(MotionTestCase):
             self.assert_ended(GoalStatus.PREEMPTED, sent.finish())
         finally:
             self.clock.set_running(True)
+
+    def test_forgets_goals_that_have_ended_while_the_time_stands_still(self):
+        lists = []
+        subscriber = rospy.Subscriber("move_absolute/status", GoalStatusArray, lambda m: lists.append(len(m.status_list)))
+        self.clock.set_running(False)
+        try:
+            self.assert_done(self.robot.run(to_joints(*HOME)))
+            wait_until(lambda: lists and lists[-1] > 0, "the status of the goal")
+            wait_until(lambda: lists[-1] == 0, "the end of that status")
+        finally:
+            self.clock.set_running(True)
+            subscriber.unregister()
 
     def test_sends_no_frame_of_tf_twice_with_the_same_stamp_though_the_clock_is_slower_than_the_stream(self):
         sent, changed = [], threading.Condition()

@@ -1,5 +1,6 @@
 #include "arbiter/front_desk.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,8 @@ namespace {
 
 using Failures = std::vector<blocks::Failure>;
 
+constexpr const char* kStopped = "stopped by the stop block";
+
 void append(Failures& failures, const Failures& more) {
   failures.insert(failures.end(), more.begin(), more.end());
 }
@@ -20,11 +23,14 @@ void append(Failures& failures, const Failures& more) {
 
 void FrontDesk::take(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
   desks_.queue.came(id);
-  if (const auto why = desks_.queue.fell(id, goal)) {
+  blocks::GoalTraits traits = blocks::GoalRules(goal).traits();
+  // A stop goes first: what was received before it may come behind it.
+  const bool is_overtaken = id < last_stop_ && traits.way == blocks::Way::Beside;
+  const auto why = is_overtaken ? std::make_optional<std::string>(kStopped) : desks_.queue.fell(id, goal);
+  if (why) {
     parts_.board.abortAsItComes(blockOf(goal), id, *why);
     return;
   }
-  blocks::GoalTraits traits = blocks::GoalRules(goal).traits();
   traits.buffer_mode = turns_.occupancy().modeOf(blockOf(goal), traits);
   switch (traits.way) {
     case blocks::Way::Link:
@@ -69,11 +75,11 @@ void FrontDesk::connect(blocks::GoalId id, const blocks::Goal& goal, Instant now
 }
 
 void FrontDesk::stopOnRequest(blocks::GoalId id, const blocks::Goal& goal, Instant now) {
-  constexpr const char* kWhy = "stopped by the stop block";
-  desks_.queue.dropAll(kWhy, id);  // also when there is nobody who could be told to stop
+  last_stop_ = std::max(last_stop_, id);
+  desks_.queue.dropAll(kStopped, id);  // also when there is nobody who could be told to stop
   if (rejected(id, goal, parts_.keeper.objectionsToATry())) return;
   desks_.stops.accept(id);
-  turns_.stopAll(kWhy, id, now);
+  turns_.stopAll(kStopped, id, now);
   desks_.stops.answerWithTheLast(id);
 }
 

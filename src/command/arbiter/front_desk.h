@@ -35,6 +35,7 @@ class FrontDesk {
   ArbiterDesks desks_;
   Turns& turns_;
   PauseDesk& pause_;
+  blocks::GoalId last_stop_ = 0;  ///< what was received before it begins nothing any more
 };
 
 }  // namespace cobot_command::command

@@ -5,6 +5,8 @@
 
 #include "command/action_servers.h"
 
+#include "cobot_command/blocks/list/goes_first.h"
+
 namespace cobot_command::ros_adapter {
 
 /// The action of a block, as its Type.
@@ -13,8 +15,9 @@ struct ActionOf;
 
 template <class Goal>
 std::unique_ptr<GoalListener> serve(const ActionSite& site) {
+  const GoalWay& way = blocks::kGoesFirst<Goal> ? site.stops : site.goals;
   return std::make_unique<ActionBridge<typename ActionOf<Goal>::Type>>(site.node, Goal::kName,
-                                                                       site.joint_names, site.sink);
+                                                                       site.joint_names, way);
 }
 
 /// Of a block whose messages were not there when this was built: there are no goals that it could hear of.

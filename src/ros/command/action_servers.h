@@ -14,7 +14,8 @@ namespace cobot_command::ros_adapter {
 struct ActionSite {
   const ros::NodeHandle& node;
   const JointNames& joint_names;  ///< of planned motions
-  const GoalSink& sink;
+  const GoalWay& goals;
+  const GoalWay& stops;  ///< of what stops the robot, or holds it: it waits for no other goal
 };
 
 /// Serves the action of the block of `Goal`: defined for each in the block's own file, actions/<block>.cpp.

@@ -19,6 +19,7 @@
 #include "tables/table_services.h"
 #include "tables/tables_file.h"
 #include <fmt/format.h>
+#include <ros/callback_queue.h>
 #include <ros/console.h>
 #include <std_msgs/Empty.h>
 
@@ -31,7 +32,7 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr double kFrameRetryPeriod = 0.01;  // [s]
-/// Far more than any but a planning takes. Meanwhile no other callback is served.
+/// Far more than any but a planning takes.
 constexpr Duration kFinishPatience = std::chrono::milliseconds(500);
 constexpr const char* kNotAnsweredYet =
     "asked for; the command layer is busy, planning say, and has not answered yet: it does so as soon as it "
@@ -64,11 +65,23 @@ link::LinkSettings withAnyFirstTag(link::LinkSettings settings) {
   return settings;
 }
 
+ros::NodeHandle servedBy(ServingThread& thread, const ros::NodeHandle& node) {
+  ros::NodeHandle served(node);
+  served.setCallbackQueue(&thread.queue());
+  return served;
+}
+
 }  // namespace
 
 CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
                          CommandParameters parameters, std::unique_ptr<CellSeat> seat)
-    : seat_(std::move(seat)),
+    : spinner_(*ros::getGlobalCallbackQueue(), receipts_),
+      stops_(receipts_),
+      interruptions_(receipts_),
+      controls_(receipts_),
+      disk_(receipts_),
+      questions_(receipts_),
+      seat_(std::move(seat)),
       default_host_(parameters.robot_ip),
       default_port_(parameters.script_port),
       arm_(std::make_unique<ArmOfNow>(parameters.arm)),
@@ -84,6 +97,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
   retry_ = node.createSteadyTimer(
       ros::WallDuration(kFrameRetryPeriod),
       [this](const ros::SteadyTimerEvent&) {
+        stops_.catchUp();
         endFallen();
         intake_.advance(steadyNow());
         adjustRetrying();
@@ -95,24 +109,28 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
 
 void CommandNode::makeServices(const ros::NodeHandle& node, const CommandParameters& parameters) {
   const JointNames joint_names = jointNames(parameters.prefix);
-  const GoalSink goal_sink = sink();
-  servers_ = serveActions({node, joint_names, goal_sink});
-  tables_ = tableServices(node, parameters.tables);
-  path_services_ = pathServices(node);
-  messages_ = messageServices(node);
-  exchange_ = std::make_unique<ExchangeServices>(
-      node, [this](const blocks::ExchangeSettings& settings) { return runtime_->updateExchange(settings); });
+  servers_ = serveActions({node, joint_names, GoalWay{{spinner_, stops_.queue(), &stops_}, goalSink()},
+                           GoalWay{{stops_.queue(), stops_.queue()}, stopSink()}});
+  const ros::NodeHandle controls = servedBy(controls_, node);
+  const ros::NodeHandle questions = servedBy(questions_, node);
+  tables_ = tableServices(servedBy(disk_, node), parameters.tables);
+  path_services_ = pathServices(controls);
+  messages_ = messageServices(questions);
+  exchange_ = std::make_unique<ExchangeServices>(questions, [this](const blocks::ExchangeSettings& settings) {
+    return runtime_->updateExchange(settings);
+  });
   interruption_ = std::make_unique<InterruptionServices>(
-      node, [this] { return runtime_->interrupt(); }, [this] { return runtime_->goOn(); });
+      servedBy(interruptions_, node), [this] { return runtime_->interrupt(); },
+      [this] { return runtime_->goOn(); });
   const auto arm = [this] { return arm_->get(); };
   kinematics_ = std::make_unique<KinematicsServices>(
-      node, KinematicsServices::Sources{arm, [this] { return tables_->tables(); }});
+      questions, KinematicsServices::Sources{arm, [this] { return tables_->tables(); }});
   robot_data_ = std::make_unique<RobotDataPublisher>(node, joint_names, arm);
-  dynamics_ = dynamicsServices(node);
+  dynamics_ = dynamicsServices(controls);
 }
 
 void CommandNode::startCore(const ros::NodeHandle& node, CommandParameters parameters) {
-  // It may speak at once. Goals come in on the spinner, which is not here yet.
+  // It may speak at once. Goals come in on threads that are not there yet.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
       [this](const command::Action& action, Instant now) { onAction(action, now); }, ports());
@@ -122,20 +140,21 @@ void CommandNode::startCore(const ros::NodeHandle& node, CommandParameters param
   runtime_->useTables(parameters.tables.tables);
   runtime_->useExchangeRules(parameters.exchange);
   if (parameters.limits) static_cast<void>(runtime_->writeLimits(*parameters.limits));  // they were tried
-  keep_alive_ = keepAlives(node);
-  finish_ = ros::NodeHandle(node).advertiseService("finish", &CommandNode::finish, this);
+  keep_alive_ = keepAlives(servedBy(stops_, node));
+  finish_ = servedBy(questions_, node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
     target.host = default_host_;
     target.port = default_port_;
     runtime_->keepConnected(std::move(target));
   }
+  for (ServingThread* thread : threads()) thread->start();
 }
 
 command::CorePorts CommandNode::ports() {
   command::CorePorts ports;
   ports.frames = [this](const std::string& frame) { return frames_.whereNow(frame); };
-  ports.newest = [this] { return last_goal_.load(); };
+  ports.newest = [this] { return receipts_.last(); };
   ports.traced = [this](link::Channel channel) { return publisher_.isHeard(channel); };
   if (seat_) seat_->fill(ports);
   return ports;
@@ -195,22 +214,29 @@ void CommandNode::stop() {
   runtime_->retire();
   intake_.advance(Instant::max());  // so that the core ends those too
   runtime_->stop();
+  tables_->close();  // as the core is, whoever waits for either has an answer
+  for (ServingThread* thread : threads()) thread->stop();
   deliverPublished(kDeliveryPatience);
 }
 
-GoalSink CommandNode::sink() {
-  return {[this] { return ++last_goal_; },
-          [this](blocks::GoalId id, GoalReader read) {
+GoalSink CommandNode::goalSink() {
+  return {[this](IncomingGoal goal) {
             endFallen();
-            intake_.submit(id, std::move(read), steadyNow());
+            intake_.submit(std::move(goal), steadyNow());
             adjustRetrying();
           },
-          [this](blocks::GoalId id) { intake_.cancel(id); }};
+          [this](blocks::GoalId id, blocks::GoalId newest) { intake_.cancel(id, newest); }};
+}
+
+/// They name neither frames nor files.
+GoalSink CommandNode::stopSink() {
+  return {[this](const IncomingGoal& goal) { submit(goal.id, goal.read({})); },
+          [this](blocks::GoalId id, blocks::GoalId newest) { runtime_->cancel(id, newest); }};
 }
 
 GoalIntake::Core CommandNode::intakeCore() {
   return {[this](blocks::GoalId id, blocks::Goal goal) { submit(id, std::move(goal)); },
-          [this](blocks::GoalId id) { runtime_->cancel(id); },
+          [this](blocks::GoalId id, blocks::GoalId newest) { runtime_->cancel(id, newest); },
           [this](blocks::Block block, blocks::GoalId id, const blocks::Outcome& outcome) {
             end(block, id, outcome);
           }};
@@ -273,8 +299,8 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
     return true;
   }
   const auto after = request.after == Request::MOVE ? blocks::FinishAfter::Move : blocks::FinishAfter::Cycle;
-  auto report = runtime_->finish(after);
-  const int fallen = report ? intake_.fall(last_goal_, command::kNothingBehindFinish) : 0;
+  auto report = runtime_->finish(after, currentReceipt());
+  const int fallen = report ? intake_.fall(currentReceipt(), command::kNothingBehindFinish) : 0;
   if (!report) {
     response.message = "the command layer is shutting down";
   } else if (report->wait_for(kFinishPatience) != std::future_status::ready) {

@@ -1,28 +1,18 @@
 #include "cobot_command/ros/command/diagnostics.h"
 
 #include <cstdint>
-#include <functional>
 #include <tuple>
 #include <utility>
 
-#include <boost/make_shared.hpp>
 #include <ros/callback_queue.h>
+
+#include "cobot_command/ros/shared/posted.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
 
 // From a change until it is told: soon enough for people, and no flood when a link comes and goes.
 constexpr double kChangesTogether = 0.1;  // [s]
-
-/// Timers are started and stopped on ROS's spinner, where their callbacks run.
-struct OnSpinner : ros::CallbackInterface {
-  explicit OnSpinner(std::function<void()> what) : what_(std::move(what)) {}
-  CallResult call() override {
-    what_();
-    return Success;
-  }
-  const std::function<void()> what_;
-};
 
 /// What is worth a message before the period is over.
 auto significant(const command::CommandStatus& s) {
@@ -59,17 +49,18 @@ Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& sel
 }
 
 Diagnostics::~Diagnostics() {
-  ros::getGlobalCallbackQueue()->removeByID(reinterpret_cast<std::uintptr_t>(this));
+  ros::getGlobalCallbackQueue()->removeByID(ownerOf(this));
 }
 
 /// With the lock. Nothing runs as long as nothing changes.
 void Diagnostics::noteChange() {
   if (std::exchange(changed_, true)) return;
-  ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<OnSpinner>([this] {
-                                               soon_.stop();  // it has run once
-                                               soon_.start();
-                                             }),
-                                             reinterpret_cast<std::uintptr_t>(this));
+  const auto restart = [this] {
+    soon_.stop();  // it has run once
+    soon_.start();
+  };
+  post(*ros::getGlobalCallbackQueue(), restart,
+       this);  // timers belong to the thread that their callbacks run on
 }
 
 void Diagnostics::add(const char* task, Describe describe) {

@@ -113,6 +113,7 @@ GoalFiles::~GoalFiles() {
 }
 
 std::optional<FileAnswer> GoalFiles::find(blocks::GoalId id, FileKind kind, const std::string& location) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   auto& job = jobs_[id];
   if (!job) {
     job = std::make_shared<Job>(Job{kind, location, std::nullopt});
@@ -126,6 +127,7 @@ std::optional<FileAnswer> GoalFiles::find(blocks::GoalId id, FileKind kind, cons
 }
 
 void GoalFiles::forget(blocks::GoalId id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = jobs_.find(id);
   if (found == jobs_.end()) return;
   desk_->forget(found->second);

@@ -19,6 +19,11 @@ bool neverWaits(const blocks::Goal& goal) {
          way == blocks::Way::Configure;
 }
 
+blocks::Outcome cancelledHere(const std::string& why) {
+  return blocks::commandAborted(
+      why + " while a frame or a file was looked up for it, or for one that was received before it");
+}
+
 }  // namespace
 
 GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, FileSource files, Core core,
@@ -29,53 +34,107 @@ GoalIntake::GoalIntake(FrameLookup frames, FramePatience patience, FileSource fi
       core_(std::move(core)),
       world_frame_(std::move(world_frame)) {}
 
-void GoalIntake::submit(blocks::GoalId id, GoalReader read, Instant now) {
-  Reading reading = readNow(id, read);
+void GoalIntake::submit(IncomingGoal goal, Instant now) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    incoming_ = goal.id;  // from here on a cancel finds it
+    incoming_is_cancelled_ = false;
+  }
+  Reading reading = readNow(goal.id, goal.read);
+  std::optional<Ended> ended;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ended = place(goal, reading, now);
+    incoming_.reset();
+  }
+  if (ended) end(*std::move(ended));
+}
+
+std::optional<GoalIntake::Ended> GoalIntake::place(IncomingGoal& incoming, Reading& reading, Instant now) {
+  const blocks::Block block = blockOf(reading.goal);
+  const bool is_cancelled =
+      incoming_is_cancelled_ || (incoming.is_cancelled != nullptr && incoming.is_cancelled());
+  if (is_cancelled)
+    return Ended{block, incoming.id, blocks::commandAborted("cancelled before its turn came")};
   const bool complete = reading.has_frames && reading.has_file;
   const bool falls = command::fallsWithOthers(reading.goal);
   const bool is_full = waiting_.size() >= command::kMostWaiting;
   if (neverWaits(reading.goal) || (complete && waiting_.empty()) || (is_full && !falls)) {
-    handOn(id, std::move(reading.goal));
-  } else if (is_full) {
-    const blocks::Block block = blockOf(reading.goal);
-    end(block, id, command::refusedAsTooMany(block, waiting_.size()));
-  } else {
-    waiting_.push_back(
-        {blockOf(reading.goal), id, std::move(read), now + patience_(), now + kFilePatience, falls});
+    handOn(incoming.id, std::move(reading.goal));
+    return std::nullopt;
   }
+  if (falls && incoming.id <= fell_until_) return Ended{block, incoming.id, cancelledHere(fell_why_)};
+  if (is_full) return Ended{block, incoming.id, command::refusedAsTooMany(block, waiting_.size())};
+  waiting_.push_back(
+      {block, incoming.id, std::move(incoming.read), now + patience_(), now + kFilePatience, falls});
+  return std::nullopt;
 }
 
-void GoalIntake::cancel(blocks::GoalId id) {
+void GoalIntake::cancel(blocks::GoalId id, blocks::GoalId newest) {
+  std::optional<Ended> ended;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (incoming_ == id) {
+      incoming_is_cancelled_ = true;
+      return;
+    }
+    ended = takeCancelled(id);
+    if (!ended) core_.cancel(id, newest);
+  }
+  if (ended) end(*std::move(ended));
+}
+
+std::optional<GoalIntake::Ended> GoalIntake::takeCancelled(blocks::GoalId id) {
   const auto waiting =
       std::find_if(waiting_.begin(), waiting_.end(), [id](const Waiting& w) { return w.id == id; });
-  if (waiting == waiting_.end()) {
-    core_.cancel(id);
-    return;
-  }
-  const Waiting cancelled = std::move(*waiting);
+  if (waiting == waiting_.end()) return std::nullopt;
+  Ended ended{waiting->block, id, cancelledHere("cancelled")};
   waiting_.erase(waiting);
-  endCancelled(cancelled, "cancelled");
+  return ended;
 }
 
 int GoalIntake::fall(blocks::GoalId newest, const std::string& why) {
-  const auto fallen = std::stable_partition(waiting_.begin(), waiting_.end(),
-                                            [newest](const Waiting& w) { return !w.falls || w.id > newest; });
-  const auto count = static_cast<int>(std::distance(fallen, waiting_.end()));
-  for (auto waiting = fallen; waiting != waiting_.end(); ++waiting) endCancelled(*waiting, why);
-  waiting_.erase(fallen, waiting_.end());
-  return count;
+  std::vector<Ended> ended;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (newest > fell_until_) {
+      fell_until_ = newest;
+      fell_why_ = why;
+    }
+    const auto fallen = std::stable_partition(
+        waiting_.begin(), waiting_.end(), [newest](const Waiting& w) { return !w.falls || w.id > newest; });
+    for (auto waiting = fallen; waiting != waiting_.end(); ++waiting) {
+      ended.push_back({waiting->block, waiting->id, cancelledHere(why)});
+    }
+    waiting_.erase(fallen, waiting_.end());
+  }
+  for (Ended& one : ended) end(std::move(one));
+  return static_cast<int>(ended.size());
+}
+
+bool GoalIntake::isWaiting() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return !waiting_.empty();
 }
 
 void GoalIntake::advance(Instant now) {
-  while (!waiting_.empty()) {
-    const Waiting& front = waiting_.front();
-    const blocks::GoalId id = front.id;
-    Reading reading = readNow(id, front.read);
-    if (!reading.has_frames && now < front.frames_by) return;
-    if (!reading.has_file && now < front.file_by) return;
+  while (const auto first = front()) {
+    Reading reading = readNow(first->id, first->read);
+    if (!reading.has_frames && now < first->frames_by) return;
+    if (!reading.has_file && now < first->file_by) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (waiting_.empty() || waiting_.front().id != first->id) {  // ended meanwhile
+      files_.forget(first->id);
+      continue;
+    }
     waiting_.pop_front();
-    handOn(id, std::move(reading.goal));
+    handOn(first->id, std::move(reading.goal));
   }
+}
+
+std::optional<GoalIntake::Waiting> GoalIntake::front() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return waiting_.empty() ? std::nullopt : std::optional(waiting_.front());
 }
 
 GoalIntake::Reading GoalIntake::readNow(blocks::GoalId id, const GoalReader& read) const {
@@ -107,15 +166,9 @@ void GoalIntake::handOn(blocks::GoalId id, blocks::Goal goal) {
   core_.submit(id, std::move(goal));
 }
 
-void GoalIntake::end(blocks::Block block, blocks::GoalId id, blocks::Outcome outcome) {
-  files_.forget(id);
-  core_.end(block, id, std::move(outcome));
-}
-
-void GoalIntake::endCancelled(const Waiting& waiting, const std::string& why) {
-  end(waiting.block, waiting.id,
-      blocks::commandAborted(why +
-                             " while a frame or a file was looked up for it, or for one in front of it"));
+void GoalIntake::end(Ended ended) {
+  files_.forget(ended.id);
+  core_.end(ended.block, ended.id, std::move(ended.outcome));
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -1,5 +1,5 @@
-// The services of speeds and limits: speed override, reference and default dynamics, software limits. Served
-// by the spinner.
+// The services of speeds and limits: speed override, reference and default dynamics, software limits. They
+// wait for the core, and some for the controller.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,4 @@
-// The service that changes the settings of the exchange_configuration goal that is enabled. Served by the
-// spinner.
+// The service that changes the settings of the exchange_configuration goal that is enabled.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,5 @@
-// The services that interrupt what is under way, and let it go on. Served by the spinner.
+// The services that interrupt what is under way, and let it go on. They wait for the
+// controller.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,4 @@
-// The services that only calculate: joints into poses and back, frames and tools of what was touched. Served
-// by the spinner.
+// The services that only calculate: joints into poses and back, frames and tools of what was touched.
 #pragma once
 
 #include <functional>
@@ -20,7 +19,7 @@ namespace cobot_command::ros_adapter {
 
 class KinematicsServices {
  public:
-  /// Asked for at each call, on the spinner; neither may wait for the core.
+  /// Asked for at each call; neither may wait for the core.
   struct Sources {
     std::function<std::shared_ptr<const arm::ArmModel>()> arm;  ///< gives nullptr without a model
     std::function<tables::DataTables()> tables;

@@ -1,7 +1,7 @@
 // The messages of the layer over ROS: a topic of each, a latched one of those that are pending, and the
 // services that read and acknowledge them.
 //
-// The services are served by the spinner; take() may be called from the core's thread.
+// The services wait for the core; take() may be called from the core's thread.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // The services that control paths from outside of their goals, and the topic that tells their tracking
 // objects.
 //
-// The services are served by the spinner; take() may be called from the core's thread.
+// The services wait for the controller, on a thread that serves nothing else but such; take() may be called
+// from the core's thread.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What the core answers to a service: waited for on ROS's spinner, and put into the response.
+// What the core answers to a service: waited for on the thread of such services, and put into the response.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,8 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Far more than a core, and a controller, take that work. Meanwhile no other callback is served.
+/// Far more than a core, and a controller, take that work. Meanwhile no other service of that thread is
+/// served.
 inline constexpr std::chrono::milliseconds kCorePatience(500);
 inline constexpr const char* kCoreClosed = "the command layer is shutting down";
 inline constexpr const char* kCoreBusy = "the command layer is busy, and has not answered yet: ask again";

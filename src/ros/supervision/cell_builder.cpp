@@ -38,12 +38,12 @@ std::optional<std::string> objectionTo(const cobot_command::BuildCellGoal& goal)
 
 }  // namespace
 
-CellBuilder::CellBuilder(const ros::NodeHandle& node, std::string hash)
+CellBuilder::CellBuilder(const ros::NodeHandle& node, const ActionQueues& queues, std::string hash)
     : hash_(std::move(hash)),
       following_(ros::NodeHandle(node).createSteadyTimer(
           ros::WallDuration(kFollowEvery), [this](const ros::SteadyTimerEvent&) { follow(); }, false, false)),
       server_(
-          node, "build_cell", [this](const Handle& goal) { onGoal(goal); },
+          node, "build_cell", queues, [this](const Handle& goal) { onGoal(goal); },
           [this](const Handle& goal) { onCancel(goal); }) {
   server_.start();
 }

@@ -21,7 +21,7 @@ namespace cobot_command::ros_adapter {
 class CellBuilder {
  public:
   /// `hash`: of the artifact that the supervisor runs with.
-  CellBuilder(const ros::NodeHandle& node, std::string hash);
+  CellBuilder(const ros::NodeHandle& node, const ActionQueues& queues, std::string hash);
   ~CellBuilder();  ///< ends the build behind the stage that it is at
   CellBuilder(const CellBuilder&) = delete;
   CellBuilder& operator=(const CellBuilder&) = delete;

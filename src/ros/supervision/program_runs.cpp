@@ -36,12 +36,13 @@ bool canRun(State state) {
 
 }  // namespace
 
-ProgramRuns::ProgramRuns(const ros::NodeHandle& node, std::vector<std::string> robots,
+ProgramRuns::ProgramRuns(const ros::NodeHandle& node, const ActionQueues& queues,
+                         std::vector<std::string> robots,
                          const std::vector<std::unique_ptr<RobotContact>>& contacts)
     : robots_(std::move(robots)),
       contacts_(contacts),
       server_(
-          node, "run_cell", [this](const Handle& goal) { onGoal(goal); },
+          node, "run_cell", queues, [this](const Handle& goal) { onGoal(goal); },
           [this](const Handle& goal) { onCancel(goal); }) {
   server_.start();
 }

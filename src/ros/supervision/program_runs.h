@@ -23,7 +23,7 @@ namespace cobot_command::ros_adapter {
 class ProgramRuns {
  public:
   /// `contacts`: by robot, in the order of the cell; they outlive this.
-  ProgramRuns(const ros::NodeHandle& node, std::vector<std::string> robots,
+  ProgramRuns(const ros::NodeHandle& node, const ActionQueues& queues, std::vector<std::string> robots,
               const std::vector<std::unique_ptr<RobotContact>>& contacts);
 
   /// The cell as it is told now.

@@ -10,6 +10,7 @@
 #include "supervision/program_runs.h"
 #include "supervision/robot_contact.h"
 #include "supervision/supervisor_diagnostics.h"
+#include <ros/callback_queue.h>
 #include <ros/console.h>
 #include <ros/this_node.h>
 
@@ -35,15 +36,16 @@ std::vector<std::string> namesOf(const cell::Artifact& artifact) {
 
 SupervisorNode::SupervisorNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
                                std::unique_ptr<runtime::CellSupervisor> supervisor)
-    : supervisor_(std::move(supervisor)) {
+    : spinner_(*ros::getGlobalCallbackQueue(), receipts_), supervisor_(std::move(supervisor)) {
   const cell::Artifact& artifact = supervisor_->artifact();
   for (std::size_t user = 0; user < artifact.program.robots.size(); ++user) {
     contacts_.push_back(std::make_unique<RobotContact>(node));
   }
   people_ = std::make_unique<PeopleServices>(node, supervisor_->core(), steadyNow,
                                              [this](Instant now) { settle(now); });
-  runs_ = std::make_unique<ProgramRuns>(node, namesOf(artifact), contacts_);
-  builder_ = std::make_unique<CellBuilder>(node, artifact.hash);
+  const ActionQueues queues{spinner_, spinner_};
+  runs_ = std::make_unique<ProgramRuns>(node, queues, namesOf(artifact), contacts_);
+  builder_ = std::make_unique<CellBuilder>(node, queues, artifact.hash);
   diagnostics_ = std::make_unique<SupervisorDiagnostics>(node, self, artifact.parameters.wait_timeout);
   ros::NodeHandle handle(node);
   const auto promptly = ros::TransportHints().tcpNoDelay();

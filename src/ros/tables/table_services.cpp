@@ -16,7 +16,7 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
-/// Far more than a disk takes that works. Meanwhile no other callback is served.
+/// Far more than a disk takes that works. Meanwhile no other service of tables is served.
 constexpr std::chrono::milliseconds kPatience(500);
 
 struct OfTools {
@@ -78,7 +78,7 @@ void TableServices::serve(ros::NodeHandle node) {
 }
 
 void TableServices::take(const tables::DataTables& tables) {
-  // The core's thread and the spinner may tell of one change both: the first one does.
+  // The core's thread and that of the services may tell of one change both: the first one does.
   const std::lock_guard<std::mutex> lock(telling_);
   const ros::Time now = ros::Time::now();
   if (!board_.take(tables, now)) return;

@@ -1,6 +1,6 @@
 // The services that read and write the tables of tools, frames and loads, and the topic that tells them.
 //
-// The services are served by the spinner; take() may be called from the core's thread.
+// The services wait for a disk, on a thread that serves nothing else; take() may be called from the core's.
 #pragma once
 
 #include <mutex>
@@ -21,6 +21,8 @@ class TableServices {
 
   /// They are so now; told when that is new.
   void take(const tables::DataTables& tables);
+  /// Whoever waits for a write is answered, and the core is not asked any more.
+  void close() { writer_.close(); }
   /// As they were told last. From any thread.
   [[nodiscard]] tables::DataTables tables() const { return board_.tables(); }
 

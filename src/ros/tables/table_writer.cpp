@@ -164,6 +164,10 @@ TableWriter::TableWriter(tables::DataTables tables, Core core, Keep keep)
 }
 
 TableWriter::~TableWriter() {
+  close();
+}
+
+void TableWriter::close() {
   desk_->close();
 }
 

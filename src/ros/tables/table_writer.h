@@ -27,12 +27,14 @@ class TableWriter {
 
   /// `tables`: as they are kept now.
   TableWriter(tables::DataTables tables, Core core, Keep keep);
-  ~TableWriter();  ///< `core` is not asked any more
+  ~TableWriter();  ///< close()
   TableWriter(const TableWriter&) = delete;
   TableWriter& operator=(const TableWriter&) = delete;
 
   /// Nothing changes when the answer is a refusal.
   [[nodiscard]] std::future<command::TableAnswer> write(command::TableWrite write);
+  /// `core` is not asked any more; whoever waits for an answer has one.
+  void close();
   /// The core has changed them by itself: kept behind all that was to be written before.
   void keep(tables::DataTables tables);
 

@@ -16,6 +16,7 @@
 #include "shared/alarm.h"
 #include "shared/core_thread.h"
 
+#include "cobot_command/blocks/list/goes_first.h"
 #include "cobot_command/transport/tcp_connection.h"
 
 namespace cobot_command::runtime {
@@ -66,6 +67,33 @@ class CommandRuntime::Impl {
   bool post(Event event) {
     return thread_.post([this, event = std::move(event)] { handle(event); });
   }
+  /// One that does not wait for those that are not urgent.
+  template <class Event>
+  bool postUrgent(Event event) {
+    return thread_.postUrgent([this, event = std::move(event)] { handle(event); });
+  }
+
+  bool submit(blocks::GoalId id, blocks::Goal goal) {
+    if (blocks::goesFirst(goal)) {
+      return postUrgent(
+          [id, goal = std::move(goal)](auto& core, Instant now) { core.submit(id, goal, now); });
+    }
+    on_the_way_.add(id);
+    const bool is_open = thread_.post([this, id, goal = std::move(goal)] {
+      if (on_the_way_.take(id)) {
+        handle([&](auto& core, Instant now) { core.submit(id, goal, now); });
+      } else {
+        recall(id, blockOf(goal));
+      }
+    });
+    if (!is_open) static_cast<void>(on_the_way_.take(id));
+    return is_open;
+  }
+
+  void cancel(blocks::GoalId id, std::optional<blocks::GoalId> newest) {
+    if (on_the_way_.cancel(id)) return;
+    postUrgent([id, newest](auto& core, Instant now) { core.cancel(id, now, newest); });
+  }
 
   /// Nothing: only the core knows.
   [[nodiscard]] std::optional<blocks::GoalId> newestGoal() const {
@@ -74,7 +102,7 @@ class CommandRuntime::Impl {
 
   /// False: it has ended already.
   bool retire(const std::function<void()>& begun = {}) {
-    return thread_.post([this, begun] {
+    return thread_.postUrgent([this, begun] {
       handle([](command::CommandCore& core, Instant now) { core.retire(now); });
       noteBegin();
       if (begun) begun();
@@ -95,6 +123,42 @@ class CommandRuntime::Impl {
   [[nodiscard]] Instant now() const { return Instant(Clock::now() - start_); }
 
  private:
+  /// Goals that were submitted, and that the core's thread has not come to yet: a cancel overtakes them.
+  class OnTheWay {
+   public:
+    void add(blocks::GoalId id) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      is_cancelled_[id] = false;
+    }
+    /// False: it was cancelled.
+    [[nodiscard]] bool take(blocks::GoalId id) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const auto found = is_cancelled_.find(id);
+      const bool is_wanted = !found->second;
+      is_cancelled_.erase(found);
+      return is_wanted;
+    }
+    /// False: it is not on the way.
+    [[nodiscard]] bool cancel(blocks::GoalId id) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const auto found = is_cancelled_.find(id);
+      if (found == is_cancelled_.end()) return false;
+      found->second = true;
+      return true;
+    }
+
+   private:
+    std::mutex mutex_;
+    std::map<blocks::GoalId, bool> is_cancelled_;
+  };
+
+  /// It ends before the core has heard of it.
+  void recall(blocks::GoalId id, blocks::Block block) {
+    const blocks::Outcome outcome = blocks::commandAborted("cancelled before its turn came");
+    observer_(command::GoalEnded{block, id, outcome}, now());
+    handle([&](auto& core, Instant now) { core.tellEnd(block, outcome, now); });
+  }
+
   /// The connections have to live until the stop was heard: closed with answers unread, they would be reset,
   /// and some systems then drop what came before.
   void awaitRetirement() {
@@ -192,6 +256,7 @@ class CommandRuntime::Impl {
   const Observer observer_;
   const command::NewestGoal newest_;
   command::CommandCore core_;
+  OnTheWay on_the_way_;
   const Clock::time_point start_;
   Alarm alarm_;
   std::map<link::ConnectionId, transport::TcpConnection> connections_;
@@ -219,7 +284,7 @@ CommandRuntime::CommandRuntime(std::optional<arm::ArmModel> arm, const link::Lin
 CommandRuntime::~CommandRuntime() = default;
 
 bool CommandRuntime::submit(blocks::GoalId id, blocks::Goal goal) {
-  return impl_->post([id, goal = std::move(goal)](auto& core, Instant now) { core.submit(id, goal, now); });
+  return impl_->submit(id, std::move(goal));
 }
 
 void CommandRuntime::useSettings(const link::LinkSettings& settings) {
@@ -320,7 +385,7 @@ std::optional<std::future<command::InterruptAnswer>> CommandRuntime::goOn() {
 }
 
 void CommandRuntime::keepJogging() {
-  impl_->post([](auto& core, Instant now) { core.keepJogging(now); });
+  impl_->postUrgent([](auto& core, Instant now) { core.keepJogging(now); });
 }
 
 void CommandRuntime::inCore(std::function<void(Instant now)> what) {
@@ -339,13 +404,14 @@ void CommandRuntime::keepConnected(blocks::ConnectGoal target) {
   impl_->post([target = std::move(target)](auto& core, Instant now) { core.keepConnected(target, now); });
 }
 
-void CommandRuntime::cancel(blocks::GoalId id) {
-  impl_->post([id, newest = impl_->newestGoal()](auto& core, Instant now) { core.cancel(id, now, newest); });
+void CommandRuntime::cancel(blocks::GoalId id, std::optional<blocks::GoalId> newest) {
+  impl_->cancel(id, newest ? newest : impl_->newestGoal());
 }
 
-std::optional<std::future<command::FinishReport>> CommandRuntime::finish(blocks::FinishAfter after) {
+std::optional<std::future<command::FinishReport>> CommandRuntime::finish(
+    blocks::FinishAfter after, std::optional<blocks::GoalId> newest) {
   return ask<command::FinishReport>(
-      [after, newest = impl_->newestGoal()](auto& core, const auto& reply, Instant now) {
+      [after, newest = newest ? newest : impl_->newestGoal()](auto& core, const auto& reply, Instant now) {
         reply(core.finish(after, now, newest));
       });
 }

@@ -17,12 +17,25 @@ void CoreThread::start() {
   thread_ = std::thread([this] { context_.run(); });
 }
 
-bool CoreThread::post(Task task) {
+bool CoreThread::post(Task task, Tasks& tasks) {
   const std::lock_guard<std::mutex> lock(posting_);
   if (open_) {
-    boost::asio::post(context_, std::move(task));
+    tasks.push_back(std::move(task));
+    boost::asio::post(context_, [this] { runNext(); });
   }
   return open_;
+}
+
+/// As often as tasks were posted, so that there is one.
+void CoreThread::runNext() {
+  Task next;
+  {
+    const std::lock_guard<std::mutex> lock(posting_);
+    Tasks& tasks = urgent_.empty() ? tasks_ : urgent_;
+    next = std::move(tasks.front());
+    tasks.pop_front();
+  }
+  next();
 }
 
 void CoreThread::finish(Task last) {

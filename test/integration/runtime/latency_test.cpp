@@ -18,8 +18,6 @@ namespace {
 using blocks::Phase;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kStop = "StopAndClearBuffer";
-
 /// A commander that keeps nothing of what a flood brings.
 class Asker {
  public:

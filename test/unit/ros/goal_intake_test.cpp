@@ -24,7 +24,7 @@ constexpr auto kPatience = milliseconds(200);
 class Intake : public ::testing::Test {
  protected:
   void move(blocks::GoalId id, const std::string& frame, milliseconds at = milliseconds(0)) {
-    intake.submit(
+    submit(
         id,
         [frame](const Lookups& lookups) -> blocks::Goal {
           cobot_command::MoveAbsoluteGoal message;
@@ -34,7 +34,7 @@ class Intake : public ::testing::Test {
         Instant(at));
   }
   void cycle(blocks::GoalId id, const std::string& file, milliseconds at = milliseconds(0)) {
-    intake.submit(
+    submit(
         id,
         [file](const Lookups& lookups) -> blocks::Goal {
           cobot_command::PickAndPlaceGoal message;
@@ -44,7 +44,7 @@ class Intake : public ::testing::Test {
         Instant(at));
   }
   void path(blocks::GoalId id, const std::string& file, milliseconds at = milliseconds(0)) {
-    intake.submit(
+    submit(
         id,
         [file](const Lookups& lookups) -> blocks::Goal {
           cobot_command::LoadPathGoal message;
@@ -55,8 +55,12 @@ class Intake : public ::testing::Test {
   }
   template <class Goal>
   void give(blocks::GoalId id, Goal goal, milliseconds at = milliseconds(0)) {
-    intake.submit(
+    submit(
         id, [goal](const Lookups&) -> blocks::Goal { return goal; }, Instant(at));
+  }
+
+  void submit(blocks::GoalId id, GoalReader reader, Instant now) {
+    intake.submit({id, std::move(reader), [this, id] { return early_cancels.count(id) > 0; }}, now);
   }
 
   void note(blocks::GoalId id, const blocks::Goal& goal) {
@@ -76,13 +80,16 @@ class Intake : public ::testing::Test {
   }
 
   std::set<std::string> known;
-  std::set<std::string> read;  ///< files
+  std::set<std::string> read;              ///< files
+  std::set<blocks::GoalId> early_cancels;  ///< by a cancel that was received before they are submitted
   std::vector<std::string> told;
   Duration patience = kPatience;
   int looks = 0;  ///< for frames
+  std::function<void()> on_look;
   GoalIntake intake{
       [this](const std_msgs::Header& header) -> FramePlace {
         ++looks;
+        if (const auto what = std::exchange(on_look, nullptr)) what();
         if (known.count(header.frame_id) == 0) return {std::nullopt, "not known"};
         return {arm::Pose::Identity(), ""};
       },
@@ -94,7 +101,9 @@ class Intake : public ::testing::Test {
        },
        [this](blocks::GoalId id) { forgotten.insert(id); }},
       {[this](blocks::GoalId id, const blocks::Goal& goal) { note(id, goal); },
-       [this](blocks::GoalId id) { told.push_back(fmt::format("cancel {}", id)); },
+       [this](blocks::GoalId id, blocks::GoalId newest) {
+         told.push_back(fmt::format("cancel {} with all until {}", id, newest));
+       },
        [this](blocks::Block, blocks::GoalId id, const blocks::Outcome& outcome) { noteEnd(id, outcome); }}};
   std::set<blocks::GoalId> forgotten;  ///< their files
 };
@@ -230,7 +239,7 @@ TEST_F(Intake, letsAPauseOvertakeWhatWaits) {
 TEST_F(Intake, endsAGoalThatIsCancelledWhileItWaitsAndLeavesTheOthers) {
   move(1, "table");
   move(2, "shelf");
-  intake.cancel(1);
+  intake.cancel(1, 9);
   EXPECT_THAT(told, ElementsAre("end 1: cancelled"));
   EXPECT_THAT(forgotten, ElementsAre(1));
   EXPECT_TRUE(intake.isWaiting());
@@ -258,7 +267,7 @@ TEST_F(Intake, handsOnAGoalWhoseFileIsNotReadInTime) {
 
 TEST_F(Intake, endsACycleThatIsCancelledWhileItsFileIsRead) {
   cycle(1, "hangs.yaml");
-  intake.cancel(1);
+  intake.cancel(1, 9);
   EXPECT_THAT(told, ElementsAre("end 1: cancelled"));
   EXPECT_FALSE(intake.isWaiting());
 }
@@ -273,8 +282,44 @@ TEST_F(Intake, endsACycleThatFallsWhileItsFileIsRead) {
 TEST_F(Intake, handsOnACancelOfAGoalThatTheCoreHasWhileOneWaitsHere) {
   move(1, "");
   move(2, "table");
-  intake.cancel(1);
-  EXPECT_THAT(told, ElementsAre("submit 1", "cancel 1"));
+  intake.cancel(1, 9);
+  EXPECT_THAT(told, ElementsAre("submit 1", "cancel 1 with all until 9"));
+  EXPECT_TRUE(intake.isWaiting());
+}
+
+TEST_F(Intake, endsAGoalWhoseCancelWasReceivedBeforeItsCallbackRan) {
+  early_cancels = {1};
+  move(1, "");
+  EXPECT_THAT(told, ElementsAre("end 1: cancelled before its turn came"));
+  EXPECT_THAT(forgotten, ElementsAre(1));
+}
+
+TEST_F(Intake, endsAGoalThatIsCancelledWhileItsMessageIsRead) {
+  submit(
+      1,
+      [this](const Lookups& /*lookups*/) -> blocks::Goal {
+        intake.cancel(1, 9);  // from another thread: no lock is held here
+        return blocks::MoveAbsoluteGoal{};
+      },
+      Instant(milliseconds(0)));
+  EXPECT_THAT(told, ElementsAre("end 1: cancelled before its turn came"));
+}
+
+TEST_F(Intake, endsAGoalThatIsCancelledWhileItsFrameIsLookedUpAgain) {
+  move(1, "table");
+  move(2, "");
+  known = {"table"};
+  on_look = [this] { intake.cancel(1, 9); };
+  intake.advance(Instant(milliseconds(10)));
+  EXPECT_THAT(told, ElementsAre("end 1: cancelled", "submit 2"));
+  EXPECT_EQ(forgotten.count(1), 1U);
+}
+
+TEST_F(Intake, looksForNothingForAGoalThatFellBeforeItCame) {
+  EXPECT_EQ(intake.fall(2, "stopped"), 0);
+  move(1, "table");
+  EXPECT_THAT(told, ElementsAre("end 1: stopped"));
+  move(3, "table");
   EXPECT_TRUE(intake.isWaiting());
 }
 

@@ -3,9 +3,11 @@
 // A goal is PENDING until it is its turn, and may end before. A cancel of all goals (empty GoalID) comes in
 // as one cancel for each.
 //
-// Threads: ROS calls in on its spinner, the core's thread calls accepted(), progressed() and ended(); both at
-// once is fine. The bridge never holds its own lock while it calls the action server, whose lock is held in
-// ROS callbacks.
+// The id of a goal is the number of its receipt, so that ids say which goals were received before a stop or a
+// cancel, whichever of them is served first.
+//
+// Threads: goals come in on one, cancels on another, the core's thread calls accepted(), progressed() and
+// ended(); all at once is fine. The bridge never holds its own lock while it calls the action server.
 #pragma once
 
 #include <algorithm>
@@ -26,9 +28,15 @@ namespace cobot_command::ros_adapter {
 
 /// Where goals go.
 struct GoalSink {
-  std::function<blocks::GoalId()> new_id;
-  std::function<void(blocks::GoalId, GoalReader)> submit;
-  std::function<void(blocks::GoalId)> cancel;
+  std::function<void(IncomingGoal)> submit;
+  /// `newest`: the newest goal that was received before the cancel.
+  std::function<void(blocks::GoalId id, blocks::GoalId newest)> cancel;
+};
+
+/// Where the messages of an action are served, and where its goals go.
+struct GoalWay {
+  ActionQueues queues;
+  GoalSink sink;
 };
 
 /// What results and feedback need besides what they tell of.
@@ -56,11 +64,11 @@ template <class Action>
 class ActionBridge : public GoalListener {
  public:
   /// Serves the action `name`, relative to `node`, until it is destroyed. `joint_names`: of planned motions.
-  ActionBridge(const ros::NodeHandle& node, const std::string& name, JointNames joint_names, GoalSink sink)
+  ActionBridge(const ros::NodeHandle& node, const std::string& name, JointNames joint_names, GoalWay way)
       : joint_names_(std::move(joint_names)),
-        sink_(std::move(sink)),
+        sink_(std::move(way.sink)),
         server_(
-            node, name, [this](Handle handle) { onGoal(handle); },
+            node, name, way.queues, [this](Handle handle) { onGoal(handle); },
             [this](Handle handle) { onCancel(handle); }) {
     server_.start();
   }
@@ -109,6 +117,7 @@ class ActionBridge : public GoalListener {
 
   struct Open {
     blocks::GoalId id;
+    std::string name;  ///< its id among the clients
     Handle handle;
   };
 
@@ -118,26 +127,29 @@ class ActionBridge : public GoalListener {
   }
 
   void onGoal(Handle handle) {
-    const blocks::GoalId id = sink_.new_id();
+    const blocks::GoalId id = currentReceipt();
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      open_.push_back({id, handle});
+      open_.push_back({id, handle.getGoalID().id, handle});
     }
-    sink_.submit(id, [goal = handle.getGoal(), names = joint_names_](const Lookups& lookups) -> blocks::Goal {
-      return readGoal(*goal, lookups, names);
-    });
+    sink_.submit({id,
+                  [goal = handle.getGoal(), names = joint_names_](const Lookups& lookups) -> blocks::Goal {
+                    return readGoal(*goal, lookups, names);
+                  },
+                  [this] { return server_.isCancelled(); }});
   }
 
   void onCancel(Handle handle) {
+    const std::string name = handle.getGoalID().id;
     blocks::GoalId id = 0;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       const auto found =
-          std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.handle == handle; });
+          std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.name == name; });
       if (found == open_.end()) return;
       id = found->id;
     }
-    sink_.cancel(id);
+    sink_.cancel(id, currentReceipt());
   }
 
   bool find(blocks::GoalId id, Handle& handle) { return lookUp(id, handle, false); }

@@ -1,10 +1,14 @@
 // The command node of one robot: action servers and publishers around one command core.
 //
-// Everything it offers is relative to the node's namespace, so several robots are several namespaces. To be
-// spun by one thread.
+// Everything it offers is relative to the node's namespace, so several robots are several namespaces.
+//
+// Threads: stops, pauses, cancels and keep-alives have one of their own, on which nothing waits for anything
+// outside of this process, or for a lock that is held while somebody does. Services that wait have one for
+// each kind of what they wait for. Goals, timers and all the rest are served by who spins the global queue;
+// to be done by one thread.
 #pragma once
 
-#include <atomic>
+#include <array>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -24,6 +28,8 @@
 #include "cobot_command/ros/command/goal_intake.h"
 #include "cobot_command/ros/command/status_publisher.h"
 #include "cobot_command/ros/command/tf_frames.h"
+#include "cobot_command/ros/shared/receipts.h"
+#include "cobot_command/ros/shared/serving_thread.h"
 #include "cobot_command/runtime/command/command_runtime.h"
 
 namespace cobot_command::ros_adapter {
@@ -68,7 +74,8 @@ class CommandNode {
   void makeServices(const ros::NodeHandle& node, const CommandParameters& parameters);
   void startCore(const ros::NodeHandle& node, CommandParameters parameters);
   [[nodiscard]] command::CorePorts ports();
-  [[nodiscard]] GoalSink sink();
+  [[nodiscard]] GoalSink goalSink();
+  [[nodiscard]] GoalSink stopSink();
   [[nodiscard]] GoalIntake::Core intakeCore();
   [[nodiscard]] FileSource fileSource();
   [[nodiscard]] std::unique_ptr<TableServices> tableServices(const ros::NodeHandle& node,
@@ -83,14 +90,23 @@ class CommandNode {
   /// Of the intake's goals, those that have fallen with a command of the core.
   void endFallen();
   void submit(blocks::GoalId id, blocks::Goal goal);
+  [[nodiscard]] std::array<ServingThread*, 5> threads() {
+    return {&stops_, &interruptions_, &controls_, &disk_, &questions_};
+  }
   void adjustRetrying();
   [[nodiscard]] ros::Subscriber keepAlives(const ros::NodeHandle& node);
   bool finish(cobot_command::Finish::Request& request, cobot_command::Finish::Response& response);
 
+  Receipts receipts_;
+  NumberedQueue spinner_;
+  ServingThread stops_;
+  ServingThread interruptions_;  ///< wait for the controller, as the next
+  ServingThread controls_;       ///< of speeds and paths
+  ServingThread disk_;           ///< services that wait for a disk
+  ServingThread questions_;      ///< services that wait for the core alone, or calculate
   std::unique_ptr<CellSeat> seat_;
   std::string default_host_;
   int default_port_;
-  std::atomic<blocks::GoalId> last_goal_{0};  ///< counted by the spinner, asked for by the core's thread
   std::mutex fell_mutex_;
   std::vector<command::CommandsFell> fell_;  ///< told by the core, not to the intake yet
   std::unique_ptr<ArmOfNow> arm_;            ///< for services that calculate beside the core

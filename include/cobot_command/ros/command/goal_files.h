@@ -1,14 +1,14 @@
 // The files that goals name, read beside ROS's spinner: a file system may hang.
 //
 // A few threads, made with it, read them in the order in which they were asked for; more files than that wait
-// for their turn, up to a bound. What has hung is left behind at the end. Not thread-safe: the spinner owns
-// it.
+// for their turn, up to a bound. What has hung is left behind at the end. Thread-safe.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -48,6 +48,7 @@ class GoalFiles {
   class Desk;
 
   std::shared_ptr<Desk> desk_;
+  std::mutex mutex_;
   std::map<blocks::GoalId, std::shared_ptr<Job>> jobs_;
 };
 

@@ -7,8 +7,6 @@
 
 #include <ros/time.h>
 #include <std_msgs/Header.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
@@ -16,7 +14,8 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Listens to tf on a thread of its own, as tf2 does. Its functions are for one thread, but for whereNow().
+/// Listens to tf on a thread of its own, as tf2 does; to begin with that takes the master, so that this is
+/// done beside whoever asks, too. Its functions are for one thread, but for whereNow().
 ///
 /// /tf is one topic for everybody: where N robots listen to it, each gets the frames of all, N times N
 /// messages. Those that use no frames but their own need not listen.
@@ -24,6 +23,9 @@ class TfFrames {
  public:
   /// `from_start`: listen at once; else from the first find() on, which then knows nothing of earlier times.
   TfFrames(std::string robot_base, bool from_start);
+  ~TfFrames();
+  TfFrames(const TfFrames&) = delete;
+  TfFrames& operator=(const TfFrames&) = delete;
 
   /// As a FrameLookup does.
   [[nodiscard]] FramePlace find(const std_msgs::Header& header);
@@ -35,10 +37,11 @@ class TfFrames {
  private:
   void listen();
 
+  class Listener;
+
   std::string robot_base_;
-  tf2_ros::Buffer buffer_;
-  std::unique_ptr<tf2_ros::TransformListener> listener_;  // after the buffer that it fills
-  ros::SteadyTime listening_since_;
+  std::shared_ptr<Listener> listener_;  ///< shared with the thread that makes it listen
+  std::optional<ros::SteadyTime> asked_at_;
 };
 
 }  // namespace cobot_command::ros_adapter

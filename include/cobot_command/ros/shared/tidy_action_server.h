@@ -1,5 +1,10 @@
-// actionlib's server, where it loses goals or lives by the clocks of its clients.
+// actionlib's server, where it loses goals, keeps them, or lives by the clocks of its clients.
 //
+// - Goals and cancels are served in queues of their own, so that no cancel waits for goals. A cancel counts
+//   by receipt: a goal that was received before it is cancelled, though its callback runs later.
+// - A goal that has ended is known for some seconds, by its status alone: what it asked for is not kept.
+//   These seconds are those of a steady clock, as ROS's may stand still.
+// - The status is published with a queue of one: each message has all that the one before had.
 // - Its queues have 50 places: of a burst of goals the first, and of their results too, would be lost.
 // - A cancel of a goal that it does not know, as of one that ended seconds ago, is kept until five seconds
 //   after the stamp of the cancel: for ever when the stamp is zero, as that of every usual cancel. The list
@@ -10,24 +15,32 @@
 // - It tells the status of its goals five times a second, whether anybody listens or not: with all actions of
 //   a node that wakes three threads 75 times a second.
 //
-// Threads: as actionlib's server; one thread spins.
+// Threads: as actionlib's server. Each of its two queues is served by one thread, which may be the same.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <actionlib/server/action_server_base.h>
 #include <actionlib_msgs/GoalID.h>
 #include <actionlib_msgs/GoalStatus.h>
 #include <actionlib_msgs/GoalStatusArray.h>
+#include <boost/make_shared.hpp>
 #include <ros/console.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/steady_timer.h>
 #include <ros/subscriber.h>
-#include <ros/timer.h>
+
+#include "cobot_command/ros/shared/posted.h"
+#include "cobot_command/ros/shared/receipts.h"
+#include "cobot_command/ros/shared/serving_thread.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -42,25 +55,52 @@ void say(Result& result, const char* description, const char* remedy) {
   result.remedy = remedy;
 }
 
+/// Where the messages of an action are served. Both have to live longer than its server.
+struct ActionQueues {
+  NumberedQueue& goals;
+  NumberedQueue& cancels;
+  ServingThread* of_cancels = nullptr;  ///< serves `cancels`; nullptr: whoever serves the goals does
+};
+
 template <class Action>
 class TidyActionServer : public actionlib::ActionServerBase<Action> {
   using Base = actionlib::ActionServerBase<Action>;
 
  public:
-  /// Serves `name`, relative to `node`, from start() on.
+  /// Serves `name`, relative to `node`, from start() on. Each callback runs within one of its queue.
   template <class OnGoal, class OnCancel>
-  TidyActionServer(const ros::NodeHandle& node, const std::string& name, OnGoal on_goal, OnCancel on_cancel)
+  TidyActionServer(const ros::NodeHandle& node, const std::string& name, const ActionQueues& queues,
+                   OnGoal on_goal, OnCancel on_cancel)
       : Base(std::move(on_goal), std::move(on_cancel), false),
+        queues_(queues),
         action_(node, name),
-        tidying_(node.createSteadyTimer(
-            ros::WallDuration(kTidyPeriod), [this](const ros::SteadyTimerEvent&) { tidy(); }, false, false)) {
+        for_cancels_(node, name) {
+    action_.setCallbackQueue(&queues_.goals);
+    for_cancels_.setCallbackQueue(&queues_.cancels);
+    tidying_ = action_.createSteadyTimer(
+        ros::WallDuration(kTidyPeriod), [this](const ros::SteadyTimerEvent&) { tidy(); }, false, false);
     widenQueues(action_);
+  }
+  ~TidyActionServer() override {
+    cancels_.shutdown();
+    queues_.goals.removeByID(ownerOf(this));
+  }
+
+  /// Of the goal whose callback this thread is in: a cancel that was received after it covers it. To be asked
+  /// when `on_cancel` already finds that goal; no cancel is lost then, and one may be found by both.
+  [[nodiscard]] bool isCancelled() {
+    const std::lock_guard<std::mutex> lock(cancels_mutex_);
+    return std::any_of(kept_cancels_.begin(), kept_cancels_.end(), [this](const KeptCancel& cancel) {
+      return cancel.receipt > currentReceipt() && covers(cancel.goals, incoming_);
+    });
   }
 
  private:
   static constexpr double kTidyPeriod = 1.0;  // [s]
   // Of goals that come, or messages that go, at once.
   static constexpr int kQueueSize = 1000;
+  using GoalEvent = ros::MessageEvent<const typename Base::ActionGoal>;
+
   static constexpr const char* kPublishing = "actionlib_server_pub_queue_size";
   static constexpr const char* kSubscribing = "actionlib_server_sub_queue_size";
   // Those of actionlib.
@@ -77,28 +117,52 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
   /// Topics and parameters as those of actionlib's own server.
   void initialize() override {
     const std::uint32_t sent = queueSize(kPublishing);
-    const std::uint32_t heard = queueSize(kSubscribing);
+    const std::uint32_t received = queueSize(kSubscribing);
     results_ = action_.advertise<typename Base::ActionResult>("result", sent);
     feedback_ = action_.advertise<typename Base::ActionFeedback>("feedback", sent);
     const auto listened_to = [this](const ros::SingleSubscriberPublisher&) { adjustTelling(); };
-    status_ = action_.advertise<actionlib_msgs::GoalStatusArray>("status", sent, listened_to, listened_to,
+    status_ = action_.advertise<actionlib_msgs::GoalStatusArray>("status", 1, listened_to, listened_to,
                                                                  ros::VoidConstPtr(), true);
     this->status_list_timeout_ = ros::Duration(action_.param("status_list_timeout", kUsualTimeout));
     if (const double frequency = statusFrequency(); frequency > 0) {
-      telling_ = action_.createTimer(
-          ros::Duration(1 / frequency), [this](const ros::TimerEvent&) { publishStatus(); }, false, false);
+      telling_ = action_.createSteadyTimer(
+          ros::WallDuration(1 / frequency), [this](const ros::SteadyTimerEvent&) { publishStatus(); }, false,
+          false);
     }
-    goals_ = action_.subscribe<typename Base::ActionGoal>(
-        "goal", heard, [this](const typename Base::ActionGoal::ConstPtr& goal) {
-          this->goalCallback(goal);
-          tidying_.start();
-        });
-    cancels_ = action_.subscribe<actionlib_msgs::GoalID>(
-        "cancel", heard, [this](const actionlib_msgs::GoalID::ConstPtr& goal) {
-          this->cancelCallback(goal);
-          forgetTheFuture();
-          tidying_.start();
-        });
+    const boost::function<void(const GoalEvent&)> on_goal = [this](const GoalEvent& goal) { take(goal); };
+    goals_ = action_.subscribe<typename Base::ActionGoal>("goal", received, on_goal);
+    cancels_ = for_cancels_.subscribe<actionlib_msgs::GoalID>(
+        "cancel", received, [this](const actionlib_msgs::GoalID::ConstPtr& goals) { take(goals); });
+  }
+
+  /// A cancel that was received before the goal may not be served yet.
+  void take(const GoalEvent& goal) {
+    if (queues_.of_cancels != nullptr) queues_.of_cancels->catchUp();
+    incoming_ = goal.getMessage()->goal_id;
+    // It has the time at which it was received, as far as cancels are concerned.
+    if (incoming_.stamp.isZero()) incoming_.stamp = goal.getReceiptTime();
+    this->goalCallback(goal.getMessage());
+    tidying_.start();
+  }
+
+  /// Kept before the goals that are known are looked at: whichever is not known yet finds it.
+  void take(const actionlib_msgs::GoalID::ConstPtr& goals) {
+    {
+      const std::lock_guard<std::mutex> lock(cancels_mutex_);
+      kept_cancels_.push_back({currentReceipt(), *goals});
+    }
+    this->cancelCallback(goals);
+    forgetTheFuture();
+    post(
+        queues_.goals, [this] { tidying_.start(); }, this);  // timers belong to the thread of the goals
+  }
+
+  /// As actionlib says it.
+  [[nodiscard]] static bool covers(const actionlib_msgs::GoalID& cancelled,
+                                   const actionlib_msgs::GoalID& goal) {
+    if (cancelled.id.empty() && cancelled.stamp.isZero()) return true;
+    if (!cancelled.id.empty() && cancelled.id == goal.id) return true;
+    return !cancelled.stamp.isZero() && goal.stamp <= cancelled.stamp;
   }
 
   [[nodiscard]] std::uint32_t queueSize(const char* name) const {
@@ -126,7 +190,19 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     const bool recalled = status.status == actionlib_msgs::GoalStatus::RECALLED;
     if (recalled && saysNothing(message.result)) explain(message);
     results_.publish(message);
+    forgetContent(status.goal_id.id);
     publishStatus();
+  }
+
+  /// With the lock. What a goal has asked for may be megabytes.
+  void forgetContent(const std::string& id) {
+    for (auto& tracker : this->status_list_) {
+      if (tracker.status_.goal_id.id != id || !tracker.goal_) continue;
+      const auto without = boost::make_shared<typename Base::ActionGoal>();
+      without->header = tracker.goal_->header;
+      without->goal_id = tracker.goal_->goal_id;
+      tracker.goal_ = without;
+    }
   }
 
   void publishFeedback(const actionlib_msgs::GoalStatus& status,
@@ -139,7 +215,6 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     feedback_.publish(message);
   }
 
-  /// Each goal that has ended long enough ago for the last time.
   void publishStatus() override {
     const boost::recursive_mutex::scoped_lock lock(this->lock_);
     if (!this->started_) return;
@@ -147,10 +222,6 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     message.header.stamp = ros::Time::now();
     message.status_list.reserve(this->status_list_.size());
     for (const auto& tracker : this->status_list_) message.status_list.push_back(tracker.status_);
-    this->status_list_.remove_if([&](const auto& tracker) {
-      const ros::Time& since = tracker.handle_destruction_time_;
-      return !since.isZero() && since + this->status_list_timeout_ < message.header.stamp;
-    });
     goals_told_ = !message.status_list.empty();
     status_.publish(message);
   }
@@ -178,18 +249,42 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
 
   void tidy() {
     const boost::recursive_mutex::scoped_lock lock(this->lock_);
-    const ros::Time now = ros::Time::now();
-    for (auto& tracker : this->status_list_) {
-      if (!tracker.handle_tracker_.expired()) continue;  // its goal is still open
-      ros::Time& since = tracker.handle_destruction_time_;
-      if (since.isZero() || since > now) since = now;  // from here on actionlib's own five seconds
-    }
+    forgetEnded();
     forgetTheFuture();  // a clock may have been set back
+    const bool keeps_cancels = forgetCancels();
     // Whoever comes next shall not hear of goals that are long gone.
     if (status_.getNumSubscribers() == 0 && (goals_told_ || !this->status_list_.empty())) publishStatus();
     // Until the next goal or cancel: fifteen servers that look after nothing would wake the node all the
     // time.
-    if (this->status_list_.empty() && !goals_told_ && this->last_cancel_.isZero()) tidying_.stop();
+    const bool is_tidy = this->status_list_.empty() && !goals_told_ && !keeps_cancels;
+    if (is_tidy && this->last_cancel_.isZero()) tidying_.stop();
+  }
+
+  /// Goals that have ended, and cancels whose goal never came, for that long.
+  void forgetEnded() {
+    const ros::SteadyTime now = ros::SteadyTime::now();
+    const double timeout = this->status_list_timeout_.toSec();
+    std::map<std::string, ros::SteadyTime> ended;
+    this->status_list_.remove_if([&](const auto& tracker) {
+      if (!tracker.handle_tracker_.expired()) return false;  // its goal is still open
+      const std::string& id = tracker.status_.goal_id.id;
+      const auto known = ended_.find(id);
+      const ros::SteadyTime since = known == ended_.end() ? now : known->second;
+      if ((now - since).toSec() > timeout) return true;
+      ended.emplace(id, since);
+      return false;
+    });
+    ended_.swap(ended);
+  }
+
+  /// The callbacks of all goals that were received before this one have run. Whether any are left.
+  bool forgetCancels() {
+    const std::lock_guard<std::mutex> lock(cancels_mutex_);
+    const Receipt now = currentReceipt();
+    kept_cancels_.erase(std::remove_if(kept_cancels_.begin(), kept_cancels_.end(),
+                                       [now](const KeptCancel& cancel) { return cancel.receipt < now; }),
+                        kept_cancels_.end());
+    return !kept_cancels_.empty();
   }
 
   /// Cancels count until now, whatever their stamps say.
@@ -198,13 +293,25 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     this->last_cancel_ = std::min(this->last_cancel_, ros::Time::now());
   }
 
+  /// As long as goals may wait that were received before it.
+  struct KeptCancel {
+    Receipt receipt;
+    actionlib_msgs::GoalID goals;
+  };
+
+  ActionQueues queues_;
   ros::NodeHandle action_;
+  ros::NodeHandle for_cancels_;
+  actionlib_msgs::GoalID incoming_;  ///< the goal whose callback runs
+  std::mutex cancels_mutex_;
+  std::vector<KeptCancel> kept_cancels_;
+  std::map<std::string, ros::SteadyTime> ended_;  ///< since when, of goals that are told still
   ros::Publisher results_;
   ros::Publisher feedback_;
   ros::Publisher status_;
   ros::Subscriber goals_;
   ros::Subscriber cancels_;
-  ros::Timer telling_;        ///< of the status; runs while somebody listens
+  ros::SteadyTimer telling_;  ///< of the status; runs while somebody listens
   bool goals_told_ = false;   ///< the last status that was told had some
   ros::SteadyTimer tidying_;  ///< runs while there is anything to tidy
 };

@@ -20,6 +20,7 @@
 #include "cobot_command/CellState.h"
 #include "cobot_command/cell/supervision/cell_state.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/ros/shared/receipts.h"
 #include "cobot_command/runtime/cell/cell_supervisor.h"
 
 namespace cobot_command::ros_adapter {
@@ -53,6 +54,8 @@ class SupervisorNode {
   void settle(Instant now);
   void tell(const cell::CellStatus& status, Instant now);
 
+  Receipts receipts_;
+  NumberedQueue spinner_;
   std::unique_ptr<runtime::CellSupervisor> supervisor_;
   std::vector<std::unique_ptr<RobotContact>> contacts_;  ///< by robot
   std::unique_ptr<PeopleServices> people_;

@@ -39,14 +39,18 @@ class CommandRuntime {
   CommandRuntime& operator=(const CommandRuntime&) = delete;
 
   /// False, and nothing will be heard of the goal, once stop() has closed the core. Otherwise it gets its
-  /// GoalEnded.
+  /// GoalEnded. Ids tell in which order goals were received. What stops the robot, or holds it, does not wait
+  /// for other goals that wait for the core's thread: of those that were received before a stop none begins.
   [[nodiscard]] bool submit(blocks::GoalId id, blocks::Goal goal);
-  /// The falling edge of Execute; what falls with it are goals that came before this call. After stop() all
-  /// goals have ended, so there is nothing to cancel.
-  void cancel(blocks::GoalId id);
-  /// See CommandCore. The report comes when the core's thread has come to it, so it is not to be waited for
+  /// The falling edge of Execute; waits for no goals either. What falls with it are goals until `newest`;
+  /// nothing: those that came before this call. After stop() all goals have ended, so there is nothing to
+  /// cancel.
+  void cancel(blocks::GoalId id, std::optional<blocks::GoalId> newest = {});
+  /// See CommandCore; `newest`: as with cancel(). The report comes when the core's thread has come to it, so
+  /// it is not to be waited for
   /// in the observer, and behind a long planning for long. Nothing once stop() has closed the core.
-  std::optional<std::future<command::FinishReport>> finish(blocks::FinishAfter after);
+  std::optional<std::future<command::FinishReport>> finish(blocks::FinishAfter after,
+                                                           std::optional<blocks::GoalId> newest = {});
   /// See CommandCore.
   void useSettings(const link::LinkSettings& settings);
   /// See CommandCore.

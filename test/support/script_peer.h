@@ -1,8 +1,10 @@
 // A robot of the least kind: it takes every script at once, tells when, and can flood both ports with frames.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <deque>
 #include <future>
 #include <map>
 #include <mutex>
@@ -23,6 +25,8 @@
 #include "cobot_command/transport/tcp_server.h"
 
 namespace cobot_command::runtime {
+
+inline constexpr const char* kStop = "StopAndClearBuffer";
 
 /// A script that came, and when its last byte was read.
 struct HeardScript {
@@ -56,6 +60,23 @@ class ScriptPeer {
     return floods_seen_.waitUntil([&](const auto& seen) { return seen.size() > before; });
   }
   void endFlood() { floods_ = false; }
+  /// From now on scripts that hold `text` get no answer before letAnswersGo().
+  void holdAnswersTo(std::string text) {
+    const std::lock_guard<std::mutex> lock(answering_);
+    held_text_ = std::move(text);
+  }
+  void letAnswersGo() { holdAnswersTo({}); }
+  /// From now on each script is answered so late.
+  void answerAfter(std::chrono::steady_clock::duration delay) {
+    const std::lock_guard<std::mutex> lock(answering_);
+    delay_ = delay;
+  }
+  /// Whether a script that holds `text` came by now.
+  [[nodiscard]] bool hasHeard(const std::string& text) const {
+    const auto scripts = heard_.events();
+    return std::any_of(scripts.begin(), scripts.end(),
+                       [&](const HeardScript& one) { return one.text.find(text) != std::string::npos; });
+  }
   /// When the n-th script that holds `text` came, from 0; waits for it.
   [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> timeOf(const std::string& text,
                                                                             std::size_t n) {
@@ -91,8 +112,9 @@ class ScriptPeer {
         flood();
         context_.poll();
       } else {
-        context_.run_one_for(kStreamPeriod);
+        context_.run_one_for(answers_.empty() ? kStreamPeriod : kLookPeriod);
         streamInTime();
+        answerInTime();
       }
       context_.restart();
     }
@@ -142,12 +164,39 @@ class ScriptPeer {
       if (!message) continue;
       if (const auto* const script = std::get_if<protocol::ScriptRequest>(&*message)) {
         heard_.add({std::chrono::steady_clock::now(), script->script});
-        script_.send(client, protocol::encode(protocol::ScriptReply{script->id, true, {}}));
+        answers_.push_back({client, script->id, script->script, std::chrono::steady_clock::now()});
+        answerInTime();
       } else if (std::holds_alternative<protocol::ListenNodeQuery>(*message)) {
         script_.send(client, protocol::encode(protocol::ListenNodeState{true, "Listen1"}));
       }
     }
   }
+
+  /// In the order in which they came.
+  void answerInTime() {
+    const std::lock_guard<std::mutex> lock(answering_);
+    const auto now = std::chrono::steady_clock::now();
+    const auto is_due = [&](const Answer& answer) {
+      const bool is_held = !held_text_.empty() && answer.script.find(held_text_) != std::string::npos;
+      return !is_held && now >= answer.came + delay_;
+    };
+    for (auto answer = answers_.begin(); answer != answers_.end();) {
+      if (!is_due(*answer)) {
+        ++answer;
+        continue;
+      }
+      script_.send(answer->client, protocol::encode(protocol::ScriptReply{answer->id, true, {}}));
+      answer = answers_.erase(answer);
+    }
+  }
+
+  struct Answer {
+    transport::ClientId client;
+    std::string id;
+    std::string script;
+    std::chrono::steady_clock::time_point came;
+  };
+  static constexpr auto kLookPeriod = std::chrono::milliseconds(1);
 
   boost::asio::io_context context_;
   transport::TcpServer script_;
@@ -157,6 +206,10 @@ class ScriptPeer {
   std::chrono::steady_clock::time_point next_stream_;
   SimulatorPorts ports_;
   testing::EventLog<HeardScript> heard_;
+  std::deque<Answer> answers_;  ///< that are not out yet; of the peer's thread
+  std::mutex answering_;        ///< guards the next two
+  std::string held_text_;
+  std::chrono::steady_clock::duration delay_{};
   std::atomic<bool> ended_{false};
   std::atomic<bool> floods_{false};
   std::size_t flooded_ = 0;             ///< bytes to the script port

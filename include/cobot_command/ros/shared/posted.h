@@ -1,0 +1,18 @@
+// Something to be done on the thread that serves a callback queue.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include <ros/callback_queue_interface.h>
+
+namespace cobot_command::ros_adapter {
+
+/// By which removeByID() takes back what was posted for `owner`, which has to do so before it is gone.
+[[nodiscard]] inline std::uint64_t ownerOf(const void* owner) {
+  return reinterpret_cast<std::uintptr_t>(owner);
+}
+
+void post(ros::CallbackQueueInterface& queue, std::function<void()> what, const void* owner);
+
+}  // namespace cobot_command::ros_adapter
