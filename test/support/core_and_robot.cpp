@@ -139,6 +139,12 @@ void CoreAndRobot::pass(Duration duration) {
   advanceTo(until);
 }
 
+void CoreAndRobot::passRobotAlone(Duration duration) {
+  now_ += duration;
+  controller_.advance(now_);
+  static_cast<void>(controller_.takeOutputs());
+}
+
 bool CoreAndRobot::passUntil(const std::function<bool()>& done, Duration most) {
   const Instant until = now_ + most;
   while (!done()) {

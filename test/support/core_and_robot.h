@@ -59,6 +59,8 @@ class CoreAndRobot {
   void setGate(command::Gate gate) { *gate_ = std::move(gate); }
 
   void pass(Duration duration);
+  /// As if the command layer had died, or the link fallen silent: the robot hears nothing, and no end either.
+  void passRobotAlone(Duration duration);
   /// False when that did not come within `most`.
   bool passUntil(const std::function<bool()>& done, Duration most = std::chrono::minutes(10));
   /// Until it has ended.

@@ -29,6 +29,17 @@ struct OpenFailure {
   std::string message;  ///< the system's own words
 };
 
+/// In which modes the controller may be given velocities: in none, unless somebody asks for it by name. It
+/// keeps a velocity when this computer falls silent: that of the TCP until its own watch ends it, that of
+/// joints for good.
+struct VelocityModes {
+  /// In what the controller takes a velocity of the TCP (SetContinueVLine), which its sources do not agree
+  /// on.
+  enum class Line { Off, Millimetres, Metres };
+  Line line = Line::Off;  ///< ContinueVLine: in mm/s and deg/s, or in m/s and rad/s
+  bool joints = false;    ///< ContinueVJog
+};
+
 /// Deadlines and periods; each is injectable and has a range that the setter of parameters checks.
 struct LinkSettings {
   int status_port = 5891;                                 ///< 0: no status link
@@ -60,6 +71,7 @@ struct LinkSettings {
   bool auto_reconnect = false;
   /// A robot that still moves when a link is made, from before, is told to stop.
   bool stop_orphaned_motion = true;
+  VelocityModes velocities = {};  ///< that `jog` may use, where the controller takes them
   /// That the controller needs to bring the arm to rest from a velocity (ContinueVJog, ContinueVLine).
   Duration jog_stop_time = std::chrono::milliseconds(200);
   PathSettings path = {};  ///< of load_path

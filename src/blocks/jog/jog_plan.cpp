@@ -141,11 +141,13 @@ script::SixNumbers inDegrees(const arm::JointVector& joints) {
   return arm::toControllerJoints(joints);
 }
 
-script::SixNumbers inMmDeg(const motion::TcpVelocity& rate) {
+script::SixNumbers asControllerTakesIt(const motion::TcpVelocity& rate, bool in_metres) {
   script::SixNumbers six{};
   for (std::size_t i = 0; i < 3; ++i) {
-    six[i] = mToMm(rate.linear[static_cast<Eigen::Index>(i)]);
-    six[i + 3] = radToDeg(rate.angular[static_cast<Eigen::Index>(i)]);
+    const double linear = rate.linear[static_cast<Eigen::Index>(i)];
+    const double angular = rate.angular[static_cast<Eigen::Index>(i)];
+    six[i] = in_metres ? linear : mToMm(linear);
+    six[i + 3] = in_metres ? angular : radToDeg(angular);
   }
   return six;
 }
@@ -232,12 +234,13 @@ Order JogPlan::move(double drive, bool passes_on) const {
 /// Of joints the controller has no watch.
 Order JogPlan::enterVelocity() const {
   if (of_joints) return openEnded({script::ContinueVJog{}, script::SetContinueVJog{inDegrees(joint_rate)}});
-  return openEnded(
-      {script::ContinueVLine{kRestsAfter, kEndsAfter}, script::SetContinueVLine{inMmDeg(tcp_rate)}});
+  return openEnded({script::ContinueVLine{kRestsAfter, kEndsAfter},
+                    script::SetContinueVLine{asControllerTakesIt(tcp_rate, is_in_metres)}});
 }
 
 Order JogPlan::setVelocity(bool rests) const {
-  script::ScriptCommand set = script::SetContinueVLine{rests ? script::SixNumbers{} : inMmDeg(tcp_rate)};
+  script::ScriptCommand set =
+      script::SetContinueVLine{rests ? script::SixNumbers{} : asControllerTakesIt(tcp_rate, is_in_metres)};
   if (of_joints) set = script::SetContinueVJog{rests ? script::SixNumbers{} : inDegrees(joint_rate)};
   return rests ? settingOrder(std::move(set)) : openEnded({std::move(set)});
 }
@@ -251,7 +254,11 @@ Result<std::shared_ptr<const JogPlan>, Failure> planJog(const JogGoal& goal, con
   plan->of_joints = goal.mode == static_cast<int>(JogMode::Axes);
   plan->percent = percentOf(goal.speed);
   plan->start = *scene.start->joints;
-  plan->is_velocity_refused = scene.is_velocity_refused;
+  const link::VelocityModes::Line line = scene.velocities.line;
+  const bool is_permitted =
+      plan->of_joints ? scene.velocities.joints : line != link::VelocityModes::Line::Off;
+  plan->by_velocity = is_permitted && !scene.is_velocity_refused;
+  plan->is_in_metres = line == link::VelocityModes::Line::Metres;
   plan->stop_time = scene.jog_stop_time;
   const bool has_frames = scene.start->base && scene.start->tcp;
   if (!plan->of_joints && !has_frames) {

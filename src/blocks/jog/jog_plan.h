@@ -36,8 +36,9 @@ struct JogPlan {
   arm::JointVector rest = arm::JointVector::Zero();  ///< where that is
   std::optional<motion::Refusal> obstacle;           ///< that is there; nothing: ten minutes are over
   std::optional<double> step;                        ///< 1, of an increment; nothing: hold to run
-  bool is_velocity_refused = false;
-  Duration stop_time{};  ///< that the controller needs to bring it to rest
+  bool by_velocity = false;   ///< the controller may be given one, and has not refused it
+  bool is_in_metres = false;  ///< it takes that of the TCP in m/s and rad/s, not in mm/s and deg/s
+  Duration stop_time{};       ///< that the controller needs to bring it to rest
 
   /// The drive that has brought the arm there; `last`: where it was before, for turns beyond half of one.
   [[nodiscard]] double driveAt(const arm::JointVector& joints, double last) const;

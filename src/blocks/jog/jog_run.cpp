@@ -32,7 +32,7 @@ bool refusesVelocity(const Outcome& outcome) {
 
 /// For the last bit of way in front of a limit a velocity would be too much.
 std::unique_ptr<JogDrive> driveOf(const std::shared_ptr<const JogPlan>& plan) {
-  const bool by_moves = plan->step || plan->is_velocity_refused || !hasRoomForVelocity(*plan, 0);
+  const bool by_moves = plan->step || !plan->by_velocity || !hasRoomForVelocity(*plan, 0);
   return by_moves ? movesDrive(plan) : velocityDrive(plan);
 }
 
@@ -293,6 +293,8 @@ void JogRun::tell(Instant now) {
         state_ == State::Slowing ? "no keep-alive: comes to rest" : "comes to rest: " + report_.why;
   } else if (velocity_refused_) {
     progress.text += "; by short moves, as the controller takes no velocities";
+  } else if (drive_->means() == JogMeans::Velocity && plan_->of_joints) {
+    progress.text += "; by velocities: when this node or its link dies, nobody stops the joints";
   }
   progress.planned.reset();
   progress.remaining.reset();

@@ -52,6 +52,7 @@ blocks::PlanningScene GoalPlans::sceneOf(const blocks::Goal& goal) const {
   scene.feedrate = parts_.paths.served().feedrate;
   scene.is_pvt_refused = parts_.paths.isPvtRefused();
   scene.is_velocity_refused = parts_.jog.isVelocityRefused();
+  scene.velocities = parts_.settings.velocities;
   scene.jog_stop_time = parts_.settings.jog_stop_time;
   scene.angle_tolerance = parts_.settings.angle_tolerance;
   scene.path = parts_.settings.path;

@@ -154,7 +154,16 @@ SettingTable pathTable(link::LinkSettings& l) {
 }
 
 SettingTable jogTable(link::LinkSettings& l) {
+  using Line = link::VelocityModes::Line;
+  const Words<Line> units{{"off", Line::Off}, {"mm", Line::Millimetres}, {"m", Line::Metres}};
   return {
+      {"velocity_line", choice(l.velocities.line, units),
+       "of `jog`: off: the TCP is jogged by short moves. mm, m: by velocities where the controller has a "
+       "licence for them, which it is taken to read in mm/s and deg/s, or in m/s and rad/s. Sources do not "
+       "agree on which: with the wrong one the arm is 1000 times too fast, or hardly moves; "
+       "doc/actions/jog.md"},
+      {"velocity_joints", flag(l.velocities.joints),
+       "the same of joints, in deg/s. **When this node or its link dies, nobody stops them**"},
       {"jog_stop_time", seconds(l.jog_stop_time, 0.05, 0.2),
        "of `jog`: what the controller needs to bring the arm to rest from a velocity. The rest of 0.25 s, "
        "less "

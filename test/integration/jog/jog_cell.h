@@ -28,10 +28,18 @@ inline simulator::Settings withVelocities(bool licence, simulator::Settings sett
   return settings;
 }
 
+/// They were asked for by name.
+inline link::LinkSettings velocitiesPermitted() {
+  link::LinkSettings settings;
+  settings.velocities = {link::VelocityModes::Line::Millimetres, true};
+  return settings;
+}
+
 class JogCell {
  public:
-  explicit JogCell(bool licence, const simulator::Settings& settings = {}, Duration planning = {})
-      : cell("tm5-900", withVelocities(licence, settings), {}, planning) {
+  explicit JogCell(bool licence, const simulator::Settings& settings = {}, Duration planning = {},
+                   const link::LinkSettings& link = velocitiesPermitted())
+      : cell("tm5-900", withVelocities(licence, settings), link, planning) {
     cell.connect();
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "jog_cell.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
@@ -27,6 +28,50 @@ TEST(JogMeansTest, areVelocitiesWhereTheyAreLicensed) {
   EXPECT_THAT(scripts[0], HasSubstr("ContinueVJog()\r\nSetContinueVJog(18,0,0,0,0,0)\r\nQueueTag("));
   EXPECT_EQ(scripts[1], "SetContinueVJog(0,0,0,0,0,0)");
   EXPECT_EQ(scripts[2], "StopContinueVmode()");
+}
+
+TEST(JogMeansTest, areMovesUnlessVelocitiesWereAskedForByName) {
+  JogCell cell(true, {}, {}, {});
+  for (const auto mode : {JogMode::Axes, JogMode::Frame, JogMode::Tool}) {
+    const GoalId id = cell.cell.submit(jog(mode, 1, 1, 10));
+    cell.hold(300ms);
+    static_cast<void>(cell.timeToStandstill());
+    EXPECT_EQ(reportOf(cell.cell.endOf(id)).means, JogMeans::Moves);
+  }
+  EXPECT_THAT(cell.cell.scripts(), Each(Not(HasSubstr("ContinueV"))));
+}
+
+TEST(JogMeansTest, areVelocitiesForJointsOrForTheTcpAsEachWasAskedFor) {
+  link::LinkSettings only_joints;
+  only_joints.velocities.joints = true;
+  JogCell cell(true, {}, {}, only_joints);
+  const GoalId of_tcp = cell.cell.submit(jog(JogMode::Frame, 1, 1, 10));
+  cell.hold(100ms);
+  EXPECT_EQ(reportOf(cell.cell.endOf(of_tcp)).means, JogMeans::Moves);
+  EXPECT_THAT(cell.cell.scripts(), Each(Not(HasSubstr("ContinueV"))));
+  const GoalId of_joints = cell.cell.submit(jog(JogMode::Axes, 0, 1, 10));
+  cell.hold(100ms);
+  EXPECT_THAT(cell.cell.scripts(), Contains(HasSubstr("ContinueVJog()")));
+  const auto& told = cell.cell.progress(of_joints);
+  EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const Progress& progress) {
+    return progress.text.find("nobody stops the joints") != std::string::npos;
+  }));
+}
+
+TEST(JogMeansTest, areVelocitiesOfTheTcpInTheUnitThatWasAskedFor) {
+  link::LinkSettings in_metres;
+  in_metres.velocities.line = link::VelocityModes::Line::Metres;
+  JogCell metres(true, {}, {}, in_metres);
+  JogCell millimetres(true);
+  for (JogCell* cell : {&metres, &millimetres}) {
+    cell->cell.submit(jog(JogMode::Frame, 1, 1, 10));
+    cell->hold(100ms);
+  }
+  const double typical_mm_s = mToMm(arm::ArmModel::named("tm5-900")->ratings().max_tcp_speed);
+  EXPECT_THAT(millimetres.cell.scripts().front(),
+              HasSubstr(fmt::format("SetContinueVLine(0,{},0,0,0,0)", 0.1 * typical_mm_s)));
+  EXPECT_THAT(metres.cell.scripts().front(),
+              HasSubstr(fmt::format("SetContinueVLine(0,{},0,0,0,0)", 0.0001 * typical_mm_s)));
 }
 
 TEST(JogMeansTest, keepVelocitiesOfTheTcpAliveAtTheController) {
