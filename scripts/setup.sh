@@ -31,9 +31,9 @@ install_missing() {
 
 # Into the build folder, where CTest looks for them. The only thing that does not come from Debian: without it the tests
 # that need it are skipped, and say so.
-install_foreign_clients() {
-  local folder=$build/foreign-clients list=$root/scripts/python-packages.txt
-  say "Looking for the clients of scripts/python-packages.txt"
+install_python_packages() {
+  local folder=$build/python-packages list=$root/scripts/python-packages.txt
+  say "Looking for the packages of scripts/python-packages.txt"
   if cmp -s "$list" "$folder/installed.txt"; then
     echo "all there"
     return
