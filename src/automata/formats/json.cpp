@@ -1,4 +1,6 @@
 #include <map>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,7 +24,7 @@ template <class... Values>
   throw Fault{fmt::format(text, std::forward<Values>(values)...)};
 }
 
-const json& member(const json& object, const char* key, json::value_t kind, const std::string& place) {
+const json& member(const json& object, const char* key, json::value_t kind, std::string_view place) {
   if (!object.is_object()) fail("{} is no object", place);
   const auto at = object.find(key);
   if (at == object.end()) fail("{} has no \"{}\"", place, key);
@@ -30,7 +32,7 @@ const json& member(const json& object, const char* key, json::value_t kind, cons
   return *at;
 }
 
-const std::string& text(const json& value, const std::string& place) {
+const std::string& text(const json& value, std::string_view place) {
   if (!value.is_string()) fail("{} is {}, not a text", place, value.type_name());
   return value.get_ref<const std::string&>();
 }
