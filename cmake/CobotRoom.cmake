@@ -27,6 +27,13 @@ if(COBOT_FUZZ)
   # What libFuzzer sees of the code that it drives.
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
+# Where TinyXML-2 asks for large files of whoever uses it (Debian 13), all sources have them: those that share precompiled
+# headers have to agree on what the C library's types are.
+find_package(tinyxml2 REQUIRED)
+get_target_property(asked tinyxml2::tinyxml2 INTERFACE_COMPILE_DEFINITIONS)
+if(_FILE_OFFSET_BITS=64 IN_LIST asked)
+  add_compile_definitions(_FILE_OFFSET_BITS=64)
+endif()
 
 include(CobotUnity)
 include(CobotPrecompiled)
