@@ -1,6 +1,6 @@
 # Read by find_package(cobot_command) in another project: the rooms of the core as targets, cobot_command::link and so on.
 include(CMakeFindDependencyMacro)
-find_dependency(Boost 1.71)
+find_dependency(Boost 1.71 CONFIG)
 find_dependency(Threads)
 find_dependency(Eigen3 3.3 NO_MODULE)
 find_dependency(fmt)
