@@ -70,12 +70,18 @@ def split(topic):
     return namespace, name
 
 
+def sender_of(header):
+    """The node whose connection it is, or ""."""
+    sender = header.get("callerid", "")
+    return sender.decode("utf-8", "backslashreplace") if isinstance(sender, bytes) else sender
+
+
 class Reader:
     """Takes the messages of a bag, one after the other."""
 
     def __init__(self, file, namespace, began, ended):
         self.run = Run(file, namespace, began, ended - began, None, None)
-        self.goals = GoalBook(self.run.goals)
+        self.goals = GoalBook(self.run.goals, began)
         self.counts = {}  # (topic, who sent it): the number of the last message
         self.joints, self.places = [], []
         self.names = None
@@ -96,7 +102,7 @@ class Reader:
             return
         action, _, what = name.rpartition("/")
         if what in topics.OF_AN_ACTION:
-            self.goals.take(action, what, message, self.time_of(message, received))
+            self.goals.take(action, what, message, self.time_of(message, received), sender_of(header))
 
     def time_of(self, message, received):
         """When it was; where nobody has written that, when it was recorded."""
@@ -107,7 +113,7 @@ class Reader:
         """roscpp and rospy number what they send: a number that is left out is a message that was lost."""
         if name.rpartition("/")[2] not in COUNTED:
             return
-        key = (name, header.get("callerid", b""))
+        key = (name, sender_of(header))
         number, before = message.header.seq, self.counts.get(key)
         if before is not None and number > before + 1:
             self.run.losses.append(Loss(name, received - self.run.began, number - before - 1))
@@ -156,6 +162,7 @@ class Reader:
         self.run.joints = self.joint_track()
         places = numpy.array(self.places).reshape(-1, 4)
         self.run.tool = ToolTrack(places[:, 0], places[:, 1:])
+        self.goals.finish()
         self.run.frames.sort(key=lambda frame: frame.time)
         self.run.goals.sort(key=lambda goal: goal.begun)
         return self.run

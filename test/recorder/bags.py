@@ -21,6 +21,7 @@ BEGAN = 1_700_000_000.0  # [s]
 NAMES = ["shoulder_1_joint", "shoulder_2_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint"]
 HOME = [0, 0, 90, 0, 90, 0]
 LIMITS = [(-270, 270, 180), (-180, 180, 180), (-155, 155, 180), (-180, 180, 225), (-180, 180, 225), (-270, 270, 225)]
+NODE = "/command_node"
 QUESTION = (b"$TMSTA,2,00,*41\r\n", "in a Listen node?")
 ANSWER = (b"$TMSTA,15,00,true,Listen1,*79\r\n", "in a Listen node: Listen1")
 
@@ -40,6 +41,7 @@ class BagMaker:
         self.namespace = f"/{namespace}/" if namespace else ""
         self.bag = rosbag.Bag(str(file), "w")
         self.numbers = collections.Counter()
+        self.sender = NODE  # of feedback and results; None: the bag does not say
 
     def __enter__(self):
         return self
@@ -47,13 +49,15 @@ class BagMaker:
     def __exit__(self, *_):
         self.bag.close()
 
-    def write(self, topic, message, time):
+    def write(self, topic, message, time, sender=None):
         stamp = genpy.Time.from_sec(BEGAN + time)
         if hasattr(message, "header"):
             message.header.stamp = stamp
             message.header.seq = self.numbers[topic]
             self.numbers[topic] += 1
-        self.bag.write(self.namespace + topic, message, stamp)
+        name = self.namespace + topic
+        header = {"topic": name, "type": message._type, "md5sum": message._md5sum, "message_definition": message._full_text}
+        self.bag.write(name, message, stamp, connection_header={**header, "callerid": sender} if sender else header)
 
     def lose(self, topic, count):
         """So many messages that were sent, and did not come."""
@@ -123,11 +127,14 @@ class BagMaker:
         self.of_goal(time, action, identity, "Result", status, fields)
 
     def of_goal(self, time, action, identity, what, status, fields):
+        """`given`, of the fields: when the server has got the goal."""
+        given = fields.pop("given", None)
+        stamp = genpy.Time() if given is None else genpy.Time.from_sec(BEGAN + given)
         kind = kind_of(action)
         content = getattr(messages, f"{kind}{what}")(**fields)
         message = getattr(messages, f"{kind}Action{what}")(**{what.lower(): content})
-        message.status = GoalStatus(goal_id=GoalID(genpy.Time(), identity), status=status)
-        self.write(f"{action}/{what.lower()}", message, time)
+        message.status = GoalStatus(goal_id=GoalID(stamp, identity), status=status)
+        self.write(f"{action}/{what.lower()}", message, time, self.sender)
 
 
 def kind_of(action):
