@@ -1,11 +1,11 @@
 """A bag into a Run. The messages are read as the bag itself describes them, so no workspace is needed."""
+import dataclasses
 import math
-import pathlib
 
 import numpy
-import rosbag
 
 from flight import topics
+from flight.bag_file import BagFile, version_told
 from flight.goal_book import GoalBook
 from flight.run import Axis, Event, Frame, Joints, Loss, Run, RunError, ToolTrack
 
@@ -14,45 +14,32 @@ MM = 1000.0
 COUNTED = {topics.FRAMES, topics.STATUS_FRAMES, topics.JOINTS, topics.TOOL, topics.FEEDBACK, topics.RESULT}
 LINE_STRIP, LINE_LIST = 4, 5  # visualization_msgs/Marker
 HELD = (("e_stopped", "emergency stop"), ("in_error", "error"), ("safeguard", "safeguard"), ("project_paused", "paused"))
+FAR = 60.0  # [s] of a stamp from when its message was recorded: so long no message is under way
+# Beyond all reason: turns of a joint [rad, rad/s], places of a TCP [m], limits and speeds of robot_data [deg, deg/s].
+MOST_ANGLE, MOST_PLACE, MOST_LIMIT = 1e4, 1e3, 1e5
 IDENTITY = ("maker", "model", "controller_model", "control_box_sn", "tmflow_version", "layer_version")
 
 
 def read(file, namespace=None):
     """The run that was recorded in the file, of the robot in the namespace; RunError says why there is none."""
-    with opened(file) as bag:
-        namespace = namespace_in(bag, namespace)
-        reader = Reader(str(file), namespace, bag.get_start_time(), bag.get_end_time())
-        for topic, message, received, header in bag.read_messages(return_connection_header=True):
-            reader.take(topic, message, received.to_sec(), header)
+    with BagFile(file) as bag, version_told(file):
+        namespace = namespace_in(bag.types, namespace)
+        reader = Reader(str(file), namespace, bag.began, bag.ended)
+        for received in bag.messages():
+            reader.take(received)
     return reader.finish()
 
 
-def opened(file):
-    path = pathlib.Path(file)
-    if not path.is_file():
-        raise RunError(f"there is no bag {path}; give the file that flight_record.py has written")
-    try:
-        bag = rosbag.Bag(str(path))
-    except rosbag.ROSBagUnindexedException:
-        raise RunError(f"{path} was not closed, so its end may be missing; `rosbag reindex {path}` mends what is there") from None
-    except (rosbag.ROSBagException, OSError) as error:
-        raise RunError(f"{path} cannot be read as a bag: {error}") from None
-    if bag.get_message_count() == 0:
-        bag.close()
-        raise RunError(f"{path} holds no messages; record while the command node runs")
-    return bag
-
-
-def namespace_in(bag, wanted):
+def namespace_in(types, wanted):
     """Where the topic `frames` is, without slashes around it."""
-    kinds = bag.get_type_and_topic_info().topics
-    found = sorted({parts[0].strip("/") for parts in (split(name) for name in kinds) if parts[1] == topics.FRAMES})
+    named = {split(topic)[0].strip("/"): kind for topic, kind in types.items() if split(topic)[1] == topics.FRAMES}
+    found = sorted(namespace for namespace, kind in named.items() if kind == topics.TYPES[topics.FRAMES])
     if wanted is not None and wanted.strip("/") in found:
         return wanted.strip("/")
     if wanted is None and len(found) == 1:
         return found[0]
     if not found:
-        raise RunError(f"the bag has no topic {topics.FRAMES}; it has {', '.join(sorted(kinds))}. Record with flight_record.py")
+        raise RunError(f"the bag has no topic {topics.FRAMES}; it has {', '.join(sorted(types))}. Record with flight_record.py")
     raise RunError(f"the bag has robots in the namespaces {', '.join('/' + name for name in found)}; choose one with --namespace")
 
 
@@ -70,10 +57,9 @@ def split(topic):
     return namespace, name
 
 
-def sender_of(header):
-    """The node whose connection it is, or ""."""
-    sender = header.get("callerid", "")
-    return sender.decode("utf-8", "backslashreplace") if isinstance(sender, bytes) else sender
+def are_usable(values, most):
+    """Whether all are numbers, and none is larger than any could be."""
+    return all(abs(value) <= most for value in values)
 
 
 class Reader:
@@ -90,34 +76,43 @@ class Reader:
             topics.TOOL: self.take_tool, topics.LINK: self.take_link, topics.ROBOT: self.take_robot,
             topics.DATA: self.take_data, topics.PLANNED: self.take_planned, topics.MESSAGES: self.take_event}
 
-    def take(self, topic, message, received, header):
-        name = topic.strip("/")
+    def take(self, received):
+        name = received.topic.strip("/")
         if self.run.namespace:
             if not name.startswith(self.run.namespace + "/"):
                 return
             name = name[len(self.run.namespace) + 1:]
-        self.count(name, message, received, header)
-        if name in self.takers:
-            self.takers[name](message, self.time_of(message, received))
+        message = received.message
+        if not topics.is_own(name, message._type):
             return
-        action, _, what = name.rpartition("/")
-        if what in topics.OF_AN_ACTION:
-            self.goals.take(action, what, message, self.time_of(message, received), sender_of(header))
+        self.count(name, received)
+        time = self.time_of(message, received.time)
+        if name in self.takers:
+            self.takers[name](message, time)
+        else:
+            action, _, what = name.rpartition("/")
+            self.goals.take(action, what, message, time, received.sender)
 
     def time_of(self, message, received):
-        """When it was; where nobody has written that, when it was recorded."""
+        """When it was; where nobody has written that, or by another clock, when it was recorded."""
         stamp = message.header.stamp.to_sec() if hasattr(message, "header") else 0
+        if stamp and abs(stamp - received) > FAR:
+            self.run.far_stamps += 1
+            stamp = 0
         return (stamp or received) - self.run.began
 
-    def count(self, name, message, received, header):
+    def count(self, name, received):
         """roscpp and rospy number what they send: a number that is left out is a message that was lost."""
         if name.rpartition("/")[2] not in COUNTED:
             return
-        key = (name, sender_of(header))
-        number, before = message.header.seq, self.counts.get(key)
+        key = (name, received.sender)
+        number, before = received.message.header.seq, self.counts.get(key)
         if before is not None and number > before + 1:
-            self.run.losses.append(Loss(name, received - self.run.began, number - before - 1))
+            self.run.losses.append(Loss(name, received.time - self.run.began, number - before - 1))
         self.counts[key] = number
+
+    def cannot_use(self, topic):
+        self.run.unusable[topic] = self.run.unusable.get(topic, 0) + 1
 
     def take_frame(self, message, time):
         self.run.frames.append(Frame(time, message.sent, message.channel == message.STATUS, bytes(message.bytes),
@@ -125,12 +120,17 @@ class Reader:
 
     def take_joints(self, message, time):
         self.names = self.names or list(message.name)
-        if list(message.name) == self.names and len(message.position) == len(self.names):
+        if not are_usable([*message.position, *message.velocity], MOST_ANGLE):
+            self.cannot_use(topics.JOINTS)
+        elif list(message.name) == self.names and len(message.position) == len(self.names):
             self.joints.append((time, message.position, message.velocity))
 
     def take_tool(self, message, time):
-        place = message.pose.position
-        self.places.append((time, place.x * MM, place.y * MM, place.z * MM))
+        place = [message.pose.position.x, message.pose.position.y, message.pose.position.z]
+        if not are_usable(place, MOST_PLACE):
+            self.cannot_use(topics.TOOL)
+            return
+        self.places.append((time, *(value * MM for value in place)))
 
     def take_link(self, message, time):
         self.run.links.append((time, message.link_state))
@@ -141,13 +141,21 @@ class Reader:
             self.run.states.append((time, held))
 
     def take_data(self, message, _):
-        self.run.axes[:] = [Axis(a.name, a.lower_limit, a.upper_limit, a.rated_speed) for a in message.axes]
+        axes = [Axis(a.name, a.lower_limit, a.upper_limit, a.rated_speed) for a in message.axes]
+        if all(are_usable(dataclasses.astuple(axis)[1:], MOST_LIMIT) and axis.lower < axis.upper and axis.rated_speed > 0 for axis in axes):
+            self.run.axes[:] = axes
+        else:
+            self.cannot_use(topics.DATA)
         self.run.identity.update({name: getattr(message, name) for name in IDENTITY if getattr(message, name)})
 
     def take_planned(self, message, time):
         if message.type not in (LINE_STRIP, LINE_LIST) or len(message.points) < 2:
             return
-        points = numpy.array([(p.x, p.y, p.z) for p in message.points]) * MM
+        places = [(p.x, p.y, p.z) for p in message.points]
+        if not all(are_usable(place, MOST_PLACE) for place in places):
+            self.cannot_use(topics.PLANNED)
+            return
+        points = numpy.array(places) * MM
         self.run.planned.append((time, points if message.type == LINE_STRIP else chained(points)))
 
     def take_event(self, message, time):

@@ -34,8 +34,11 @@ def by_sender(frames):
 def readings(tm_frame, sender, frames):
     """What the decoder says of each frame: {valid, meaning, text}."""
     lines = "".join(frame.data.hex() + "\n" for frame in frames)
-    done = subprocess.run([str(tm_frame), "decode", "--hex", "--trace-of", sender], input=lines, capture_output=True, text=True,
-                          timeout=SECONDS, check=False)
+    try:
+        done = subprocess.run([str(tm_frame), "decode", "--hex", "--trace-of", sender], input=lines, capture_output=True, text=True,
+                              timeout=SECONDS, check=False)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise RunError(f"{tm_frame} cannot be used: {error}; build it anew, or give another folder with --programs") from None
     answers = done.stdout.splitlines()
     if done.returncode not in (0, 1) or len(answers) != len(frames):
         raise RunError(f"{tm_frame} has answered {len(answers)} of {len(frames)} frames: {done.stderr.strip() or 'no reason given'}")

@@ -105,6 +105,8 @@ class Run:
     links: list = dataclasses.field(default_factory=list)  # (time, link_state of command_status)
     events: list = dataclasses.field(default_factory=list)
     losses: list = dataclasses.field(default_factory=list)
+    unusable: dict = dataclasses.field(default_factory=dict)  # topic: messages whose numbers are none, or beyond all reason
+    far_stamps: int = 0  # messages whose stamps are of another time than that of their recording
 
     @property
     def script_frames(self):

@@ -6,12 +6,24 @@ JOINTS, TOOL = "joint_states", "tool_pose"
 LINK, ROBOT, DATA = "command_status", "robot_status", "robot_data"
 PLANNED, MESSAGES = "planned_path", "messages"
 TOPICS = (FRAMES, JOINTS, TOOL, LINK, ROBOT, DATA, PLANNED, MESSAGES)
+TYPES = {
+    FRAMES: "cobot_command/FrameTrace", STATUS_FRAMES: "cobot_command/FrameTrace", JOINTS: "sensor_msgs/JointState",
+    TOOL: "geometry_msgs/PoseStamped", LINK: "cobot_command/CommandStatus", ROBOT: "cobot_command/RobotStatus",
+    DATA: "cobot_command/RobotData", PLANNED: "visualization_msgs/Marker", MESSAGES: "cobot_command/Message"}
 
 GOAL, CANCEL, FEEDBACK, RESULT = "goal", "cancel", "feedback", "result"
-OF_AN_ACTION = (GOAL, CANCEL, FEEDBACK, RESULT)
+OF_AN_ACTION = {GOAL: "ActionGoal", CANCEL: "actionlib_msgs/GoalID", FEEDBACK: "ActionFeedback", RESULT: "ActionResult"}  # ends of their types
 
 # Its messages are another package's (doc/actions/follow_joint_trajectory.md).
 FOREIGN_ACTION = "follow_joint_trajectory"
+
+
+def is_own(name, kind):
+    """Whether a topic of that name, relative to the namespace, is of the type that a command node gives it: others may have such names."""
+    if name in TYPES:
+        return kind == TYPES[name]
+    action, _, what = name.rpartition("/")
+    return bool(action) and what in OF_AN_ACTION and kind.endswith(OF_AN_ACTION[what])
 
 
 def actions_in(message_names):

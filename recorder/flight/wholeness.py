@@ -7,6 +7,7 @@ MOST_TOLD = 20
 def faults(run):
     """Sentences about what is missing; none: the recording is whole."""
     found = [f"{loss.count} of {loss.topic} lost before {loss.time:.3f} s" for loss in run.losses]
+    found += [f"{count} of {topic} cannot be used: their numbers are none, or beyond all reason" for topic, count in run.unusable.items()]
     if not run.frames:
         found.append("there is not one frame: no link was made while it was recorded")
     for goal in run.goals:
@@ -22,6 +23,9 @@ def remarks(run):
     said += [f"at {frame.time:.3f} s came what the command layer could not read: {frame.meaning}"
              for frame in run.frames if frame.refused]
     said += [f"script {identity} of {time:.3f} s has no reply" for identity, time in unanswered(run.script_frames)]
+    if run.far_stamps:
+        said.append(f"{run.far_stamps} messages have stamps of another time, and are shown when they were recorded: the clocks of node and"
+                    " recorder differ, or one was set meanwhile")
     if not run.axes:
         said.append("robot_data is not in the bag, or the command node knows no model: no limits are drawn")
     return said[:MOST_TOLD] + ([f"and {len(said) - MOST_TOLD} more"] if len(said) > MOST_TOLD else [])

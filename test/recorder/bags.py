@@ -41,6 +41,7 @@ class BagMaker:
         self.namespace = f"/{namespace}/" if namespace else ""
         self.bag = rosbag.Bag(str(file), "w")
         self.numbers = collections.Counter()
+        self.clock = 0  # [s] by which the stamps are later than the recording
         self.sender = NODE  # of feedback and results; None: the bag does not say
 
     def __enter__(self):
@@ -52,7 +53,7 @@ class BagMaker:
     def write(self, topic, message, time, sender=None):
         stamp = genpy.Time.from_sec(BEGAN + time)
         if hasattr(message, "header"):
-            message.header.stamp = stamp
+            message.header.stamp = genpy.Time.from_sec(BEGAN + time + self.clock)
             message.header.seq = self.numbers[topic]
             self.numbers[topic] += 1
         name = self.namespace + topic
@@ -104,8 +105,8 @@ class BagMaker:
     def planned(self, time, *places):
         self.write("planned_path", Marker(type=Marker.LINE_STRIP, points=[Point(*(v / 1000 for v in place)) for place in places]), time)
 
-    def data(self, time=0.0, **changes):
-        axes = [RobotAxis(name, *limits) for name, limits in zip(NAMES, LIMITS)]
+    def data(self, time=0.0, limits=LIMITS, **changes):
+        axes = [RobotAxis(name, *of_joint) for name, of_joint in zip(NAMES, limits)]
         self.write("robot_data", RobotData(model="tm5-900", tmflow_version="1.80", axes=axes, **changes), time)
 
     def link(self, time, state=CommandStatus.READY):

@@ -44,6 +44,7 @@ class Reading(BagTestCase):
         self.assertEqual(run.identity["model"], "tm5-900")
         self.assertEqual(len(run.planned), 1)
         self.assertAlmostEqual(run.began, BEGAN, 3)
+        self.assertAlmostEqual(run.duration, 1.31, 3)
 
     def test_joins_what_is_of_one_goal(self):
         def fill(maker):
