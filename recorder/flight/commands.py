@@ -3,6 +3,7 @@ import dataclasses
 import typing
 
 from flight.run import Goal
+from flight.tags import DONE
 
 CYCLE = "pick_and_place"
 SUCCEEDED = 3  # actionlib_msgs/GoalStatus
@@ -60,7 +61,7 @@ def steps_of(goal: Goal, tags):
             continue
         last = key
         tag = tag_of(feedback.command_id_ack, time, tags)
-        if tag and tag.done:
+        if tag and tag.outcome == DONE:
             found.append(Command(f"cycle {feedback.cycle}, step {feedback.step + 1}: {tag.motion}", planned, time_of(tag),
                                  tag.number, goal.identity))
     return found

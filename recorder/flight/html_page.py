@@ -3,7 +3,7 @@ import base64
 import html
 
 from flight import commands
-from flight.analysis import outcome_of
+from flight.analysis import kind_of, outcome_of
 from flight.drawing import page, style, tables
 from flight.drawing.times import label, later
 
@@ -36,8 +36,7 @@ def page_of(analysis):
 
 
 def head(analysis):
-    pills = "".join(f'<span class="pill" style="background:{style.GOOD if is_good else style.BAD}">{escaped(words)}</span>'
-                    for words, is_good in tables.verdict_words(analysis))
+    pills = "".join(f'<span class="pill" style="background:{colour}">{escaped(words)}</span>' for words, colour in tables.verdict_words(analysis))
     file = f"recorded in {analysis.run.file}"
     return (f"<h1>Flight report of {escaped(analysis.title)}</h1><p class=facts>{escaped(' · '.join([*tables.facts(analysis), file]))}</p>"
             f"<p>{pills}</p>")
@@ -61,7 +60,7 @@ def goal_table(analysis):
         outcome = outcome_of(goal)
         number, words = commands.error_of(goal)
         rows.append((seconds(goal.begun), goal.action, commands.target_of(goal),
-                     Markup(f'<td><b style="color:{style.outcome_colour(outcome)}">{escaped(outcome)}</b></td>'), number, words,
+                     Markup(f'<td><b style="color:{style.KINDS[kind_of(goal)]}">{escaped(outcome)}</b></td>'), number, words,
                      seconds(goal.end.time - goal.begun) if goal.end else "", str(len(goal.feedback))))
     return table("Goals", ("begun", "action", "goal", "outcome", "error", "what was said", "ended after", "feedbacks"), rows)
 
@@ -83,7 +82,7 @@ def joint_table(analysis):
 
 def tag_table(analysis):
     rows = [(str(tag.number), tag.script, tag.motion, seconds(tag.sent), "" if tag.accepted is None else seconds(tag.accepted),
-             "" if tag.end is None else seconds(tag.end), {True: "done", False: "failed or dropped", None: "open"}[tag.done])
+             "" if tag.end is None else seconds(tag.end), tag.outcome)
             for tag in analysis.tags]
     return table("Queue tags", ("tag", "script", "motion", "sent", "accepted", "ended", ""), rows)
 

@@ -105,6 +105,6 @@ def nearest(place, begins, ends):
 
 
 def motion_span(run):
-    """(begin, end) of all motion, with a second around it; of the whole run when nothing has moved."""
+    """(begin, end) of all motion; None when nothing has moved."""
     moving = run.joints.times[numpy.any(numpy.abs(run.joints.speeds) > STANDS, axis=1)]
-    return (0.0, run.duration) if not len(moving) else (max(0.0, moving[0] - 1), min(run.duration, moving[-1] + 1))
+    return (float(moving[0]), float(moving[-1])) if len(moving) else None

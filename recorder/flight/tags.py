@@ -11,9 +11,13 @@ MOTION = re.compile(rb"^\s*(?:Move_)?(PTP|Line|Circle|PLine|PVTEnter|ContinueV\w
 STOP = re.compile(rb"^\s*StopAndClearBuffer\(", re.MULTILINE)
 
 
+# How a tag can end: it was reached; a stop has dropped what was queued; its script was refused; its motion has failed.
+OPEN, DONE, DROPPED, REFUSED, FAILED = "open", "done", "dropped by a stop", "refused", "failed"
+
+
 @dataclasses.dataclass
 class Tag:
-    """One queue tag, from its script to its end. `end` is None while nobody knows it; `done` says how it ended.
+    """One queue tag, from its script to its end. `end` is None while nobody knows it.
 
     `begun` is when its motion could begin: it was accepted, and the tag in front of it in the queue was reached."""
     number: int
@@ -22,8 +26,11 @@ class Tag:
     sent: float
     accepted: typing.Optional[float] = None
     end: typing.Optional[float] = None
-    done: typing.Optional[bool] = None
+    outcome: str = OPEN
     begun: float = 0.0
+
+    def finish(self, time, outcome):
+        self.end, self.outcome = time, outcome
 
 
 def tags_in(frames):
@@ -33,7 +40,7 @@ def tags_in(frames):
         (book.take_sent if frame.sent else book.take_received)(frame)
     for before, tag in zip([None, *book.tags], book.tags):
         tag.begun = tag.sent if tag.accepted is None else tag.accepted
-        if before and before.end is not None and (tag.end is None or before.end < tag.end):
+        if before and before.end is not None and (tag.end is None or before.end <= tag.end):
             tag.begun = max(tag.begun, before.end)
     return book.tags
 
@@ -75,13 +82,13 @@ class TagBook:
             # What was queued before is dropped, and its tags are never told.
             for tag in self.open_tags():
                 if tag.script != identity:
-                    tag.end, tag.done = time, False
+                    tag.finish(time, DROPPED)
         for tag in self.open_tags():
             if tag.script == identity and tag.accepted is None:
                 if is_taken:
                     tag.accepted = time
                 else:
-                    tag.end, tag.done = time, False
+                    tag.finish(time, REFUSED)
 
     def take_report(self, number, state, time):
         is_answer = number in self.asked
@@ -91,7 +98,7 @@ class TagBook:
             return  # not yet
         tag = next((tag for tag in self.open_tags() if tag.number == number), None)
         if tag:
-            tag.end, tag.done = time, state == b"true"
+            tag.finish(time, DONE if state == b"true" else FAILED)
 
 
 def words(motions):

@@ -21,7 +21,7 @@ class Tags(BagTestCase):
 
     def test_goes_from_the_acceptance_of_its_script_to_its_report(self):
         tag, = tags.tags_in(self.made(write_short_run).script_frames)
-        self.assertEqual((tag.number, tag.script, tag.motion, tag.done), (3, "1", "PTP", True))
+        self.assertEqual((tag.number, tag.script, tag.motion, tag.outcome), (3, "1", "PTP", tags.DONE))
         self.assertEqual([round(t, 3) for t in (tag.sent, tag.accepted, tag.begun, tag.end)], [0.3, 0.301, 0.301, 1.3])
 
     def test_begins_behind_the_one_in_front_of_it(self):
@@ -50,7 +50,7 @@ class Tags(BagTestCase):
             maker.tag(1.3, 1, "false")
 
         tag, = self.tags_of(fill)
-        self.assertEqual((tag.done, round(tag.end, 3)), (False, 1.3))
+        self.assertEqual((tag.outcome, round(tag.end, 3)), (tags.FAILED, 1.3))
 
     def test_ends_when_its_script_is_refused_or_a_stop_drops_it(self):
         def fill(maker):
@@ -58,7 +58,8 @@ class Tags(BagTestCase):
             maker.script(2, "2", ["QueueTag(2,0)"])
             maker.script(3, "3", ["StopAndClearBuffer()", "QueueTag(3,0)"])
 
-        self.assertEqual([(tag.done, tag.end and round(tag.end, 3)) for tag in self.tags_of(fill)], [(False, 1.001), (False, 3.001), (None, None)])
+        self.assertEqual([(tag.outcome, tag.end and round(tag.end, 3)) for tag in self.tags_of(fill)],
+                         [(tags.REFUSED, 1.001), (tags.DROPPED, 3.001), (tags.OPEN, None)])
 
 
 class Times(BagTestCase):

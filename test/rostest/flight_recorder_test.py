@@ -10,7 +10,9 @@ import xmlrpc.client
 
 import rosgraph
 import rospy
+from actionlib_msgs.msg import GoalStatus
 
+from cobot_command.msg import MoveRelativeActionResult
 from cobot_goals import cycle, line_to, relative, step, to_joints
 from cobot_test import OutcomeTestCase, Robot, program
 from own_nodes import Heard
@@ -44,10 +46,23 @@ class FlightRecorder(OutcomeTestCase):
         self.assert_done(robot.run(to_joints(20, -10, 100, 0, 90, 0)))
         self.assert_done(robot.run(relative(0, 80, 0, 0, 0, 0)))
         self.assert_rejected(robot.run(relative(FAR, 0, 0, 0, 0, 0)), 0x201)
+        self.send_without_id()
         self.assert_done(robot.run(cycle(*[step(line_to(450, 0, z, 180, 0, 90)) for z in (460, 400)])))
         robot.start_slowly().cancel()
         robot.wait_for_standstill()
         robot.close()
+
+    def send_without_id(self):
+        """As the README sends goals: the server makes the id."""
+        results = []
+        listening = rospy.Subscriber("/move_relative/result", MoveRelativeActionResult, results.append)
+        wait_until(lambda: listening.get_num_connections() > 0, "the server of move_relative")
+        goal = "{goal: {data_format: 0, movement_command: 1, target_position: {x: 5}, speed: 50, accel_time: 300}}"
+        subprocess.run(["rostopic", "pub", "-1", "/move_relative/goal", "cobot_command/MoveRelativeActionGoal", goal], check=True, timeout=60,
+                       stdout=subprocess.DEVNULL)
+        wait_until(lambda: results, "the result of a goal without an id")
+        listening.unregister()
+        self.assertEqual(results[0].status.status, GoalStatus.SUCCEEDED, results[0])
 
     def assert_reported(self, bag):
         done = subprocess.run([program("flight_report.py"), str(bag), "--folder", str(FOLDER)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -57,7 +72,7 @@ class FlightRecorder(OutcomeTestCase):
         self.assertRegex(done.stdout, r"simulator: \d\d+ compared, \d+ may differ, 0 differ")
         self.assertGreater((FOLDER / "report.png").stat().st_size, 50_000)
         page = (FOLDER / "report.html").read_text(encoding="utf-8")
-        for words in ("recording whole", "1 of 6 goals failed", "16#201", "cycle 1, step 2: Line", "PREEMPTED", "TM5-900"):
+        for words in ("recording whole", "no goal failed", "1 of 7 goals refused", "1 of 7 goals stopped", "16#201", "cycle 1, step 2: Line", "PREEMPTED", "TM5-900"):
             self.assertTrue(words in page, f"{words} is not in the report")  # which is too long to be shown
 
 

@@ -5,7 +5,6 @@ import io
 import matplotlib
 from matplotlib.figure import Figure
 
-from flight import motion
 from flight.drawing import joints, paths, style, tables, timeline, times
 
 WIDTH = 15.0  # [inches]
@@ -49,21 +48,20 @@ def draw_times(figure, analysis, lanes):
     """The speed of the TCP above what happened meanwhile."""
     speed, line = figure.subplots(2, 1, sharex=True, height_ratios=(SPEED, lanes))
     joints.draw_tool_speed(speed, analysis)
-    timeline.draw(line, analysis, motion.motion_span(analysis.run))
+    timeline.draw(line, analysis, analysis.span)
 
 
 def draw_joints(figure, analysis):
     """Two columns of strips with one time axis."""
     count = len(analysis.run.joints.names)
     grid = figure.subplots(count, 2, sharex=True, squeeze=False)
-    span = motion.motion_span(analysis.run)
     for index in range(count):
         joints.draw_angles(grid[index][0], analysis, index)
         joints.draw_speeds(grid[index][1], analysis, index)
-    grid[0][0].set_xlim(*span)
-    limits = ", limits dashed" if analysis.run.axes else ""
+    grid[0][0].set_xlim(*analysis.span)
+    limits, rated = (", limits in the corner", ", rated speed in the corner") if analysis.run.axes else ("", "")
     grid[0][0].set_title(f"Angles of the joints [deg]{limits}")
-    grid[0][1].set_title(f"Speeds of the joints [deg/s]{limits}")
+    grid[0][1].set_title(f"Speeds of the joints [deg/s]{rated}")
     for axes in grid[-1]:
         axes.set_xlabel("time since the recording began [s]")
 

@@ -2,10 +2,11 @@
 import datetime
 
 from flight import commands
-from flight.analysis import outcome_of
+from flight.analysis import FAILED, OPEN, REFUSED, STOPPED, SUCCEEDED, count_of, kind_of, outcome_of
 from flight.drawing import style
 
 MOST = 14  # rows
+URGENCY = (FAILED, REFUSED, OPEN, STOPPED, SUCCEEDED)  # what is shown first where not all have room
 # Where the columns begin, as a share of the width.
 COLUMNS = (("begun", 0.0), ("action", 0.055), ("goal", 0.18), ("outcome", 0.475), ("planned", 0.565), ("actual", 0.625),
            ("error, or what was said", 0.685))
@@ -14,7 +15,7 @@ ERROR_LETTERS, GOAL_LETTERS = 78, 58
 
 
 def rows_of(analysis):
-    """(values, outcome) of each goal."""
+    """(values, kind) of each goal."""
     wholes = {}
     for goal in analysis.run.goals:
         wholes[goal.identity, goal.action] = commands.whole_of(goal, analysis.tags)
@@ -23,7 +24,7 @@ def rows_of(analysis):
         number, words = commands.error_of(goal)
         yield (f"{goal.begun:.2f} s", goal.action, commands.target_of(goal), outcome_of(goal),
                f"{whole.planned:.2f} s" if whole else "", f"{whole.actual:.2f} s" if whole else "",
-               f"{number} {words}".strip()), outcome_of(goal)
+               f"{number} {words}".strip()), kind_of(goal)
 
 
 def shown(analysis):
@@ -31,7 +32,7 @@ def shown(analysis):
     rows = list(rows_of(analysis))
     if len(rows) <= MOST:
         return rows, 0
-    kept = sorted(sorted(range(len(rows)), key=lambda i: rows[i][1] == "SUCCEEDED")[:MOST])
+    kept = sorted(sorted(range(len(rows)), key=lambda i: URGENCY.index(rows[i][1]))[:MOST])
     return [rows[i] for i in kept], len(rows) - MOST
 
 
@@ -49,11 +50,11 @@ def draw_goals(axes, analysis):
     for name, x in COLUMNS:
         axes.text(x, 0.6, name, fontsize=8, color="#6b7885", va="center")
     axes.axhline(1.05, color=style.FAINT, linewidth=0.8)
-    for line, (values, outcome) in enumerate(rows):
+    for line, (values, kind) in enumerate(rows):
         for (name, x), value in zip(COLUMNS, values):
             most = {"error, or what was said": ERROR_LETTERS, "goal": GOAL_LETTERS}.get(name, 24)
             axes.text(x, line + 1.7, style.shortened(value, most), fontsize=8, va="center",
-                      color=style.outcome_colour(outcome) if name == "outcome" else style.INK,
+                      color=style.KINDS[kind] if name == "outcome" else style.INK,
                       fontweight="bold" if name == "outcome" else "normal")
 
 
@@ -61,12 +62,12 @@ def draw_head(axes, analysis):
     """What was recorded, and what the replays say."""
     axes.axis("off")
     axes.set(xlim=(0, 1), ylim=(3, 0))
-    axes.text(0, 0.35, f"Flight report of {analysis.title}", fontsize=17, fontweight="bold", va="center")
-    axes.text(0, 1.35, " · ".join(facts(analysis)), fontsize=9, color="#6b7885", va="center")
+    axes.text(0, 0.35, style.printable(f"Flight report of {analysis.title}"), fontsize=17, fontweight="bold", va="center")
+    axes.text(0, 1.35, style.printable(" · ".join(facts(analysis))), fontsize=9, color="#6b7885", va="center")
     x = 0.0
-    for words, is_good in verdict_words(analysis):
+    for words, colour in verdict_words(analysis):
         axes.text(x + 0.006, 2.3, words, fontsize=9, color="white", va="center", fontweight="bold",
-                  bbox={"facecolor": style.GOOD if is_good else style.BAD, "edgecolor": "none", "boxstyle": "round,pad=0.4"})
+                  bbox={"facecolor": colour, "edgecolor": "none", "boxstyle": "round,pad=0.4"})
         x += LETTER * len(words) + 0.024
 
 
@@ -79,10 +80,14 @@ def facts(analysis):
 
 
 def verdict_words(analysis):
-    """(words, whether they are good news)"""
-    yield ("recording whole", True) if not analysis.faults else (f"recording not whole: {len(analysis.faults)} faults", False)
+    """(words, colour)"""
+    faults = len(analysis.faults)
+    yield (f"recording not whole: {faults} fault{'s' if faults > 1 else ''}", style.BAD) if faults else ("recording whole", style.GOOD)
     for verdict in analysis.verdicts:
-        yield (f"{verdict.name}: {verdict.compared} compared, all the same" if verdict.agrees else
-               f"{verdict.name}: {len(verdict.differences)} differ", verdict.agrees)
-    failed = sum(1 for _, outcome in rows_of(analysis) if outcome in ("ABORTED", "REJECTED", "LOST"))
-    yield (f"{failed} of {len(analysis.run.goals)} goals failed", False) if failed else ("no goal failed", True)
+        yield ((f"{verdict.name}: {verdict.compared} compared, all the same", style.GOOD) if verdict.agrees else
+               (f"{verdict.name}: {len(verdict.differences)} differ", style.BAD))
+    of_all = f"of {len(analysis.run.goals)} goals"
+    counts = {kind: count_of(analysis.run, kind) for kind in (FAILED, REFUSED, STOPPED)}
+    if not counts[FAILED]:
+        yield "no goal failed", style.GOOD
+    yield from ((f"{count} {of_all} {kind}", style.KINDS[kind]) for kind, count in counts.items() if count)
