@@ -1,7 +1,5 @@
 #include "item_string.h"
 
-#include <algorithm>
-
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::protocol {
@@ -47,11 +45,6 @@ std::string inQuotes(std::string_view text) {
   std::string result(1, kQuote);
   for (const char c : text) result.append(c == kQuote ? 2 : 1, c);
   return result + kQuote;
-}
-
-std::string upperExponent(std::string number) {
-  if (number != "null") std::replace(number.begin(), number.end(), 'e', 'E');
-  return number;
 }
 
 std::string_view takeUnquoted(std::string_view separator, std::string_view& text) {

@@ -12,9 +12,6 @@ namespace cobot_command::protocol {
 /// In quotes; those within are doubled, as in a script.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
-/// 1e-05 as the controller writes it: 1E-05.
-[[nodiscard]] std::string upperExponent(std::string number);
-
 /// Cuts off and gives the part before the first `separator` that stands in no quotes; the separator is
 /// dropped. All of the text where there is none.
 [[nodiscard]] std::string_view takeUnquoted(std::string_view separator, std::string_view& text);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -8,6 +9,7 @@
 #include "item_json.h"
 #include "item_string.h"
 #include "little_endian.h"
+#include <fmt/format.h>
 
 #include "cobot_command/protocol/item_content.h"
 
@@ -60,18 +62,31 @@ char* writeBinary(char* place, const std::vector<T>& values) {
   return place;
 }
 
-/// The library writes the shortest digits of its own type of reals.
-using FloatJson =
-    nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
+/// As a captured controller writes them: with so many digits where these make the same number, else with two
+/// more, which always do.
+template <class Real>
+constexpr int kUsualDigits = std::numeric_limits<Real>::digits10 + (std::is_same_v<Real, float> ? 1 : 0);
+
+/// Without ".0"; finite.
+template <class Real>
+std::string realText(Real value) {
+  if (value == 0) return "0";  // also of -0
+  std::string text = fmt::format("{:.{}g}", value, kUsualDigits<Real>);
+  Real read{};
+  std::from_chars(text.data(), text.data() + text.size(), read);
+  if (read != value) text = fmt::format("{:.{}g}", value, kUsualDigits<Real> + 2);
+  std::replace(text.begin(), text.end(), 'e', 'E');
+  return text;
+}
 
 template <class T>
 std::string jsonText(const T& value) {
   if constexpr (std::is_same_v<T, std::string>) {
     return toText(JsonTree(value));
-  } else if constexpr (std::is_same_v<T, float>) {
-    return upperExponent(FloatJson(value).dump());
-  } else if constexpr (std::is_same_v<T, double>) {
-    return upperExponent(JsonTree(value).dump());
+  } else if constexpr (std::is_floating_point_v<T>) {
+    if (!std::isfinite(value)) return "null";
+    const std::string text = realText(value);
+    return text.find_first_of(".E") == std::string::npos ? text + ".0" : text;
   } else {
     return JsonTree(value).dump();
   }
@@ -81,13 +96,10 @@ template <class T>
 std::string stringText(const T& value) {
   if constexpr (std::is_same_v<T, std::string>) {
     return inQuotes(value);
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return std::isfinite(value) ? realText(value) : "null";
   } else {
-    std::string text = jsonText(value);
-    const std::string_view whole = ".0";
-    if (text.size() > whole.size() && text.compare(text.size() - whole.size(), whole.size(), whole) == 0) {
-      text.resize(text.size() - whole.size());
-    }
-    return text;
+    return jsonText(value);
   }
 }
 

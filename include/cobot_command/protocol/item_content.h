@@ -35,8 +35,8 @@ inline constexpr std::size_t kMaxRequestedItems = 1024;
 /// 1 for what is no array.
 [[nodiscard]] std::size_t elementCount(const ItemValue& value);
 
-/// The value as it stands in a frame. In STRING and JSON numbers have as few digits as tell them from all
-/// others of their type; whole ones have `.0` in JSON. Strings are quoted; a quote within is doubled in
+/// The value as it stands in a frame. In STRING and JSON a float has 7 digits if these make the same one,
+/// else 9, a double 15 or 17; whole ones have `.0` in JSON. Strings are quoted; a quote within is doubled in
 /// STRING. What JSON has no word for (not a number, no UTF-8) becomes null and U+FFFD.
 [[nodiscard]] std::string encodeValue(ItemFormat format, const ItemValue& value);
 

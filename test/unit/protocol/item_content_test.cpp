@@ -1,5 +1,7 @@
 #include "cobot_command/protocol/item_content.h"
 
+#include <cmath>
+#include <cstring>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -67,17 +69,55 @@ TEST(ItemContent, leavesOutWhatBinaryCannotSay) {
   EXPECT_EQ(appended, before);
 }
 
-TEST(ItemContent, hasAsFewDigitsAsAFloatNeeds) {
-  for (const char* digits :
-       {"-179.400269", "125.000435", "-1.29178234E-05", "224.894272", "0.1", "3.4028235E+38"}) {
+TEST(ItemContent, hasTheDigitsOfACapturedController) {
+  // From a real robot: Coord_Robot_Tool, and texts of public drivers' logs.
+  for (const char* digits : {"-179.400269", "343.784576", "224.894272", "-158.372284", "-9.714196",
+                             "-122.428917", "125.000435", "-1.29178234E-05"}) {
     const auto value = parseValue(ItemFormat::String, digits, 0.0F);
     ASSERT_TRUE(value) << digits;
-    const std::string written = encodeValue(ItemFormat::String, *value);
-    EXPECT_LE(written.size(), std::string_view(digits).size()) << written;
-    EXPECT_EQ(parseValue(ItemFormat::Json, written, 0.0F), value) << written;
+    EXPECT_EQ(encodeValue(ItemFormat::String, *value), digits);
+    EXPECT_EQ(encodeValue(ItemFormat::Json, *value), digits);
   }
-  EXPECT_EQ(encodeValue(ItemFormat::Json, 0.1), "0.1");
+}
+
+TEST(ItemContent, hasSevenDigitsOfAFloatWhereTheseMakeTheSameElseNine) {
+  const std::vector<std::pair<float, std::string>> written = {{0.1F, "0.1"},
+                                                              {0.0001F, "0.0001"},
+                                                              {0.00001F, "1E-05"},
+                                                              {16777216.F, "16777216"},
+                                                              {1234567.F, "1234567"},
+                                                              {12345678.F, "12345678"},
+                                                              {1e7F, "1E+07"},
+                                                              {3.4028235e38F, "3.40282347E+38"},
+                                                              {1.17549435e-38F, "1.17549435E-38"},
+                                                              {1.F / 3, "0.333333343"},
+                                                              {-0.F, "0"},
+                                                              {-2.5F, "-2.5"}};
+  for (const auto& [value, text] : written) {
+    EXPECT_EQ(encodeValue(ItemFormat::String, value), text);
+    const bool is_whole = text.find_first_of(".E") == std::string::npos;
+    EXPECT_EQ(encodeValue(ItemFormat::Json, value), is_whole ? text + ".0" : text);
+  }
   EXPECT_EQ(encodeValue(ItemFormat::Json, std::numeric_limits<float>::quiet_NaN()), "null");
+}
+
+TEST(ItemContent, hasFifteenDigitsOfADoubleWhereTheseMakeTheSameElseSeventeen) {
+  EXPECT_EQ(encodeValue(ItemFormat::Json, 0.1), "0.1");
+  EXPECT_EQ(encodeValue(ItemFormat::Json, 90.0), "90.0");
+  EXPECT_EQ(encodeValue(ItemFormat::String, 1.0 / 3), "0.33333333333333331");
+}
+
+TEST(ItemContent, ofAnyFloatIsReadAsTheSame) {
+  std::uint32_t bits = 1;
+  for (int i = 0; i < 20000; ++i) {
+    bits = bits * 1664525U + 1013904223U;
+    float value = 0;
+    std::memcpy(&value, &bits, sizeof value);
+    if (!std::isfinite(value)) continue;
+    for (const ItemFormat format : {ItemFormat::String, ItemFormat::Json}) {
+      EXPECT_EQ(parseValue(format, encodeValue(format, value), 0.0F), ItemValue(value)) << bits;
+    }
+  }
 }
 
 TEST(ItemContent, isReadAsWhatItWasWrittenAs) {
