@@ -2,6 +2,7 @@
 #include <map>
 #include <utility>
 
+#include "file_frame.h"
 #include "table_scanner.h"
 #include <fmt/format.h>
 
@@ -140,6 +141,28 @@ std::optional<std::pair<Kind, std::size_t>> kindOf(std::string_view line, std::s
   return std::nullopt;
 }
 
+/// A line that is neither empty nor a comment. Nothing when it was taken.
+std::optional<TextFault> takeLine(Reading& reading, FileFrame& frame, const std::string& place,
+                                  std::string_view line) {
+  TextFault fault{{}, place, std::string(line), ""};
+  if (FileFrame::isPart(line)) {
+    auto reason = frame.take(line);
+    if (!reason) return std::nullopt;
+    fault.reason = *std::move(reason);
+    return fault;
+  }
+  const auto kind = kindOf(line, line.find_first_not_of(" \t"));
+  if (!kind) {
+    fault.reason = fmt::format("a line begins with tool, frame, load, {}, {} or #", kFirstLine, kLastLine);
+    return fault;
+  }
+  if (auto reason = frame.takeEntry()) {
+    fault.reason = *std::move(reason);
+    return fault;
+  }
+  return reading.take(kind->first, {place, line, kind->second, EntryEnd::TextOrComment});
+}
+
 }  // namespace
 
 std::string describe(const TextFault& fault) {
@@ -162,23 +185,27 @@ Result<DataTables, TextFault> readLists(const TableLists& lists, const Payload& 
   return std::move(reading).result(payload);
 }
 
-Result<DataTables, TextFault> readFile(std::string_view text, const Payload& payload) {
+Result<TableFile, TextFault> readFile(std::string_view text, const Payload& payload) {
   Reading reading;
+  FileFrame frame;
+  TextFault last{{}, "line 1", "", ""};
   for (std::size_t begin = 0, number = 1; begin < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view line = withoutEnd(text.substr(begin, end - begin));
     begin = end + 1;
     const std::size_t first = line.find_first_not_of(" \t");
-    if (first == std::string_view::npos || line[first] == '#') continue;
-    const std::string place = fmt::format("line {}", number);
-    const auto kind = kindOf(line, first);
-    if (!kind) {
-      return refuse(TextFault{{}, place, std::string(line), "a line begins with tool, frame, load or #"});
-    }
-    auto fault = reading.take(kind->first, {place, line, kind->second, EntryEnd::TextOrComment});
-    if (fault) return refuse(*std::move(fault));
+    if (first == std::string_view::npos) continue;
+    last = {{}, fmt::format("line {}", number), std::string(line), ""};
+    if (line[first] == '#') continue;
+    if (auto fault = takeLine(reading, frame, last.place, line)) return refuse(*std::move(fault));
   }
-  return std::move(reading).result(payload);
+  if (auto missing = frame.whatIsMissing(!text.empty() && text.back() == '\n')) {
+    last.reason = *std::move(missing);
+    return refuse(std::move(last));
+  }
+  auto tables = std::move(reading).result(payload);
+  if (!tables) return refuse(std::move(tables.error()));
+  return TableFile{*std::move(tables), frame.hasEnd()};
 }
 
 }  // namespace cobot_command::tables

@@ -1,3 +1,4 @@
+#include "file_frame.h"
 #include "table_scanner.h"
 #include <fmt/format.h>
 
@@ -80,14 +81,17 @@ std::string toFile(const DataTables& tables) {
   std::string text =
       "# Tools, frames and loads of cobot_command, see doc/tables.md. Written anew when one of them "
       "changes:\n"
-      "# comments other than these are not kept.\n";
-  const auto add = [&text](Kind kind, const std::vector<std::string>& list) {
+      "# comments other than these are not kept. The last line has the number of the entries.\n";
+  std::size_t count = 0;
+  const auto add = [&](Kind kind, const std::vector<std::string>& list) {
     for (const std::string& entry : list) text += fmt::format("{} {}\n", toString(kind), entry);
+    count += list.size();
   };
+  text += fmt::format("{}\n", kFirstLine);
   add(Kind::Tool, lists.tools);
   add(Kind::Frame, lists.frames);
   add(Kind::Load, lists.loads);
-  return text;
+  return text + fmt::format("{} {}\n", kLastLine, count);
 }
 
 }  // namespace cobot_command::tables

@@ -65,7 +65,9 @@ class TableTestCase(unittest.TestCase):
 
     def content(self):
         with open(self.file, encoding="utf-8") as text:
-            return [line for line in text.read().splitlines() if not line.startswith("#")]
+            first, *entries, last = [line for line in text.read().splitlines() if not line.startswith("#")]
+        self.assertEqual((first, last), ("begin", f"end {len(entries)}"))
+        return entries
 
 
 class Tables(TableTestCase):
@@ -176,7 +178,10 @@ class TablesFile(TableTestCase):
     def test_that_cannot_be_used_ends_the_node_at_once(self):
         with open(self.file, "w", encoding="utf-8") as text:
             text.write("load 1=2\ntool 3=1,2,3\n")
-        for path, words in ((self.file, 'line 2, "tool 3=1,2,3": there are 3 numbers'),
+        cut = os.path.join(self.folder, "cut")
+        with open(cut, "w", encoding="utf-8"):
+            pass
+        for path, words in ((self.file, 'line 2, "tool 3=1,2,3": there are 3 numbers'), (cut, "the file is cut"),
                             (os.path.join(self.folder, "no", "tables"), "cannot be written"), (self.folder, "folder")):
             with self.subTest(path):
                 rospy.set_param("/tried", {"robot_model": "tm5-900", "tables_file": path})

@@ -31,10 +31,19 @@ struct TableLists {
 [[nodiscard]] Result<DataTables, TextFault> readLists(const TableLists& lists, const Payload& payload);
 [[nodiscard]] TableLists toLists(const DataTables& tables);
 
-/// One line an entry, "tool 3=gripper:0,0,150,0,0,0@1"; empty lines and comments behind # are passed over.
-[[nodiscard]] Result<DataTables, TextFault> readFile(std::string_view text, const Payload& payload);
-/// With a line that says what it is, and all entries but the fixed ones. What is read of it is the same to
-/// 1e-9 mm and deg.
+/// What a file says.
+struct TableFile {
+  DataTables tables;
+  bool has_end = false;  ///< its last line has the number of its entries; else it may have been cut unnoticed
+};
+
+/// One line an entry, "tool 3=gripper:0,0,150,0,0,0@1"; empty lines and comments after # are passed over. The
+/// line "end N" after N entries is the last one, and must be there where a line "begin" is. A file with
+/// neither is taken if it has entries and its last line has an end, as no later part of it can be proved to
+/// be missing; a file without entries only with "end 0".
+[[nodiscard]] Result<TableFile, TextFault> readFile(std::string_view text, const Payload& payload);
+/// All entries but the fixed ones between "begin" and "end N", so that no shorter piece of it is taken. What
+/// is read of it is the same to 1e-9 mm and deg.
 [[nodiscard]] std::string toFile(const DataTables& tables);
 
 }  // namespace cobot_command::tables

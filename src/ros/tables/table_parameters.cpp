@@ -36,7 +36,15 @@ SettingFault faultOfList(const SettingTable& rows, const tables::TextFault& faul
 SettingFault faultOfFile(const std::string& path, const std::string& why) {
   return {
       "tables_file", fmt::format("is {}: {}", foreignText(path), why),
-      "a file of tables that can be read and written (doc/tables.md), one that is not there yet, or empty"};
+      "a file of tables that can be read and written (doc/tables.md), one that is not there yet, or no path"};
+}
+
+std::string writtenAnew(const std::string& path) {
+  return fmt::format(
+      "{} had no last line with the number of its entries, so nobody can tell whether some are missing: it "
+      "was "
+      "taken as it is, and written anew with that line. See to it that all tools, frames and loads are there",
+      foreignText(path));
 }
 
 }  // namespace
@@ -70,15 +78,21 @@ std::optional<SettingFault> readTables(TableParameters& parameters, const arm::A
   if (!*kept) return std::nullopt;
   auto of_file = tables::readFile(**kept, payload);
   if (!of_file) return faultOfFile(parameters.file, describe(of_file.error()));
+  if (!of_file->has_end) {
+    if (const auto why_not = writeTablesFile(parameters.file, toFile(of_file->tables))) {
+      return faultOfFile(parameters.file, *why_not);
+    }
+    warnings.push_back(writtenAnew(parameters.file));
+  }
   const tables::TableLists& lists = parameters.lists;
   const bool has_lists = !lists.tools.empty() || !lists.frames.empty() || !lists.loads.empty();
-  if (has_lists && toFile(*of_file) != toFile(parameters.tables)) {
+  if (has_lists && toFile(of_file->tables) != toFile(parameters.tables)) {
     warnings.push_back(fmt::format(
         "tools, frames and loads are those of {}, which has others than the parameters ~tools, ~frames and "
         "~loads: remove the file to begin with the parameters again",
         foreignText(parameters.file)));
   }
-  parameters.tables = *std::move(of_file);
+  parameters.tables = std::move(of_file->tables);
   return std::nullopt;
 }
 

@@ -13,7 +13,9 @@
 namespace cobot_command::ros_adapter {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -121,7 +123,7 @@ TEST(TableParameters, areOfTheFirstStartUntilThereIsAFile) {
   ASSERT_TRUE(first) << first.error().message;
   EXPECT_TRUE(first->tables.tables.entries().tools[3]);
   EXPECT_EQ(folder.count(), 0) << "the first write makes it";
-  folder.file("tables", "tool 5=other\n");
+  folder.file("tables", "tool 5=other\nend 1\n");
   const auto second = readCommandParameters(given(values));
   ASSERT_TRUE(second) << second.error().message;
   EXPECT_FALSE(second->tables.tables.entries().tools[3]);
@@ -133,11 +135,35 @@ TEST(TableParameters, areNotWarnedOfWhenTheFileHasTheSame) {
   const OwnFolder folder;
   GivenValues values = kLists;
   const std::string path = folder.file(
-      "tables", "load 1=2.5\ntool 3=gripper:0,0,150,0,0,0@1\nframe 4=table\nframe 2=1,0,0,0,0,0@4");
+      "tables", "load 1=2.5\ntool 3=gripper:0,0,150,0,0,0@1\nframe 4=table\nframe 2=1,0,0,0,0,0@4\nend 4");
   values.emplace("tables_file", Given{path});
   const auto parameters = readCommandParameters(given(values));
   ASSERT_TRUE(parameters) << parameters.error().message;
   EXPECT_THAT(parameters->warnings, IsEmpty());
+}
+
+TEST(TableParameters, takeAFileWithoutItsLastLineOnceAndWriteItAnew) {
+  const OwnFolder folder;
+  const std::string path = folder.file("tables", "load 1=2.5\ntool 3=gripper@1\n");
+  const GivenValues values{{"tables_file", Given{path}}};
+  const auto first = readCommandParameters(given(values));
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_THAT(first->warnings, ElementsAre(AllOf(HasSubstr(path), HasSubstr("written anew with that line"))));
+  EXPECT_THAT(**readTablesFile(path), EndsWith("begin\ntool 3=gripper@1\nload 1=2.5\nend 2\n"));
+  const auto second = readCommandParameters(given(values));
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_THAT(second->warnings, IsEmpty());
+  EXPECT_EQ(second->tables.tables.entries().tools[3]->name, "gripper");
+}
+
+TEST(TableParameters, areRefusedWithAFileOfWhichAnythingIsMissing) {
+  const OwnFolder folder;
+  const auto with = [&](const std::string& text) {
+    return refusal({{"tables_file", Given{folder.file("tables", text)}}});
+  };
+  EXPECT_THAT(with(""), AllOf(HasSubstr("tables_file is "), HasSubstr("there is no entry: the file is cut")));
+  EXPECT_THAT(with("begin\ntool 3=gripper\n"), HasSubstr("the line \"end N\" is missing: the file is cut"));
+  EXPECT_EQ(**readTablesFile(folder.file("tables")), "begin\ntool 3=gripper\n") << "it stays as it is";
 }
 
 TEST(TableParameters, nameAFileThatCanBeReadAndWritten) {

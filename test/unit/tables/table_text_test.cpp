@@ -10,7 +10,7 @@ using namespace tables;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Result<DataTables, TextFault> ofFile(const std::string& text) {
+Result<TableFile, TextFault> ofFile(const std::string& text) {
   return readFile(text, kPayload);
 }
 /// The fault of a tool in a list; empty when there is none.
@@ -124,31 +124,84 @@ TEST(TableLists, refuseNamesAndReferencesOfLoads) {
 }
 
 TEST(TableFile, hasOneEntryALineAndComments) {
-  const auto tables = ofFile(
+  const auto file = ofFile(
       "# our cell\r\n"
       "\n"
       "  tool 3=gripper:0,0,150,0,0,0@1   # the left one\n"
       "frame\t4 = \"a # b\"\r\n"
       "load 1=2.5#kg\n"
-      "   # the end, without a line end behind it");
-  ASSERT_TRUE(tables) << describe(tables.error());
-  EXPECT_EQ(*tables->entries().tools[3], (Tool{"gripper", at(0, 0, 150), 1}));
-  EXPECT_EQ(tables->entries().frames[4]->name, "a # b");
-  EXPECT_EQ(tables->load(1)->mass, 2.5);
+      "end 3 # of them\n"
+      "   # the end, without a line end after it");
+  ASSERT_TRUE(file) << describe(file.error());
+  const DataTables& tables = file->tables;
+  EXPECT_EQ(*tables.entries().tools[3], (Tool{"gripper", at(0, 0, 150), 1}));
+  EXPECT_EQ(tables.entries().frames[4]->name, "a # b");
+  EXPECT_EQ(tables.load(1)->mass, 2.5);
+  EXPECT_TRUE(file->has_end);
 }
 
-TEST(TableFile, mayBeEmpty) {
-  EXPECT_TRUE(ofFile(""));
-  EXPECT_TRUE(ofFile("\n\n# nothing\n"));
+TEST(TableFile, withoutEntriesSaysThatItHasNone) {
+  for (const char* text : {"", "\n", "\n\n# nothing\n"}) {
+    EXPECT_THAT(faultOfFile(text),
+                HasSubstr("there is no entry: the file is cut. Bring it back from a copy; or, "
+                          "if its entries (0) are all that there should be, let \"end 0\""))
+        << text;
+  }
+  EXPECT_TRUE(ofFile("end 0"));
+  EXPECT_TRUE(ofFile("# nothing\nbegin\n\nend 0\n"));
+}
+
+TEST(TableFile, asOlderOnesWereIsTakenWithoutItsLastLineAndSaysSo) {
+  const auto file = ofFile("# Tools, frames and loads of cobot_command\nload 1=2\n");
+  ASSERT_TRUE(file) << describe(file.error());
+  EXPECT_FALSE(file->has_end);
+  EXPECT_EQ(file->tables.load(1)->mass, 2);
+  EXPECT_THAT(faultOfFile("load 1=2\nload 2=1"),
+              HasSubstr("line 2, \"load 2=1\": it ends in the middle of this line: the file is cut"));
+}
+
+TEST(TableFile, ofWhichAnythingIsCutIsRefused) {
+  Entries entries;
+  entries.tools[3] = Tool{"gripper", at(0, 0, 150, 0, 0, 90), 1};
+  entries.frames[5] = Frame{"table", std::nullopt, 0};
+  entries.loads[1] = weighing(2.5);
+  for (const DataTables& tables : {*DataTables::of(entries, kPayload), DataTables()}) {
+    const std::string text = toFile(tables);
+    ASSERT_TRUE(ofFile(text));
+    for (std::size_t size = 0; size + 1 < text.size(); ++size) {
+      EXPECT_FALSE(ofFile(text.substr(0, size))) << text.substr(0, size);
+    }
+    EXPECT_TRUE(ofFile(text.substr(0, text.size() - 1))) << "nothing is missing but the end of the last line";
+  }
+}
+
+TEST(TableFile, ofWhichAnyLineIsLostIsRefused) {
+  EXPECT_THAT(
+      faultOfFile("begin\nload 1=2\nend 2\n"),
+      HasSubstr("line 3, \"end 2\": there are not so many entries before it, but 1: the file is cut"));
+  EXPECT_THAT(faultOfFile("begin\nload 1=2\n"),
+              HasSubstr("line 2, \"load 1=2\": after it the line \"end N\" is missing"));
+  EXPECT_THAT(faultOfFile("begin\n"), HasSubstr("let \"end 0\" be its last line"));
+}
+
+TEST(TableFile, hasItsBeginAndItsEndInTheirPlaces) {
+  EXPECT_THAT(faultOfFile("load 1=2\nbegin\nend 1\n"), HasSubstr("\"begin\" stands once, before all"));
+  EXPECT_THAT(faultOfFile("begin\nbegin\nend 0\n"), HasSubstr("\"begin\" stands once"));
+  EXPECT_THAT(faultOfFile("begin 2\nend 0\n"), HasSubstr("after \"begin\" stands nothing"));
+  EXPECT_THAT(faultOfFile("end 0\nload 1=2\n"), HasSubstr("entries stand before the line \"end\""));
+  EXPECT_THAT(faultOfFile("end 0\nend 0\n"), HasSubstr("nothing but comments stands after the line \"end\""));
+  for (const char* end : {"end\n", "end x\n", "end -1\n", "end 0 0\n", "end 99999999999999999999\n"}) {
+    EXPECT_THAT(faultOfFile(end), HasSubstr("after \"end\" stands the number of the entries, here 0")) << end;
+  }
 }
 
 TEST(TableFile, saysInWhichLineItIsWrong) {
   EXPECT_EQ(faultOfFile("load 1=2\ntol 3=gripper\n"),
-            "line 2, \"tol 3=gripper\": a line begins with tool, frame, load or #");
+            "line 2, \"tol 3=gripper\": a line begins with tool, frame, load, begin, end or #");
   EXPECT_THAT(faultOfFile("tool3=gripper"), HasSubstr("a line begins with tool"));
   EXPECT_THAT(faultOfFile("\n\ntool 3=1,2,x,4,5,6"),
               HasSubstr("line 3, \"tool 3=1,2,x,4,5,6\": at character 12:"));
-  EXPECT_THAT(faultOfFile("load 1=2\nload 2=9\n"),
+  EXPECT_THAT(faultOfFile("load 1=2\nload 2=9\nend 2\n"),
               HasSubstr("line 2, \"load 2=9\": load 2: its mass is 9 kg"));
   EXPECT_THAT(faultOfFile("frame 2=1,0,0,0,0,0@1\nframe 1=1,0,0,0,0,0@3\nframe 3=x\n"), HasSubstr("line 2"));
   EXPECT_THAT(faultOfFile("tool 1=a\ntool 1=b\n"),
@@ -178,12 +231,12 @@ TEST(TableFile, isWrittenAsOneWouldTypeIt) {
                                         "frame 2=400,0,100,180,0,0@5\n"
                                         "frame 5=table\n"
                                         "load 1=2.5\n"
-                                        "load 2=1,2000,1000,500,0,0,80,0,0,0\n"));
+                                        "load 2=1,2000,1000,500,0,0,80,0,0,0\n"
+                                        "end 7\n"));
 }
 
-TEST(TableFile, hasOnlyCommentsWhereNothingIsConfigured) {
-  EXPECT_TRUE(ofFile(toFile(DataTables())));
-  EXPECT_THAT(toFile(DataTables()), ::testing::Not(HasSubstr("\ntool")));
+TEST(TableFile, hasNoEntriesWhereNothingIsConfigured) {
+  EXPECT_THAT(toFile(DataTables()), ::testing::EndsWith("\nbegin\nend 0\n"));
 }
 
 }  // namespace
