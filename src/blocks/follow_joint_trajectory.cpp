@@ -25,6 +25,8 @@ constexpr double kLongestWait = 3600;    // [s]
 constexpr double kLatest = 1;
 /// From rest to rest, within the rounding of who plans [rad/s].
 constexpr double kRest = 0.01;
+/// The same of a place [rad].
+constexpr double kSamePlace = 1e-6;
 
 /// Empty: they are one for each joint, and each may be.
 std::string faultOf(const std::vector<double>& values, const char* what, const char* unit) {
@@ -60,18 +62,41 @@ Failure invalid(std::size_t index, const std::string& found) {
           Detail(std::move(report))};
 }
 
+/// The first joint that has another value by more than `allowed`.
+std::optional<std::size_t> jointApart(const std::vector<double>& a, const std::vector<double>& b,
+                                      double allowed) {
+  for (std::size_t joint = 0; joint < a.size(); ++joint) {
+    if (std::abs(a[joint] - b[joint]) > allowed) return joint;
+  }
+  return std::nullopt;
+}
+
+/// Empty: it comes later than the one before it, or is the same one once more.
+std::string faultBehind(const TrajectoryPoint& before, const TrajectoryPoint& point) {
+  if (point.time > before.time) return "";
+  if (point.time < before.time) {
+    return fmt::format("time_from_start is {} s, and that of the point before it {} s; it has to rise",
+                       point.time, before.time);
+  }
+  constexpr const char* kFound =
+      "it is at the same time as the point before it, and J{} {}; allowed: the same";
+  if (const auto joint = jointApart(before.positions, point.positions, kSamePlace)) {
+    return fmt::format(kFound, *joint + 1, "elsewhere");
+  }
+  if (const auto joint = jointApart(before.velocities, point.velocities, kRest)) {
+    return fmt::format(kFound, *joint + 1, "at another velocity");
+  }
+  return "";
+}
+
 std::optional<Failure> checkTimes(const std::vector<TrajectoryPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double time = points[i].time;
     if (!isWithin(time, 0, kLongest)) {
       return invalid(i, fmt::format("time_from_start is {} s; allowed: 0..{} s", time, kLongest));
     }
-    if (i > 0 && time <= points[i - 1].time) {
-      return invalid(i,
-                     fmt::format("time_from_start is {} s, and that of the point before it {} s; it has to "
-                                 "rise",
-                                 time, points[i - 1].time));
-    }
+    if (i == 0) continue;
+    if (std::string fault = faultBehind(points[i - 1], points[i]); !fault.empty()) return invalid(i, fault);
   }
   const double last = points.back().time;
   if (last > 0 && last < kLeastTime) {
@@ -133,11 +158,12 @@ ErrorTable FollowJointTrajectoryGoal::errors() {
       .shared(own_error::kNoModel, "the command layer knows no model of the arm")
       .row(
           own_error::kTrajectoryInvalid, "Trajectory invalid", "Correct the trajectory",
-          "a point has not six positions, or velocities where others have none; times do not rise, or end in "
-          "less than 25 ms or more than a day; the first point, with time 0, or the last one is not at rest; "
-          "a "
-          "tolerance or a time is no number in its range; there are more points than one PVT takes; or a "
-          "point nearer than 25 ms to the ones beside it lies off the way without it")
+          "a point has not six positions, or velocities where others have none; times do not rise, but for a "
+          "point that is there twice, or end in less than 25 ms or more than a day; the first point, with "
+          "time 0, or the last one is not at rest; a tolerance or a time is no number in its range; there "
+          "are "
+          "more points than one PVT takes; or a point nearer than 25 ms to the ones beside it lies off the "
+          "way without it")
       .row(
           own_error::kJointNames, "Joint names wrong", "Name each joint of the robot once, in any order",
           "joint_names of the trajectory lack a joint of this robot, name one twice, or name another one; or "

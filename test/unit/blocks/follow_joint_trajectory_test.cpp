@@ -103,9 +103,33 @@ TEST(TrajectoryRules, areRefusedInFewWordsHoweverMuchIsWrong) {
   EXPECT_EQ(check(goal).at(0).found, "point 1: it has 10000 positions; allowed: 6");
 }
 
+/// As planners make them that put a trajectory together of several, or put the start in front of one.
+TEST(TrajectoryRules, takeTwoPointsAtOneTimeInOnePlace) {
+  const auto twice = [](std::size_t index, double off, double velocity = 0) {
+    return [=](auto& g) {
+      for (auto& point : g.points) point.velocities.assign(6, 0);
+      g.points.insert(g.points.begin() + static_cast<std::ptrdiff_t>(index), g.points[index]);
+      g.points[index + 1].positions[3] += off;
+      g.points[index + 1].velocities[3] += velocity;
+    };
+  };
+  for (const std::size_t index : {0U, 1U, 2U}) {
+    EXPECT_EQ(errorWith<Trajectory>(twice(index, 0)), 0) << index;
+    EXPECT_EQ(errorWith<Trajectory>(twice(index, 1e-7)), 0) << "within the rounding of who plans";
+    const auto failures = check(with<Trajectory>(twice(index, 1e-5)));
+    ASSERT_EQ(failures.size(), 1U);
+    EXPECT_EQ(failures[0].error_id, own_error::kTrajectoryInvalid);
+    EXPECT_EQ(indexOf(failures[0]), static_cast<int>(index) + 1);
+    EXPECT_THAT(failures[0].found, HasSubstr("at the same time as the point before it, and J4 elsewhere"));
+  }
+  EXPECT_EQ(errorWith<Trajectory>(twice(1, 0, 0.1)), own_error::kTrajectoryInvalid)
+      << "one speed at one time";
+}
+
 TEST(TrajectoryRules, lookAtTolerancesNamesAndTimes) {
   const int invalid = own_error::kTrajectoryInvalid;
   EXPECT_EQ(errorWith<Trajectory>([](auto& g) { g.points[2].time = 1; }), invalid);
+  EXPECT_EQ(errorWith<Trajectory>([](auto& g) { g.points[2].time = 0.9; }), invalid);
   EXPECT_EQ(errorWith<Trajectory>([](auto& g) { g.points.resize(20001); }), invalid);
   EXPECT_EQ(errorWith<Trajectory>([](auto& g) { g.path_tolerance[3] = kNan; }), invalid);
   EXPECT_EQ(errorWith<Trajectory>([](auto& g) { g.goal_tolerance[3] = kInf; }), invalid);
@@ -124,6 +148,20 @@ TEST_F(TrajectoryPlans, areOnePvtWithoutTheStart) {
   EXPECT_EQ(pointLine(*plan, 0), "PVTPoint(5,0,90,0,90,0,5,0,0,0,0,0,1)");
   EXPECT_EQ(pointLine(*plan, 1), "PVTPoint(10,0,90,0,90,0,0,0,0,0,0,0,1)");
   EXPECT_EQ(plan->motion->duration(), 2s);
+}
+
+TEST_F(TrajectoryPlans, sendAPointOnceThatIsThereTwice) {
+  const auto once = planned(good<Trajectory>());
+  for (const std::size_t index : {0U, 1U, 2U}) {
+    const auto twice = planned(with<Trajectory>([index](auto& g) {
+      g.points.insert(g.points.begin() + static_cast<std::ptrdiff_t>(index), g.points[index]);
+    }));
+    EXPECT_EQ(twice->order.lines, once->order.lines) << index;
+  }
+  EXPECT_EQ(planned(with<Trajectory>([](auto& g) {
+              g.points = {g.points[0], g.points[0]};
+            }))->motion,
+            nullptr);
 }
 
 TEST_F(TrajectoryPlans, goFromTheRobotToAFirstPointThatHasATime) {
