@@ -90,7 +90,7 @@ ReadFailure ReadLedger::failureOf(const protocol::ScriptReply& reply) const {
     if (line == script::kFirstReadLine - 1) {
       return {Kind::NoListenSend,
               {},
-              fmt::format("the controller refuses ListenSend(), which comes with TMflow {}.{}",
+              fmt::format("the controller refuses ListenSend(), which TMflow before {}.{} does not have",
                           script::kAttributesSince.major, script::kAttributesSince.minor)};
     }
     // What is below the first line wraps around, and is beyond the last one.

@@ -16,10 +16,12 @@ namespace {
 using tables::Kind;
 
 constexpr Kind kKinds[] = {Kind::Tool, Kind::Frame, Kind::Load};
-/// Names that the project did not have are asked for again with each so many-th look.
-constexpr int kLooksUntilUnknownAgain = 10;
-/// A controller that is busy with the script of another client answers late, and nothing has changed by that.
-constexpr int kUnansweredUntilUnknown = 3;
+/// What the controller refuses, as it or its project does not have it, is asked for again with each so
+/// many-th look.
+constexpr int kLooksUntilAgain = 10;
+/// A controller that is busy with the script of another client answers late, and one answer may be wrong;
+/// nothing has changed by that.
+constexpr int kFailuresUntilUnknown = 3;
 constexpr const char* kOrigin = "synchronisation";
 constexpr const char* kLimits = "software_limits";
 
@@ -93,7 +95,8 @@ void SyncDesk::end() {
   line_.forget();
   is_active_ = is_judged_ = is_verifying_ = false;
   ask_at_.reset();
-  looks_ = unanswered_ = 0;
+  looks_ = failures_ = 0;
+  refuses_reading_ = false;
   unknown_.clear();
   unread_ = unwritten_ = {};
   look_ = {};
@@ -128,7 +131,8 @@ void SyncDesk::look(Instant now) {
 void SyncDesk::ask(Instant now) {
   compared_ = core_.tables.store().tables();
   const bool is_of_the_period = !std::exchange(asks_again_, false);
-  if (is_of_the_period && ++looks_ % kLooksUntilUnknownAgain == 0) unknown_.clear();
+  const bool asks_all = is_of_the_period && ++looks_ % kLooksUntilAgain == 0;
+  if (asks_all) unknown_.clear();
   auto reads = readsOf(compared_.entries());
   const bool is_any_named = !reads.empty();
   reads.erase(
@@ -138,7 +142,7 @@ void SyncDesk::ask(Instant now) {
   if (reads.empty()) {
     takeValues({}, now);
     tell();
-  } else {
+  } else if (!refuses_reading_ || asks_all) {
     line_.read(std::move(reads), now);
   }
 }
@@ -166,7 +170,9 @@ void SyncDesk::take(const ProjectLine::Result& result, Instant now) {
 
 void SyncDesk::takeValues(const std::vector<robot::ReadValue>& values, Instant now) {
   if (&compared_.entries() != &core_.tables.store().tables().entries()) return;  // asked for again
-  unanswered_ = 0;
+  if (failures_ >= kFailuresUntilUnknown) tellReadAgain();
+  failures_ = 0;
+  refuses_reading_ = false;
   unread_ = {};
   const auto wanted = readsOf(compared_.entries());
   unknown_.erase(std::remove_if(unknown_.begin(), unknown_.end(),
@@ -208,8 +214,8 @@ void SyncDesk::takeFailure(const robot::ReadFailure& failure, Instant now) {
     ask_at_ = now;
     return;
   }
-  if (failure.kind == Failure::NoAnswer && ++unanswered_ < kUnansweredUntilUnknown) return;
-  if (failure.kind == Failure::NoListenSend) ask_at_.reset();
+  if (++failures_ < kFailuresUntilUnknown) return;  // what was known counts on
+  refuses_reading_ = failure.kind == Failure::NoListenSend;
   is_judged_ = true;
   for (const auto& read : readsOf(compared_.entries())) noteUnread(read, failure.reason);
 }
@@ -342,14 +348,30 @@ void SyncDesk::tell() {
         warning(numbers.conflict,
                 fmt::format("{} were changed here and on the controller: nobody wins", numbers.name),
                 "write the entry that is meant, or change it back on the pendant"));
-    std::string unreachable = unread_.of(kind) + unwritten_.of(kind);
-    if (is_tools && unreachable.empty()) unreachable = unread_.loads + unwritten_.loads;
+    Kind blamed = kind;
+    if (is_tools && unreachableText(kind).empty()) blamed = Kind::Load;
+    const std::string unreachable = unreachableText(blamed);
     core_.messages.show(!unreachable.empty(),
                         warning(numbers.unreachable,
                                 fmt::format("{} could not be read or written: {}", numbers.name, unreachable),
-                                "give the names as the project has them; see doc/tables.md"));
+                                remedyOf(blamed)));
   }
   for (const Kind kind : kKinds) tellInfo(kind);
+}
+
+void SyncDesk::tellReadAgain() {
+  core_.actions.emplace_back(
+      LogMessage{Severity::Info, "the values of the controller's project can be read again"});
+}
+
+std::string SyncDesk::remedyOf(Kind kind) const {
+  const bool has_unknown_names =
+      std::any_of(unknown_.begin(), unknown_.end(), [kind](const auto& read) { return isOf(kind, read); });
+  return has_unknown_names || !unwritten_.of(kind).empty()
+             ? "give the names as the project has them; see doc/tables.md"
+             : "nothing, where it passes: it is tried again by itself. Else see what keeps the controller "
+               "from "
+               "it: another client, the flow outside the Listen node, or TMflow before 1.76";
 }
 
 /// Once, until it is so no more.

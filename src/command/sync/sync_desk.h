@@ -83,6 +83,12 @@ class SyncDesk {
   /// Messages of what is so, each once.
   void tell();
   void tellInfo(tables::Kind kind);
+  void tellReadAgain();
+  /// Why entries could not be read or written, and what to do; empty: they could.
+  [[nodiscard]] std::string unreachableText(tables::Kind kind) const {
+    return unread_.of(kind) + unwritten_.of(kind);
+  }
+  [[nodiscard]] std::string remedyOf(tables::Kind kind) const;
 
   Core core_;
   ProjectLine line_;
@@ -95,7 +101,8 @@ class SyncDesk {
   std::optional<Instant> ask_at_;
   int looks_ = 0;                               ///< with each period
   bool asks_again_ = false;                     ///< at once, without what the project does not have
-  int unanswered_ = 0;                          ///< questions, one after the other
+  int failures_ = 0;                            ///< of readings, one after the other
+  bool refuses_reading_ = false;                ///< the controller does: it is asked now and then
   tables::DataTables compared_;                 ///< our tables, as they were then
   std::vector<script::AttributeRead> unknown_;  ///< of names that the project does not have
   BySet<std::string> unread_;                   ///< why their values are not known

@@ -68,6 +68,18 @@ TEST_F(SyncReactions, doNotComeWhereTheDataAreInSyncBeforeTheDelayIsOver) {
   EXPECT_EQ(rig.countSent("Pause()"), 0);
 }
 
+/// Nothing has changed by that, and the next look shows it.
+TEST_F(SyncReactions, doNotComeOfOneLookThatTheControllerRefuses) {
+  enable(Reaction::InterruptAtOnce);
+  const auto line = rig.line(40);
+  rig.operate(simulator::SetFault{"refuse_listen_send", true, 1, 0, ""});
+  EXPECT_EQ(rig.endOf(line).ending, Ending::Done);
+  rig.pass(2s);
+  EXPECT_EQ(rig.countSent("Pause()"), 0);
+  EXPECT_EQ(rig.report().ri_state, RiState::Synchronized);
+  changeThePendant();
+}
+
 /// SRCI oracle 14.
 TEST_F(SyncReactions, interruptWhenEmptyLetsWhatIsThereEnd) {
   enable(Reaction::InterruptWhenEmpty);

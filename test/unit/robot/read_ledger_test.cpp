@@ -152,7 +152,7 @@ TEST_F(ReadLedgerTest, namesWhatTheProjectDoesNotHave) {
 TEST_F(ReadLedgerTest, tellsOfAControllerWithoutListenSend) {
   ask();
   expectFailure(reply(false, {1, 2, 3, 4}), Kind::NoListenSend, {},
-                "the controller refuses ListenSend(), which comes with TMflow 1.76");
+                "the controller refuses ListenSend(), which TMflow before 1.76 does not have");
 }
 
 TEST_F(ReadLedgerTest, tellsOfAnErrorInNoLineOfIt) {

@@ -1,5 +1,6 @@
 // What the values of the controller's project are read by, and what comes of answers that are late or wrong.
 #include "exchange_rig.h"
+#include <gmock/gmock.h>
 
 #include "cobot_command/protocol/float_payload.h"
 
@@ -7,6 +8,8 @@ namespace cobot_command::testing {
 namespace {
 
 using namespace blocks;
+using namespace command;
+using ::testing::HasSubstr;
 
 class SyncReading : public ::testing::Test {
  protected:
@@ -58,6 +61,49 @@ TEST_F(SyncReading, believesWhatWasKnownUntilThreeQuestionsAreUnanswered) {
   answer(150);
   EXPECT_EQ(state(), RiState::Synchronized);
   rig.discardSent();
+}
+
+TEST_F(SyncReading, takesOneRefusalForNothing) {
+  answer(150);
+  rig.update([](ExchangeSettings& s) {
+    s.data_enable_sync.tools = s.data_in_sync.tools = true;
+    s.life_sign_time_out = 60000;
+    s.sync_delay = 0;
+    s.sync_reaction = static_cast<int>(SyncReaction::InterruptAtOnce);
+  });
+  for (const auto& lines : {std::vector<int>{1}, {}, {99}}) {
+    rig.pass(1s);
+    rig.reply(rig.takeScript().id, false, lines);  // ListenSend itself, or no line of it
+    EXPECT_EQ(state(), RiState::Synchronized);
+    EXPECT_NE(rig.group_state.sequence, GroupState::Sequence::Interrupted);
+    EXPECT_EQ(rig.report(id).warning_id, 0);
+    rig.pass(1s);
+    answer(150);
+    EXPECT_EQ(state(), RiState::Synchronized);
+  }
+  EXPECT_TRUE(rig.messages.empty());
+}
+
+TEST_F(SyncReading, asksAControllerThatRefusesListenSendAgainAndTellsWhenItTakesIt) {
+  for (int look = 0; look < 3; ++look) {
+    EXPECT_EQ(rig.report(id).warning_id, 0) << look;
+    rig.reply(rig.takeScript().id, false, {1});
+    if (look < 2) rig.pass(1s);
+  }
+  EXPECT_EQ(rig.report(id).warning_id, 0x7044);
+  ASSERT_EQ(rig.pending_messages.size(), 1U);
+  EXPECT_THAT(rig.pending_messages[0].text, HasSubstr("refuses ListenSend()"));
+  EXPECT_THAT(rig.pending_messages[0].remedy, HasSubstr("tried again by itself"));
+  rig.pass(6900ms);
+  EXPECT_TRUE(rig.nothingSent()) << "with every tenth look, as it does not have it";
+  rig.pass(200ms);
+  answer(150);
+  EXPECT_EQ(state(), RiState::Synchronized);
+  EXPECT_TRUE(rig.pending_messages.empty());
+  EXPECT_EQ(rig.messages.back().severity, Severity::Info);
+  EXPECT_THAT(rig.messages.back().text, HasSubstr("can be read again"));
+  rig.pass(1s);
+  answer(150);
 }
 
 TEST_F(SyncReading, waitsForTheScriptsOfGoals) {
