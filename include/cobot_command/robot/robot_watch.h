@@ -16,6 +16,12 @@ namespace cobot_command::robot {
 /// "error 0x14058: ..." as far as it is known.
 [[nodiscard]] std::string errorText(const link::RobotStatus& status);
 
+/// Where one frame has shown the robot; nothing of what it did not have.
+struct StreamedPlace {
+  std::optional<std::array<double, 6>> joints_deg;
+  std::optional<std::array<double, 6>> tool_in_base_mm_deg;  ///< the active TCP in the active base
+};
+
 class RobotWatch {
  public:
   void update(const link::RobotStatus& status);
@@ -64,6 +70,7 @@ class RobotWatch {
 
   [[nodiscard]] std::optional<std::array<double, 6>> jointsDeg() const;
   [[nodiscard]] std::optional<std::array<double, 6>> toolInBaseMmDeg() const;
+  [[nodiscard]] StreamedPlace place() const { return {jointsDeg(), toolInBaseMmDeg()}; }
 
  private:
   static constexpr int kManual = 2;  // of MA_Mode

@@ -106,6 +106,8 @@ void LoadPathRun::commandEnded(CommandKey key, const Outcome& outcome, Instant n
     record_.came(goals_.takeBack(key, now));
     return;
   }
+  ended_at_.final_joints_deg = outcome.final_joints_deg;
+  ended_at_.final_pose_mm_deg = outcome.final_pose_mm_deg;
   const bool was_first = pieces.sent().isFirst(key);
   const std::size_t behind = pieces.sent().take(key).behind();
   if (was_first) waits_from_ = now;
@@ -294,7 +296,7 @@ void LoadPathRun::fire(Event event, Instant now) {
       reason_.begin(now);
       return;
     case LoadPathAction::EndDone:
-      end(goals_.complete(pieces.members().front(), Outcome(), now));
+      end(goals_.complete(pieces.members().front(), ended_at_, now));
       return;
     case LoadPathAction::EndStopped:
       end(goals_.endAll(stoppedOutcomes(pieces, goals_.place(), {stopped_why_, interrupted_}), now));

@@ -76,6 +76,7 @@ class LoadPathRun final : public Run, public PathControlled {
   /// So many points are done, by a tag.
   void done(std::size_t points, Instant now);
 
+  Outcome ended_at_;  ///< where the last command left the robot, as the stream has shown it
   PathGoals goals_;
   PathRecord record_;
   State state_ = State::Following;

@@ -298,8 +298,8 @@ Outcome PathGoals::endAll(const std::vector<Outcome>& outcomes, Instant now) {
 
 Outcome PathGoals::complete(const Member& member, Outcome outcome, Instant now) const {
   outcome = completed(std::move(outcome), member, progress_.deviation(), now);
-  outcome.final_joints_deg = joints_;
-  outcome.final_pose_mm_deg = pose_;
+  if (!outcome.final_joints_deg) outcome.final_joints_deg = joints_;
+  if (!outcome.final_pose_mm_deg) outcome.final_pose_mm_deg = pose_;
   return outcome;
 }
 

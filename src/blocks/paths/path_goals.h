@@ -78,7 +78,7 @@ class PathGoals final : public GoalChain {
   void dropUntouched(const std::string& why, Instant now);
   /// Of all behind the first one, with these outcomes; returns what is that one's.
   [[nodiscard]] Outcome endAll(const std::vector<Outcome>& outcomes, Instant now);
-  /// With all that is known of how that goal went.
+  /// With all that is known of how that goal went; where it ends without a place, that is the one of now.
   [[nodiscard]] Outcome complete(const Member& member, Outcome outcome, Instant now) const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
@@ -95,15 +96,18 @@ void TrajectoryRun::commandEnded(CommandKey /*key*/, const Outcome& outcome, Ins
   }
 }
 
+/// By the frame that its command ended with: what moves the robot since then may be another client's motion.
 void TrajectoryRun::judgeEnd(Instant now) {
-  if (!joints_) {
+  if (!found_.final_joints_deg) {
     fire(Event::Done, now);  // the tag is all that is known
     return;
   }
-  const arm::JointVector gap = (plan_->motion->end().position - *joints_).cwiseAbs();
+  const arm::JointVector joints = arm::toJointVector(*found_.final_joints_deg);
+  const arm::JointVector gap = (plan_->motion->end().position - joints).cwiseAbs();
   Eigen::Index joint = 0;
   const bool is_off = gap.cwiseQuotient(plan_->goal_tolerance).maxCoeff(&joint) > 1.0;
-  if (!is_off && !moving_.value_or(false)) {
+  const bool moves = found_.ending != Ending::Done && moving_.value_or(false);
+  if (!is_off && !moves) {
     fire(Event::Done, now);
     return;
   }

@@ -259,8 +259,10 @@ void CommandRun::end(blocks::Outcome outcome, Instant now) {
   } else if (accepted_at_ && order_.tag) {
     outcome.actual = now - *accepted_at_;
   }
-  outcome.final_joints_deg = context_.robot.jointsDeg();
-  outcome.final_pose_mm_deg = context_.robot.toolInBaseMmDeg();
+  const bool is_done = outcome.ending == blocks::Ending::Done;
+  const robot::StreamedPlace place = is_done ? evidence_.place() : context_.robot.place();
+  outcome.final_joints_deg = place.joints_deg;
+  outcome.final_pose_mm_deg = place.tool_in_base_mm_deg;
   outcome_ = std::move(outcome);
 }
 

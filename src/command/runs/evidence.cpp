@@ -28,8 +28,11 @@ bool Evidence::confirms() {
   if (!robot_.tellsMotion()) return true;  // the tag is all that is known
   const auto to_go = gap();
   if (to_go && !to_go->closed) return false;
-  if (robot_.moving() == false) return true;
-  if (to_go && !target_->is_the_start) reached_ = true;
+  if (robot_.moving() == false) {
+    reached_.reset();
+    return true;
+  }
+  if (to_go && !target_->is_the_start && !reached_) reached_ = robot_.place();
   return false;
 }
 

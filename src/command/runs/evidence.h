@@ -49,6 +49,8 @@ class Evidence {
   };
   /// When it has had its time: what was seen until now has to do.
   [[nodiscard]] Verdict verdict() const;
+  /// Where the robot was by the frame that is the evidence: the one of now, unless it has moved on since.
+  [[nodiscard]] robot::StreamedPlace place() const { return reached_.value_or(robot_.place()); }
   /// For people, of what is contradicted.
   [[nodiscard]] std::string contradiction(int tag) const;
 
@@ -60,7 +62,7 @@ class Evidence {
   const arm::ArmModel* arm_;
   std::optional<robot::Target> target_;
   robot::StallWatch stall_;
-  bool reached_ = false;  ///< it was seen at its target since its tag, if not standing there
+  std::optional<robot::StreamedPlace> reached_;  ///< where it was first seen at its target since its tag
 };
 
 }  // namespace cobot_command::command

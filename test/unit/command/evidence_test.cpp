@@ -2,6 +2,7 @@
 //
 // A tag is a number of 1 to 15 that every client of the controller hears: it may be another's.
 
+#include "block_goals.h"
 #include "core_rig.h"
 #include "status_frames.h"
 #include <gmock/gmock.h>
@@ -179,6 +180,36 @@ TEST_F(Evidence, isThatTheRobotWasThereAlsoWhenItMovesOn) {
   stream(600ms, passing({40, 0, 90, 0, 90, 0}));
   expectDone(id);
   EXPECT_TRUE(rig.nothingSent());
+}
+
+/// Where the robot is now is of another motion.
+TEST_F(Evidence, thatItWasThereIsWhatTheResultTells) {
+  const Goal path = with<LoadPathGoal>([](auto& g) { g.number_of_moves = 1; });
+  const Goal trajectory = with<FollowJointTrajectoryGoal>([](auto& g) { g.path_tolerance.fill(-1); });
+  for (const Goal& goal : {Goal(toJoints({10, 0, 90, 0, 90, 0})), path, trajectory}) {
+    SCOPED_TRACE(toString(blockOf(goal)));
+    rig.status(at(kHome));
+    const GoalId id = moving(goal);
+    stream(300ms, passing({5, 0, 90, 0, 90, 0}));
+    rig.tag(rig.latest().open_tags.at(0));
+    rig.status(passing({9.96F, 0, 90, 0, 90, 0}));
+    rig.status(passing({10.03F, 0, 90, 0, 90, 0}));
+    stream(600ms, passing({25, 0, 90, 0, 90, 0}));
+    expectDone(id);
+    ASSERT_TRUE(rig.outcome(id) && rig.outcome(id)->final_joints_deg);
+    EXPECT_NEAR((*rig.outcome(id)->final_joints_deg)[0], 9.96, 1e-4);
+    rig.stream(at(kHome));
+  }
+}
+
+/// What was there first, and stands there then, is told as it stands.
+TEST_F(Evidence, thatItStandsThereIsWhatTheResultTells) {
+  const GoalId id = moving();
+  rig.tag(1);
+  rig.status(passing({59.93F, 0, 90, 0, 90, 0}));
+  rig.status(at(kAside));
+  expectDone(id);
+  EXPECT_NEAR((*rig.outcome(id)->final_joints_deg)[0], 60, 1e-4);
 }
 
 /// To be there says nothing then.

@@ -29,8 +29,8 @@ struct Outcome {
   int command_id_ack = 0;
   std::optional<Duration> planned;  ///< planned duration of the motion, when it could be planned
   std::optional<Duration> actual;   ///< from the acceptance by the controller to the end
-  /// Of a status frame from behind the queue tag, when that made it Done; else of the last one before the
-  /// end.
+  /// Of the status frame after the queue tag that made it Done, also where the robot has moved on since; else
+  /// of the last one before the end.
   std::optional<std::array<double, 6>> final_joints_deg;
   std::optional<std::array<double, 6>> final_pose_mm_deg;  ///< active TCP in the active base
   /// Of its script, as the controller has named them; none unless it refused the script.
