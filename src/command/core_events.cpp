@@ -246,7 +246,7 @@ void CommandCore::Impl::handle(const link::TagQueryFailed& event, Instant now) {
 void CommandCore::Impl::handle(const link::RobotStatus& status, Instant now) {
   robot_.update(status);
   limits_.see(status);
-  actions_.emplace_back(RobotStatusReceived{status});
+  actions_.emplace_back(RobotStatusReceived{status, robot_.moving()});
   robotChanged(now);
 }
 

@@ -1,8 +1,12 @@
 #include "cobot_command/robot/stall_watch.h"
 
+#include "cobot_command/common/units.h"
+
 namespace cobot_command::robot {
 namespace {
 
+/// Of any joint, from frame to frame, is motion: it asks early, and judges nothing.
+constexpr double kElsewhere = degToRad(0.01);  // [rad]
 /// At different times, however long there is between them: one alone may have been on its way for long.
 constexpr int kFramesStalled = 5;
 
@@ -14,7 +18,7 @@ void StallWatch::see(const RobotWatch& robot, Instant now) {
     rest_.reset();
     return;
   }
-  const bool elsewhere = rest_ && (*joints - rest_->place).cwiseAbs().maxCoeff() > kSamePlace;
+  const bool elsewhere = rest_ && (*joints - rest_->place).cwiseAbs().maxCoeff() > kElsewhere;
   const bool moves = elsewhere || robot.moving() == true;
   moved_ = moved_ || moves;
   if (!rest_ || moves || robot.held()) {

@@ -1,40 +1,56 @@
 #include "cobot_command/robot/standstill.h"
 
+#include "cobot_command/common/units.h"
+
 namespace cobot_command::robot {
 namespace {
 
-/// Below this every joint counts as standing; above the noise of a real arm's Joint_Speed.
-constexpr double kSlow = degToRad(0.1);  // [rad/s]
-/// In which that speed makes kSamePlace of a joint angle.
-constexpr Duration kRest = std::chrono::milliseconds(100);
+/// At rest no joint moves by more in so long.
+constexpr double kSamePlace = degToRad(0.05);  // [rad]
+constexpr Duration kRest = std::chrono::milliseconds(300);
 /// Frames may come late and together: of two alone it is not known how much time is between them.
-constexpr int kFramesAtRest = 3;
+constexpr std::size_t kFramesAtRest = 3;
+/// With every speed below this the arm stands: that is less than at rest in any case.
+constexpr double kNextToNothing = degToRad(0.1);  // [rad/s]
+/// No noise is above this: it moves, though its angles may not show it yet.
+constexpr double kAboveNoise = degToRad(1.0);  // [rad/s]
 
 }  // namespace
 
 void Standstill::see(const link::RobotStatus& status) {
-  if (status.joints) {
-    follow(*status.joints, status.received);
-  } else {
-    rest_.reset();
-  }
-  if (status.joint_velocities) {
-    moving_ = !(status.joint_velocities->cwiseAbs().maxCoeff() < kSlow);
-  } else if (!rest_) {
+  keep(status);
+  const auto fastest =
+      status.joint_velocities ? std::optional(status.joint_velocities->cwiseAbs().maxCoeff()) : std::nullopt;
+  if (fastest && *fastest < kNextToNothing) {
+    moving_ = false;
+  } else if (fastest && (*fastest >= kAboveNoise || places_.empty())) {
+    moving_ = true;
+  } else if (places_.empty()) {
     moving_.reset();
+  } else if (const auto moving = movingByAngles()) {
+    moving_ = moving;
   }
 }
 
-void Standstill::follow(const arm::JointVector& joints, Instant received) {
-  if (!rest_) {
-    rest_ = Rest{joints, received};
-    moving_.reset();
-  } else if ((joints - rest_->joints).cwiseAbs().maxCoeff() > kSamePlace) {
-    rest_ = Rest{joints, received};
-    moving_ = true;
-  } else if (++rest_->frames >= kFramesAtRest && received - rest_->since >= kRest) {
-    moving_ = false;
+void Standstill::keep(const link::RobotStatus& status) {
+  if (!status.joints) {
+    places_.clear();
+    return;
   }
+  places_.push_back({status.received, *status.joints});
+  while (places_.size() > kFramesAtRest && places_[1].at + kRest <= status.received) places_.pop_front();
+}
+
+std::optional<bool> Standstill::movingByAngles() const {
+  arm::JointVector least = places_.front().joints;
+  arm::JointVector most = least;
+  for (const Place& place : places_) {
+    least = least.cwiseMin(place.joints);
+    most = most.cwiseMax(place.joints);
+  }
+  if ((most - least).maxCoeff() > kSamePlace) return true;
+  const bool is_long_enough = places_.front().at + kRest <= places_.back().at;
+  return is_long_enough && places_.size() >= kFramesAtRest ? std::optional(false) : std::nullopt;
 }
 
 }  // namespace cobot_command::robot

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -79,6 +80,7 @@ struct GroupStateChanged {
 };
 struct RobotStatusReceived {
   link::RobotStatus status;
+  std::optional<bool> moving = {};  ///< by this frame and those before; nothing: not known, or not yet
 };
 /// Base and TCP that the next command will be taken in are others than before.
 struct ActiveFramesChanged {

@@ -1,19 +1,18 @@
-// Whether the robot stands, by what its status stream tells: the joint speeds, or, where the data table has
-// none, how far the joint angles of its frames differ.
+// Whether the robot stands, by what its status stream shows: no joint has moved for a while; or, sooner than
+// that, every joint speed is next to nothing.
+//
+// The joint speeds of a real arm that stands are noise, and no two arms have the same. So speeds that are
+// more than next to nothing do not make it move, unless they are more than any noise: then the angles tell.
 #pragma once
 
+#include <deque>
 #include <optional>
 
 #include "cobot_command/arm/types.h"
 #include "cobot_command/common/time.h"
-#include "cobot_command/common/units.h"
 #include "cobot_command/link/robot_status.h"
 
 namespace cobot_command::robot {
-
-/// Joint angles that differ by less show the same place: what a joint at the speed below which it counts as
-/// standing makes in a tenth of a second.
-inline constexpr double kSamePlace = degToRad(0.01);  // [rad]
 
 class Standstill {
  public:
@@ -21,20 +20,20 @@ class Standstill {
   /// The stream stopped.
   void forget() { *this = Standstill(); }
 
-  /// Nothing when it cannot be told, or not yet: without speeds it takes some frames.
+  /// Nothing when it cannot be told, or not yet: by angles it takes some frames.
   [[nodiscard]] std::optional<bool> moving() const { return moving_; }
 
  private:
-  /// Where the joints were when they were last seen to be elsewhere than before.
-  struct Rest {
+  struct Place {
+    Instant at;
     arm::JointVector joints;
-    Instant since;
-    int frames = 1;
   };
-  void follow(const arm::JointVector& joints, Instant received);
+  void keep(const link::RobotStatus& status);
+  /// Nothing: there is too little of them yet.
+  [[nodiscard]] std::optional<bool> movingByAngles() const;
 
   std::optional<bool> moving_;
-  std::optional<Rest> rest_;
+  std::deque<Place> places_;  ///< of as long as it takes to tell, and as many; the first may be older
 };
 
 }  // namespace cobot_command::robot

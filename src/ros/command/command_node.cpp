@@ -358,7 +358,7 @@ void CommandNode::tellRobot(const command::Action& action, const ClockPair& cloc
   std::visit(Overloaded{
                  [&](const command::RobotStatusReceived& a) {
                    if (seat_) seat_->observe(a.status, clocks.core_now);
-                   publisher_.publish(a.status);
+                   publisher_.publish(a);
                    diagnostics_.take(a.status);
                    robot_data_->take(a.status);
                  },

@@ -55,7 +55,8 @@ void StatusPublisher::publish(const command::GroupState& state) {
   group_state_.publish(toMessage(state, ros::Time::now()));
 }
 
-void StatusPublisher::publish(const link::RobotStatus& status) {
+void StatusPublisher::publish(const command::RobotStatusReceived& received) {
+  const link::RobotStatus& status = received.status;
   const ros::Time stamp = ros::Time::now();
   if (status.joints && joint_states_.isHeard()) {
     joint_states_.publish(jointState(joint_names_, *status.joints, pointerTo(status.joint_velocities),
@@ -68,7 +69,7 @@ void StatusPublisher::publish(const link::RobotStatus& status) {
     message.pose = toPoseMessage(*status.tool);
     tool_pose_.publish(message);
   }
-  publishRobotStatus(toMessage(status, stamp));
+  publishRobotStatus(toMessage(status, received.moving, stamp));
   publishDigitalIo(status, stamp);
   sendActiveFrames(stamp);
 }
@@ -118,7 +119,7 @@ void StatusPublisher::sendActiveFrames(const ros::Time& stamp) {
 void StatusPublisher::publish(const command::CommandStatus& status, const ClockPair& clocks) {
   command_status_.publish(toMessage(status, clocks));
   if (streaming_ && !status.status_stream) {
-    publishRobotStatus(toMessage(link::RobotStatus{}, clocks.ros_now));
+    publishRobotStatus(toMessage(link::RobotStatus{}, std::nullopt, clocks.ros_now));
     publishDigitalIo(link::RobotStatus{}, clocks.ros_now);
   }
   streaming_ = status.status_stream;

@@ -12,17 +12,10 @@ std::int8_t triState(const std::optional<bool>& value) {
   return *value ? Message::TRUE : Message::FALSE;
 }
 
-// Below this a joint counts as standing still: encoders and float32 items leave some noise.
-constexpr double kStandstillVelocity = 1e-3;  // [rad/s]
-
-std::optional<bool> inMotion(const link::RobotStatus& status) {
-  if (!status.joint_velocities) return std::nullopt;
-  return status.joint_velocities->cwiseAbs().maxCoeff() > kStandstillVelocity;
-}
-
 }  // namespace
 
-cobot_command::RobotStatus toMessage(const link::RobotStatus& status, const ros::Time& stamp) {
+cobot_command::RobotStatus toMessage(const link::RobotStatus& status, const std::optional<bool>& moving,
+                                     const ros::Time& stamp) {
   using Message = cobot_command::RobotStatus;
   Message message;
   message.header.stamp = stamp;
@@ -32,7 +25,7 @@ cobot_command::RobotStatus toMessage(const link::RobotStatus& status, const ros:
                              : Message::MODE_UNKNOWN;
   message.e_stopped = triState(status.emergency_stop);
   message.safeguard = triState(status.safeguard);
-  message.in_motion = triState(inMotion(status));
+  message.in_motion = triState(moving);
   message.in_error = triState(status.error);
   message.error_code = status.error_code.value_or(0);
   message.error_text = status.error_text.value_or("");

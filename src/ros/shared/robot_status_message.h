@@ -1,6 +1,8 @@
 // What the status stream tells of the robot, as its message.
 #pragma once
 
+#include <optional>
+
 #include <ros/time.h>
 
 #include "cobot_command/RobotStatus.h"
@@ -8,6 +10,8 @@
 
 namespace cobot_command::ros_adapter {
 
-[[nodiscard]] cobot_command::RobotStatus toMessage(const link::RobotStatus& status, const ros::Time& stamp);
+/// `moving`: nothing: not known.
+[[nodiscard]] cobot_command::RobotStatus toMessage(const link::RobotStatus& status,
+                                                   const std::optional<bool>& moving, const ros::Time& stamp);
 
 }  // namespace cobot_command::ros_adapter

@@ -41,7 +41,6 @@ runtime::SimulatorOptions optionsOf(const SimulatorParameters& parameters) {
 /// The truth in the words of the status stream, so that both make the same message.
 link::RobotStatus asStreamed(const simulator::RobotState& state) {
   link::RobotStatus status;
-  status.joint_velocities = state.velocities;
   status.operating_mode = static_cast<int>(state.mode);
   status.emergency_stop = state.emergency_stop;
   status.safeguard = state.safeguard;
@@ -218,7 +217,7 @@ void SimulatedControllerNode::publish(const simulator::RobotState& state) {
     tool.pose = toPoseMessage(state.flange * state.tcp);
     tool_pose_.publish(tool);
   }
-  if (status_.getNumSubscribers() > 0) status_.publish(toMessage(asStreamed(state), stamp));
+  if (status_.getNumSubscribers() > 0) status_.publish(toMessage(asStreamed(state), state.in_motion, stamp));
 }
 
 }  // namespace cobot_command::ros_adapter

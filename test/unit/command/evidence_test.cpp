@@ -295,7 +295,7 @@ TEST_F(Evidence, isTakenFromJointAnglesWhereNoSpeedsAreStreamed) {
   rig.tag(1);
   for (const float j1 : {59.8F, 59.92F, 59.97F, 60.0F}) stream(15ms, bare(j1));
   EXPECT_EQ(rig.outcome(id), nullptr) << "it may still be on its way";
-  stream(120ms, bare(60));
+  stream(330ms, bare(60));
   expectDone(id);
 }
 

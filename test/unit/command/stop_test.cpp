@@ -130,7 +130,7 @@ TEST(Cancel, waitsUntilTheJointAnglesStandWhereThereAreNoSpeeds) {
   rig.reply(rig.takeScript().id);
   for (float j1 = 2; j1 < 3; j1 += 0.1F) frame(j1);
   EXPECT_EQ(rig.outcome(goal), nullptr);
-  for (int i = 0; i < 8; ++i) frame(3);
+  for (int i = 0; i < 22; ++i) frame(3);
   ASSERT_NE(rig.outcome(goal), nullptr);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::CommandAborted);
 }

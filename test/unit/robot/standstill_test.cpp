@@ -1,4 +1,4 @@
-// Whether a robot stands, by its joint speeds, or by its joint angles where there are no speeds.
+// Whether a robot stands, by its joint speeds, and by its joint angles where the speeds are noise, or none.
 
 #include "cobot_command/robot/standstill.h"
 
@@ -30,43 +30,74 @@ struct Robot {
   std::optional<bool> moving() const { return standstill.moving(); }
 };
 
-TEST(Standstill, isToldByTheJointSpeeds) {
+TEST(Standstill, isToldByTheJointSpeedsWhereTheyAreNextToNothingOrAboveAnyNoise) {
   Robot robot;
   EXPECT_EQ(robot.moving(), std::nullopt);
-  robot.frame(0, 0.2);
+  robot.frame(0, 2.0);
   EXPECT_EQ(robot.moving(), true);
   robot.frame(10, -0.05);
   EXPECT_EQ(robot.moving(), false) << "whatever the angles are";
 }
 
+TEST(Standstill, isToldByTheJointAnglesWhereTheSpeedsAreNoise) {
+  Robot robot;
+  robot.frame(0, 0.3);
+  EXPECT_EQ(robot.moving(), std::nullopt) << "of one frame nobody can say";
+  for (int i = 0; i < 20; ++i) robot.frame(0.01 * (i % 2), i % 2 == 0 ? 0.3 : -0.5);
+  EXPECT_EQ(robot.moving(), false);
+  for (int i = 1; i <= 5; ++i) robot.frame(0.012 * i, 0.8);
+  EXPECT_EQ(robot.moving(), true);
+}
+
+TEST(Standstill, isToldByTheJointSpeedsAloneWhereThereAreNoAngles) {
+  Robot robot;
+  link::RobotStatus status;
+  status.joint_velocities = arm::JointVector::Constant(degToRad(0.3));
+  robot.standstill.see(status);
+  EXPECT_EQ(robot.moving(), true);
+}
+
+/// No joint moved by more than 0.05 degrees within 0.3 s.
 TEST(Standstill, isToldByTheJointAnglesWhereThereAreNoSpeeds) {
   Robot robot;
   robot.frame(0);
   EXPECT_EQ(robot.moving(), std::nullopt) << "of one frame nobody can say";
   robot.frame(0.1);
   EXPECT_EQ(robot.moving(), true);
-  for (int i = 0; i < 6; ++i) robot.frame(0.1);
-  EXPECT_EQ(robot.moving(), true) << "90 ms";
+  for (int i = 0; i < 19; ++i) robot.frame(0.1);
+  EXPECT_EQ(robot.moving(), true) << "285 ms";
   robot.frame(0.1);
   EXPECT_EQ(robot.moving(), false);
-  robot.frame(0.12);
+  robot.frame(0.14);
+  EXPECT_EQ(robot.moving(), false);
+  robot.frame(0.16);
   EXPECT_EQ(robot.moving(), true);
 }
 
 TEST(Standstill, isNotTakenFromTwoFramesThatTheNetworkHeldBack) {
   Robot robot;
   robot.frame(0);
-  robot.frame(0.1);
-  robot.frame(0.105, std::nullopt, 500ms);
+  robot.frame(0.5);
+  robot.frame(0.51, std::nullopt, 500ms);
   EXPECT_EQ(robot.moving(), true);
-  robot.frame(0.12, std::nullopt, 0ms);
+  robot.frame(0.58, std::nullopt, 0ms);
   EXPECT_EQ(robot.moving(), true);
 }
 
 TEST(Standstill, seesASlowMotionThatHardlyChangesFromFrameToFrame) {
   Robot robot;
-  for (int i = 0; i < 40; ++i) robot.frame(0.002 * i);  // 0.13 degrees a second
+  for (int i = 0; i < 40; ++i) robot.frame(0.003 * i);  // 0.2 degrees a second
   EXPECT_EQ(robot.moving(), true);
+}
+
+/// Slower than 0.05 degrees in 0.3 s is at rest, however long it goes on.
+TEST(Standstill, doesNotComeAndGoInASlowDrift) {
+  Robot robot;
+  for (int i = 0; i < 21; ++i) robot.frame(0.002 * i);
+  for (int i = 21; i < 200; ++i) {
+    robot.frame(0.002 * i);
+    ASSERT_EQ(robot.moving(), false) << i;
+  }
 }
 
 TEST(Standstill, isUnknownWithoutAStreamOrWithoutJoints) {

@@ -24,7 +24,7 @@ class StatusPublisher {
 
   /// Positions, tool and robot status, as far as the controller streams them; its digital inputs and outputs
   /// where they have changed; and the active frames in tf again.
-  void publish(const link::RobotStatus& status);
+  void publish(const command::RobotStatusReceived& received);
   /// Latched; when the status stream has ended, robot_status and digital_io become "unknown" as well.
   void publish(const command::CommandStatus& status, const ClockPair& clocks);
   /// Latched, and at once in tf, as far as they are known.
