@@ -53,12 +53,13 @@ Detail blamed(int faulty_step) {
   return faulty_step < 0 ? Detail() : Detail(blaming(static_cast<std::size_t>(faulty_step)));
 }
 
-std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, bool has_model) {
+std::vector<Failure> check(const CheckSequenceGoal& goal, const Start& start, const PlanningScene& scene) {
   std::vector<Failure> failures;
   if (!start.joints) {
-    failures.push_back({own_error::kStartUnknown, foundStart(goal.start_joints), ""});
+    const std::string found = foundStart(goal.start_joints);
+    failures.push_back({own_error::kStartUnknown, found.empty() ? scene.why_unknown : found, ""});
   }
-  if (!has_model) failures.push_back({own_error::kNoModel, "", ""});
+  if (scene.arm == nullptr) failures.push_back({own_error::kNoModel, "", ""});
   if (!goal.steps_fault.empty()) {
     failures.push_back({own_error::kStepsUnreadable, goal.steps_fault, "", blamed(goal.faulty_step)});
   } else if (goal.steps.empty() || goal.steps.size() > CheckSequenceGoal::kMostSteps) {
@@ -246,7 +247,7 @@ std::vector<Failure> check(const CheckSequenceGoal& /*goal*/) {
 
 Outcome plan(const CheckSequenceGoal& goal, const PlanningScene& scene) {
   const Start start = startOf(goal, scene);
-  if (const auto failures = check(goal, start, scene.arm != nullptr); !failures.empty()) {
+  if (const auto failures = check(goal, start, scene); !failures.empty()) {
     return toRejection(kBlock<CheckSequenceGoal>, failures);
   }
   return Sequence(goal, start, scene).run();

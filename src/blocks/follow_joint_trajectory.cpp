@@ -132,7 +132,8 @@ bool areTolerances(const SixValues& values) {
 }
 
 Failure cannotPlan(const PlanningScene& scene) {
-  return {scene.arm == nullptr ? own_error::kNoModel : own_error::kStartUnknown, "", ""};
+  if (scene.arm == nullptr) return {own_error::kNoModel, "", ""};
+  return {own_error::kStartUnknown, scene.why_unknown, ""};
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ Outcome plan(const JogGoal& goal, const PlanningScene& scene) {
   constexpr Block kThis = kBlock<JogGoal>;
   if (scene.arm == nullptr) return toRejection(kThis, {{own_error::kNoModel, "", ""}});
   const bool is_known = scene.start && scene.start->joints && scene.start->joints->allFinite();
-  if (!is_known) return toRejection(kThis, {{own_error::kStartUnknown, "", ""}});
+  if (!is_known) return toRejection(kThis, {{own_error::kStartUnknown, scene.why_unknown, ""}});
   const auto planned = planJog(goal, scene);
   if (!planned) return toRejection(kThis, {planned.error()});
   Outcome outcome;

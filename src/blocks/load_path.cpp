@@ -112,8 +112,11 @@ std::optional<PathRefusal> checkWithoutTransform(const LoadPathGoal& goal) {
   return std::nullopt;
 }
 
-Failure cannotPlan(const LoadPathGoal& goal, bool has_model) {
-  const char* const missing = has_model ? "it is not known where the arm stands" : "no model of the arm";
+Failure cannotPlan(const LoadPathGoal& goal, const PlanningScene& scene) {
+  const bool has_model = scene.arm != nullptr;
+  const std::string missing = !has_model                  ? "no model of the arm"
+                              : scene.why_unknown.empty() ? "it is not known where the arm stands"
+                                                          : scene.why_unknown;
   if (auto refusal = checkWithoutTransform(goal)) {
     refusal->found = fmt::format("{}, and {}", missing, refusal->found);
     return toFailure(goal, *refusal);
@@ -121,7 +124,8 @@ Failure cannotPlan(const LoadPathGoal& goal, bool has_model) {
   if (is(goal.execution, Execution::Pvt) && !goal.check_only) {
     return {own_error::kPvtUnavailable, missing, ""};
   }
-  return {has_model ? own_error::kStartUnknown : own_error::kNoModel, "", ""};
+  if (!has_model) return {own_error::kNoModel, "", ""};
+  return {own_error::kStartUnknown, scene.why_unknown, ""};
 }
 
 path::PathPreview previewOf(const LoadedPath& loaded) {
@@ -228,7 +232,7 @@ Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
   constexpr Block kThis = kBlock<LoadPathGoal>;
   const bool is_known =
       scene.arm != nullptr && (!scene.chain.isNone() || (scene.start && scene.start->joints));
-  if (!is_known) return toRejection(kThis, {cannotPlan(goal, scene.arm != nullptr)});
+  if (!is_known) return toRejection(kThis, {cannotPlan(goal, scene)});
   const auto loaded = loadPath(goal, scene);
   if (!loaded) return toRejection(kThis, {refused(goal, loaded.error(), scene)});
   PathReport report;

@@ -36,6 +36,7 @@ std::string StatusDesk::diagnosis() const {
   };
   const robot::OrphanWatch& orphan = parts_.arbiter.stops().orphan();
   if (orphan.mayMove()) add(orphan.text());
+  if (parts_.keeper.run().ready()) add(robot::whatIsUnseen(parts_.robot));
   add(parts_.strangers.text());
   add(parts_.forecast.loose().text());
   add(parts_.keeper.textOfTheRobotLeft());

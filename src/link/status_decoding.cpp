@@ -1,13 +1,17 @@
 #include "status_decoding.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/link/stream_items.h"
 #include "cobot_command/protocol/controller_error.h"
 
 namespace cobot_command::link {
@@ -101,47 +105,116 @@ bool readIfLevel(const StatusItem& item, RobotStatus& status) {
   return true;
 }
 
-using Reader = bool (*)(const StatusItem&, RobotStatus&);
 struct ItemRow {
-  std::string_view name;
-  Reader read;
+  StreamItem item;
+  bool (*read)(const StatusItem&, RobotStatus&);
+  bool (*is_there)(const RobotStatus&);
 };
 
-// Error_Content is streamed by TMflow 1.76 and older only (TM 3.1).
+template <auto Member, auto Read>
+constexpr ItemRow row(std::string_view name, ItemNeed need, std::string_view without) {
+  return {{name, need, without},
+          [](const StatusItem& item, RobotStatus& status) { return Read(item, status.*Member); },
+          [](const RobotStatus& status) { return (status.*Member).has_value(); }};
+}
+
+template <auto Member>
+constexpr ItemRow identityRow(std::string_view name) {
+  return {
+      {name, ItemNeed::Choice, "it is asked for"},
+      [](const StatusItem& item, RobotStatus& status) { return readString(item, status.identity.*Member); },
+      [](const RobotStatus& status) { return (status.identity.*Member).has_value(); }};
+}
+
+// What each is called, and what is so without it: doc/ros.md has this table, README the names of those that
+// every data table should have. Error_Content is streamed by TMflow 1.76 and older only, which do not have
+// Joint_Speed (TM 3.1).
 constexpr ItemRow kItems[] = {
-    {"Robot_Link", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.linked); }},
-    {"Joint_Angle", [](const StatusItem& i, RobotStatus& s) { return readJoints(i, s.joints); }},
-    {"Joint_Speed", [](const StatusItem& i, RobotStatus& s) { return readJoints(i, s.joint_velocities); }},
-    {"Joint_Torque", [](const StatusItem& i, RobotStatus& s) { return readTorques(i, s.joint_torques); }},
-    {"Safety_Joint_Angle_Min",
-     [](const StatusItem& i, RobotStatus& s) { return readJoints(i, s.safety_lower); }},
-    {"Safety_Joint_Angle_Max",
-     [](const StatusItem& i, RobotStatus& s) { return readJoints(i, s.safety_upper); }},
-    {"Coord_Robot_Flange", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.flange); }},
-    {"Coord_Robot_Tool", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.tool); }},
-    {"Base_Value", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.base); }},
-    {"TCP_Value", [](const StatusItem& i, RobotStatus& s) { return readPose(i, s.tcp); }},
-    {"TCP_Mass", [](const StatusItem& i, RobotStatus& s) { return readMass(i, s.tcp_mass); }},
-    {"TCP_Speed3D", [](const StatusItem& i, RobotStatus& s) { return readSpeed(i, s.tool_speed); }},
-    {"Base_Name", [](const StatusItem& i, RobotStatus& s) { return readString(i, s.base_name); }},
-    {"TCP_Name", [](const StatusItem& i, RobotStatus& s) { return readString(i, s.tcp_name); }},
-    {"Robot_Error", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.error); }},
-    {"Error_Code", [](const StatusItem& i, RobotStatus& s) { return readInt(i, s.error_code); }},
-    {"Error_Content", [](const StatusItem& i, RobotStatus& s) { return readString(i, s.error_text); }},
-    {"ESTOP", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.emergency_stop); }},
-    {"Safeguard_A", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.safeguard); }},
-    {"Project_Run", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.project_running); }},
-    {"Project_Pause", [](const StatusItem& i, RobotStatus& s) { return readBool(i, s.project_paused); }},
-    {"Project_Speed",
-     [](const StatusItem& i, RobotStatus& s) { return readInt(i, s.project_speed_percent); }},
-    {"MA_Mode", [](const StatusItem& i, RobotStatus& s) { return readInt(i, s.operating_mode); }},
-    {"Robot_Model",
-     [](const StatusItem& i, RobotStatus& s) { return readString(i, s.identity.robot_model); }},
-    {"ControlBox_SN",
-     [](const StatusItem& i, RobotStatus& s) { return readString(i, s.identity.control_box_sn); }},
-    {"TMflow_Version",
-     [](const StatusItem& i, RobotStatus& s) { return readString(i, s.identity.tmflow_version); }},
+    row<&RobotStatus::error, readBool>("Robot_Error", ItemNeed::Ready,
+                                       "errors of the controller are not seen: what fails by them says only "
+                                       "that it did, and nothing refuses the next motion"),
+    row<&RobotStatus::project_running, readBool>(
+        "Project_Run", ItemNeed::Ready, "nobody sees whether the project runs, or that it has stopped"),
+    row<&RobotStatus::project_paused, readBool>(
+        "Project_Pause", ItemNeed::Ready,
+        "a pause by others is not seen: the deadlines of motions run on, and no goal shows HELD"),
+    row<&RobotStatus::safeguard, readBool>(
+        "Safeguard_A", ItemNeed::Ready,
+        "a safeguard that holds the robot is not seen: the deadlines of motions run on, and no goal shows "
+        "HELD"),
+    row<&RobotStatus::emergency_stop, readBool>(
+        "ESTOP", ItemNeed::Ready,
+        "an emergency stop is not seen: what ends by it ends as a link that was lost"),
+    row<&RobotStatus::error_code, readInt>("Error_Code", ItemNeed::Always,
+                                           "errors of the controller have no number and no text"),
+    row<&RobotStatus::joints, readJoints>("Joint_Angle", ItemNeed::Ready,
+                                          "no joint_states; moves are sent unplanned and unchecked, and "
+                                          "nobody sees where they end; jog, paths, "
+                                          "trajectories and interrupt are refused"),
+    row<&RobotStatus::joint_velocities, readJoints>("Joint_Speed", ItemNeed::Always,
+                                                    "no velocities in joint_states; that the robot stands is "
+                                                    "seen 0.3 s later, by its joint angles (TMflow "
+                                                    "1.76 does not have it)"),
+    row<&RobotStatus::joint_torques, readTorques>("Joint_Torque", ItemNeed::Always,
+                                                  "no efforts in joint_states"),
+    row<&RobotStatus::flange, readPose>("Coord_Robot_Flange", ItemNeed::Always,
+                                        "without TCP_Value the active tool is not known"),
+    row<&RobotStatus::tool, readPose>("Coord_Robot_Tool", ItemNeed::Always,
+                                      "no tool_pose, no final_pose; whether a pose was reached is told by "
+                                      "the nominal model alone, to 10 mm"),
+    row<&RobotStatus::tcp, readPose>(
+        "TCP_Value", ItemNeed::Always,
+        "until change_tcp the active tool is known by flange and tool pose alone; without these nobody sees "
+        "whether a pose was reached"),
+    row<&RobotStatus::tcp_name, readString>("TCP_Name", ItemNeed::Always, "the active tool has no name here"),
+    row<&RobotStatus::base, readPose>(
+        "Base_Value", ItemNeed::Always,
+        "until change_base the active base is not known: targets in a tf frame are refused, and nobody sees "
+        "whether a pose was reached"),
+    row<&RobotStatus::base_name, readString>("Base_Name", ItemNeed::Always,
+                                             "the active base has no name here"),
+    row<&RobotStatus::project_speed_percent, readInt>(
+        "Project_Speed", ItemNeed::Always,
+        "plans are made for a project speed of 100 %: at a lower one motions take longer than planned"),
+    row<&RobotStatus::operating_mode, readInt>(
+        "MA_Mode", ItemNeed::Always, "the manual mode is not seen; programs in a cell let no frame leave"),
+    {{"Ctrl_DI0", ItemNeed::Choice, "it is unknown in digital_io, and wait_for_input is refused"},
+     nullptr,
+     nullptr},
+    {{"Ctrl_DO0", ItemNeed::Choice, "it is unknown in digital_io"}, nullptr, nullptr},
+    {{"End_DI0", ItemNeed::Choice, "it is unknown in digital_io, and wait_for_input is refused"},
+     nullptr,
+     nullptr},
+    {{"End_DO0", ItemNeed::Choice, "it is unknown in digital_io"}, nullptr, nullptr},
+    row<&RobotStatus::tcp_mass, readMass>("TCP_Mass", ItemNeed::Choice,
+                                          "what the tool weighs is known only from change_tcp on"),
+    row<&RobotStatus::tool_speed, readSpeed>(
+        "TCP_Speed3D", ItemNeed::Choice, "group_state does not tell whether the tool gets faster or slower"),
+    row<&RobotStatus::safety_lower, readJoints>("Safety_Joint_Angle_Min", ItemNeed::Choice,
+                                                "the software limits are compared with nothing"),
+    row<&RobotStatus::safety_upper, readJoints>("Safety_Joint_Angle_Max", ItemNeed::Choice,
+                                                "the software limits are compared with nothing"),
+    identityRow<&ControllerIdentity::robot_model>("Robot_Model"),
+    identityRow<&ControllerIdentity::control_box_sn>("ControlBox_SN"),
+    identityRow<&ControllerIdentity::tmflow_version>("TMflow_Version"),
+    row<&RobotStatus::error_text, readString>(
+        "Error_Content", ItemNeed::Choice,
+        "errors have the text that is known of their code (TMflow after 1.76 does not have it)"),
+    row<&RobotStatus::linked, readBool>("Robot_Link", ItemNeed::Choice, "nothing here depends on it"),
 };
+
+constexpr const char* kDataTable = "TMflow, Setting > Connection > Ethernet Slave > Data Table";
+
+std::vector<StreamItem> missingIn(const RobotStatus& status, ItemNeed least) {
+  std::vector<StreamItem> missing;
+  for (const ItemRow& row : kItems) {
+    if (row.item.need > least || row.is_there == nullptr || row.is_there(status)) continue;
+    const auto& unreadable = status.unreadable;
+    if (std::find(unreadable.begin(), unreadable.end(), row.item.name) != unreadable.end()) continue;
+    missing.push_back(row.item);
+  }
+  return missing;
+}
 
 }  // namespace
 
@@ -149,14 +222,56 @@ RobotStatus toRobotStatus(const std::vector<StatusItem>& items, Instant received
   RobotStatus status;
   status.received = received;
   for (const StatusItem& item : items) {
-    const auto* row = std::find_if(std::begin(kItems), std::end(kItems),
-                                   [&](const ItemRow& known) { return known.name == item.name; });
+    const auto* row = std::find_if(std::begin(kItems), std::end(kItems), [&](const ItemRow& known) {
+      return known.read != nullptr && known.item.name == item.name;
+    });
     const bool read = row != std::end(kItems) ? row->read(item, status) : readIfLevel(item, status);
     if (!read) status.unreadable.emplace_back(item.name);
   }
   const std::string_view meaning = protocol::meaningOfError(status.error_code.value_or(0));
   if (!status.error_text && !meaning.empty()) status.error_text = meaning;
   return status;
+}
+
+const std::vector<StreamItem>& streamItems() {
+  static const std::vector<StreamItem> items = [] {
+    std::vector<StreamItem> all;
+    for (const ItemRow& row : kItems) all.push_back(row.item);
+    return all;
+  }();
+  return items;
+}
+
+std::vector<StreamItem> missingItems(const RobotStatus& status) {
+  return missingIn(status, ItemNeed::Always);
+}
+
+std::vector<StreamItem> missingForReady(const RobotStatus& status) {
+  return missingIn(status, ItemNeed::Ready);
+}
+
+std::string describe(const std::vector<StreamItem>& missing) {
+  std::string text;
+  for (const StreamItem& item : missing) {
+    text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", item.name, item.without);
+  }
+  return text;
+}
+
+std::string namesOf(const std::vector<StreamItem>& items) {
+  std::string names;
+  for (const StreamItem& item : items) names.append(names.empty() ? "" : ", ").append(item.name);
+  return names;
+}
+
+std::string lackOf(std::string_view item) {
+  assert(std::any_of(std::begin(kItems), std::end(kItems),
+                     [item](const ItemRow& row) { return row.item.name == item; }));
+  return fmt::format("the status stream does not have {}: tick it in {}", item, kDataTable);
+}
+
+std::string remedyForMissingItems() {
+  return fmt::format("tick them in {}", kDataTable);
 }
 
 }  // namespace cobot_command::link

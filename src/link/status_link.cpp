@@ -3,6 +3,7 @@
 #include "status_decoding.h"
 #include <fmt/format.h>
 
+#include "cobot_command/link/stream_items.h"
 #include "cobot_command/protocol/message.h"
 #include "cobot_command/protocol/status_items.h"
 
@@ -15,6 +16,21 @@ namespace {
 bool isOfScriptPort(const protocol::Frame& frame) {
   return frame.header == protocol::header::kScript || frame.header == protocol::header::kStatus ||
          frame.header == protocol::header::kCommunicationError;
+}
+
+/// Of a stream that comes; empty: it has all that every data table should have.
+std::string textOfWhatItLacks(const RobotStatus& status) {
+  std::string text;
+  if (!status.unreadable.empty()) {
+    text = fmt::format(
+        "the status stream comes, but the value of {} cannot be one: wrong type or size, or a number that is "
+        "not finite",
+        fmt::join(status.unreadable, ", "));
+  }
+  const std::string missing = describe(missingItems(status));
+  if (missing.empty()) return text;
+  return fmt::format("{}{}the status stream does not have {}: {}", text, text.empty() ? "" : "; ", missing,
+                     remedyForMissingItems());
 }
 
 }  // namespace
@@ -138,7 +154,7 @@ std::optional<RobotStatus> StatusLink::read(const protocol::Frame& frame, Instan
   const bool is_first = state_ == StatusLinkState::Waiting;
   fire(Event::Frame, now);
   if (is_first) ask(now);
-  diagnosis_ = unreadable_;
+  diagnosis_ = lacking_;
   decoded_.received = now;
   return decoded_;
 }
@@ -150,12 +166,7 @@ std::optional<std::string> StatusLink::decode(std::string content) {
   if (!items) return items.error().message;
   decoded_ = toRobotStatus(*items, Instant{});
   questions_.complete(decoded_.identity);
-  unreadable_ = decoded_.unreadable.empty()
-                    ? ""
-                    : fmt::format(
-                          "the status stream comes, but the value of {} cannot be one: wrong type or size, "
-                          "or a number that is not finite",
-                          fmt::join(decoded_.unreadable, ", "));
+  lacking_ = textOfWhatItLacks(decoded_);
   content_ = std::move(content);
   return std::nullopt;
 }

@@ -1,5 +1,9 @@
 #include "cobot_command/robot/diagnosis.h"
 
+#include <fmt/format.h>
+
+#include "cobot_command/link/stream_items.h"
+
 namespace cobot_command::robot {
 
 std::string diagnose(const link::ScriptLink& link, const RobotWatch& robot) {
@@ -20,6 +24,20 @@ std::string diagnose(const link::ScriptLink& link, const RobotWatch& robot) {
     add("a safeguard holds the robot: motions wait until it is released");
   }
   return text;
+}
+
+std::string whatIsUnseen(const RobotWatch& robot) {
+  if (!robot.status()) {
+    return "no status stream shows the robot: motions are sent unplanned and unchecked, and are done by "
+           "their "
+           "queue tags alone";
+  }
+  const auto missing = link::missingForReady(*robot.status());
+  if (missing.empty()) return "";
+  const char* motions = !robot.tellsMotion() ? ", so motions are done by their queue tags alone"
+                        : !robot.joints()    ? ", so nobody sees where motions end"
+                                             : "";
+  return fmt::format("the status stream does not have {}{}", namesOf(missing), motions);
 }
 
 }  // namespace cobot_command::robot

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
+#include "cobot_command/link/stream_items.h"
 
 namespace cobot_command::robot {
 
@@ -41,6 +42,11 @@ std::string RobotWatch::errorText() const {
 
 std::optional<arm::JointVector> RobotWatch::joints() const {
   return status_ ? status_->joints : std::nullopt;
+}
+
+std::string RobotWatch::whyNoJoints() const {
+  if (!status_) return "no status stream tells where the robot is";
+  return status_->joints ? "" : link::lackOf("Joint_Angle");
 }
 
 std::optional<arm::Pose> RobotWatch::tcp() const {

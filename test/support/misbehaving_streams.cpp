@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "misbehaving_peers.h"
+#include "whole_stream.h"
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
@@ -18,29 +19,28 @@ namespace item = protocol::item;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
+void set(std::vector<StatusItem>& items, StatusItem other) {
+  for (StatusItem& known : items) {
+    if (known.name == other.name) {
+      known = std::move(other);
+      return;
+    }
+  }
+  items.push_back(std::move(other));
+}
+
 std::vector<StatusItem> standing(const std::vector<float>& joints_deg) {
-  return {item::ofByte("Robot_Link", 1),
-          item::ofBool("Robot_Error", false),
-          item::ofBool("Project_Run", true),
-          item::ofBool("Project_Pause", false),
-          item::ofBool("ESTOP", false),
-          item::ofInt("Error_Code", 0),
-          item::ofFloats("Joint_Angle", joints_deg),
-          item::ofFloats("Joint_Speed", {0, 0, 0, 0, 0, 0})};
+  auto items = wholeStream();
+  set(items, item::ofFloats("Joint_Angle", joints_deg));
+  return items;
 }
 
 std::string frameOf(const std::vector<StatusItem>& items, int mode = 1) {
   return encode(protocol::StatusFrame{"0", mode, protocol::encodeBinaryItems(items)});
 }
 std::string frameWith(StatusItem other) {
-  auto items = standing({0, 0, 90, 0, 90, 0});
-  for (StatusItem& known : items) {
-    if (known.name == other.name) {
-      known = std::move(other);
-      return frameOf(items);
-    }
-  }
-  items.push_back(std::move(other));
+  auto items = wholeStream();
+  set(items, std::move(other));
   return frameOf(items);
 }
 std::string frameOfContent(int mode, std::string content) {
@@ -101,12 +101,13 @@ void addItems(std::vector<MisbehavingPeer>& peers) {
                           frameOfContent(1, "\xff\xff" + std::string(9, 'a')), kUnreadable));
   peers.push_back(
       streams("a value that breaks off", frameOfContent(1, std::string("\x01\0a\x05\0b", 6)), kUnreadable));
-  peers.push_back(streams("no items", frameOf({}), ""));
+  peers.push_back(streams("no items", frameOf({}), "does not have Robot_Error"));
   peers.push_back(
       streams("names without letters", frameOfContent(1, std::string("\0\0\x01\0x", 5)), kUnreadable));
   peers.push_back(streams("a name of 65535 bytes", frameWith({std::string(65535, 'n'), "x"}), ""));
-  peers.push_back(
-      streams("10,000 items", frameOf(std::vector<StatusItem>(10000, item::ofBool("ESTOP", false))), ""));
+  peers.push_back(streams("10,000 items",
+                          frameOf(std::vector<StatusItem>(10000, item::ofBool("ESTOP", false))),
+                          "does not have Robot_Error"));
   peers.push_back(
       streams("NaN joints", frameWith(item::ofFloats("Joint_Angle", {0, kNan, 0, 0, 0, 0})), "Joint_Angle"));
   peers.push_back(streams("infinite speeds", frameWith(item::ofFloats("Joint_Speed", {0, 0, 0, 0, 0, -kInf})),
@@ -131,9 +132,9 @@ void addItems(std::vector<MisbehavingPeer>& peers) {
 /// What the stream says keeps the motion from being sent, or ends it.
 void addRobotsThatCannotMove(std::vector<MisbehavingPeer>& peers) {
   using namespace blocks;
-  auto error = standing({0, 0, 90, 0, 90, 0});
-  error[1] = item::ofBool("Robot_Error", true);
-  error[5] = item::ofInt("Error_Code", 0x1405A);
+  auto error = wholeStream();
+  set(error, item::ofBool("Robot_Error", true));
+  set(error, item::ofInt("Error_Code", 0x1405A));
   peers.push_back(streams("an error", frameOf(error), "", {own_error::kRobotError}));
   error.push_back(item::ofString("Error_Content", std::string(60000, 'E')));
   peers.push_back(streams("an error of 60 kB", frameOf(error), "", {own_error::kRobotError}));

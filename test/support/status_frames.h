@@ -1,9 +1,12 @@
 // Frames of a status stream, made by saying what is unusual in them.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "whole_stream.h"
 
 #include "cobot_command/protocol/status_items.h"
 
@@ -26,6 +29,15 @@ class StatusFrames {
               item::ofFloats("Joint_Speed", {0, 0, 0, 0, 0, 0})};
   }
 
+  /// With all that every data table should have.
+  StatusFrames& whole() {
+    for (auto& item : wholeStream()) {
+      const bool is_there = std::any_of(items_.begin(), items_.end(),
+                                        [&](const auto& known) { return known.name == item.name; });
+      if (!is_there) items_.push_back(std::move(item));
+    }
+    return *this;
+  }
   StatusFrames& with(protocol::StatusItem item) {
     for (auto& known : items_) {
       if (known.name == item.name) {

@@ -35,7 +35,7 @@ struct CommandStatus {
   int port = 0;
   std::string listen_node;                ///< message of the Listen node, while in it
   bool status_stream = false;             ///< the status link delivers
-  std::string status_diagnosis;           ///< why it does not, or not wholly, in plain words
+  std::string status_diagnosis;           ///< why it does not, or not wholly, and what that means
   std::optional<Instant> last_connected;  ///< LastConnTime
   std::optional<Instant> last_lost;       ///< LastLostTime
   int queue_depth = 0;                    ///< commands that are under way or wait: the sum of the next two

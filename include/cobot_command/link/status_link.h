@@ -67,7 +67,7 @@ class StatusLink {
   std::optional<std::string> content_;  ///< of the last frame that could be read, and what it says:
   RobotStatus decoded_;
   IdentityQuestions questions_;  ///< of this connection
-  std::string unreadable_;       ///< as a diagnosis; empty: all could be read
+  std::string lacking_;          ///< of that frame, as a diagnosis; empty: all is there
   std::string diagnosis_;
   std::uint64_t decode_faults_ = 0;
 };

@@ -11,4 +11,8 @@ namespace cobot_command::robot {
 /// What the script port says, and what the status stream, which lives also without a project, knows besides.
 [[nodiscard]] std::string diagnose(const link::ScriptLink& link, const RobotWatch& robot);
 
+/// Of a robot that can be commanded: what the status stream does not show of all that "ready" stands for;
+/// empty: nothing.
+[[nodiscard]] std::string whatIsUnseen(const RobotWatch& robot);
+
 }  // namespace cobot_command::robot

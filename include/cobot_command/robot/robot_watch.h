@@ -64,6 +64,8 @@ class RobotWatch {
   [[nodiscard]] const std::optional<TooMuch>& tooMuch() const { return too_much_; }
 
   [[nodiscard]] std::optional<arm::JointVector> joints() const;
+  /// For people; empty: joints() are known.
+  [[nodiscard]] std::string whyNoJoints() const;
   /// The active TCP in the flange, also from the poses of flange and tool; nothing when neither is told.
   [[nodiscard]] std::optional<arm::Pose> tcp() const;
   [[nodiscard]] double speedOverride() const;

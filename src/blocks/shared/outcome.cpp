@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,6 +25,13 @@ const ErrorEntry& entryOf(Block block, int id) {
   const ErrorEntry* entry = findError(block, id);
   assert(entry != nullptr);
   return entry != nullptr ? *entry : kUnlisted;
+}
+
+/// A script may be long, and warned of in every cycle.
+constexpr std::size_t kMostLines = 8;
+
+void keepFirst(std::string& known, const std::string& other) {
+  if (known.empty()) known = other;
 }
 
 }  // namespace
@@ -100,6 +108,29 @@ Outcome toRejection(Block block, const std::vector<Failure>& failures) {
         fmt::format("; also {} {}", errorNumber(id), describe(entryOf(block, id), failures[i].found));
   }
   return outcome;
+}
+
+void Remarks::add(const Remarks& other) {
+  for (const std::string& line : other.warned_lines) {
+    const bool is_known = std::find(warned_lines.begin(), warned_lines.end(), line) != warned_lines.end();
+    if (!is_known && warned_lines.size() < kMostLines) warned_lines.push_back(line);
+  }
+  keepFirst(unplanned, other.unplanned);
+  keepFirst(unseen, other.unseen);
+}
+
+std::string Remarks::text() const {
+  std::string text;
+  const auto add = [&text](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
+  if (!unplanned.empty()) add("sent unplanned and unchecked: " + unplanned);
+  if (!unseen.empty()) add("nobody has seen where it ended: " + unseen);
+  if (!warned_lines.empty()) add(textOfWarnings());
+  return text;
+}
+
+std::string Remarks::textOfWarnings() const {
+  if (warned_lines.empty()) return "";
+  return fmt::format("the controller warns of {}", fmt::join(warned_lines, "; "));
 }
 
 }  // namespace cobot_command::blocks

@@ -87,7 +87,7 @@ Failure notOnTheWay(const DrivenPath& driven, const arm::JointVector& joints) {
 
 std::optional<Failure> objectionTo(const PlanningScene& scene) {
   if (scene.arm == nullptr) return Failure{own_error::kNoModel, "", ""};
-  if (!scene.start || !scene.start->joints) return Failure{own_error::kStartUnknown, "", ""};
+  if (!scene.start || !scene.start->joints) return Failure{own_error::kStartUnknown, scene.why_unknown, ""};
   if (scene.driven == nullptr) return Failure{own_error::kNothingDriven, "", ""};
   if (scene.is_pvt_refused) {
     return Failure{own_error::kPvtUnavailable, "the controller has refused to enter a PVT", ""};

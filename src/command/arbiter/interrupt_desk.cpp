@@ -50,7 +50,7 @@ InterruptAnswer InterruptDesk::objectionToInterrupting() const {
   }
   if (!parts_.robot.joints()) {
     return refusal(blocks::own_error::kStartUnknown,
-                   "the status stream does not tell where the robot stands: use stop, which keeps nothing");
+                   parts_.robot.whyNoJoints() + "; or use stop, which keeps nothing");
   }
   if (const auto why = whyNotLater()) {
     return refusal(blocks::own_error::kInterruption,
@@ -104,8 +104,7 @@ InterruptAnswer InterruptDesk::objectionToGoingOn() const {
     return refusal(kContinueWhileStopping, "the robot moves, or another goal is under way: wait for it");
   }
   if (!parts_.robot.joints()) {
-    return refusal(blocks::own_error::kStartUnknown,
-                   "the status stream does not tell where the robot stands");
+    return refusal(blocks::own_error::kStartUnknown, parts_.robot.whyNoJoints());
   }
   const PrimaryPosition& position = *desks_.aside.position();
   if (!isAt(position.joints) && !(position.segment_end && isAt(*position.segment_end))) {

@@ -168,6 +168,7 @@ void Turns::endCommand(CommandWindow::Ended ended, Instant now) {
     return;
   }
   if (ended.outcome.ending == blocks::Ending::Aborted) parts_.robot.takeBackAcknowledgement();
+  under_way_.run->reports().remark(ended.outcome.remarks);
   under_way_.run->commandEnded(ended.key, ended.outcome, now);
   under_way_.run->robotChanged(parts_.robot, now);
 }

@@ -25,6 +25,14 @@ BlockOutputs ended(blocks::Block block, const blocks::Outcome& outcome) {
   return outputs;
 }
 
+/// Who reads the result of a goal is to know what else there is to know of it.
+void tellRemarks(blocks::Outcome& outcome) {
+  const bool is_done = outcome.ending == blocks::Ending::Done;
+  const std::string text = is_done ? outcome.remarks.text() : outcome.remarks.textOfWarnings();
+  if (text.empty()) return;
+  outcome.error_description += outcome.error_description.empty() ? text : "; " + text;
+}
+
 }  // namespace
 
 OutputBoard::OutputBoard(std::vector<Action>& actions) : actions_(actions) {
@@ -95,6 +103,7 @@ void OutputBoard::progress(blocks::Block block, blocks::GoalId goal, blocks::Pro
 }
 
 void OutputBoard::end(blocks::Block block, blocks::GoalId goal, blocks::Outcome outcome) {
+  tellRemarks(outcome);
   open_.erase(std::remove(open_.begin(), open_.end(), std::pair(block, goal)), open_.end());
   const bool others =
       std::any_of(open_.begin(), open_.end(), [&](const auto& entry) { return entry.first == block; });

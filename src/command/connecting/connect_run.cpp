@@ -236,7 +236,11 @@ void ConnectRun::report() {
   switch (script_.state()) {
     case link::ScriptLinkState::Ready:
       progress.phase = ready() ? blocks::Phase::Connected : blocks::Phase::Probing;
-      if (!ready()) progress.text += "; waiting for the first status frame";
+      if (!ready()) {
+        progress.text += "; waiting for the first status frame";
+      } else if (const std::string unseen = robot::whatIsUnseen(robot_); !unseen.empty()) {
+        progress.text += "; " + unseen;
+      }
       break;
     case link::ScriptLinkState::Probing:
     case link::ScriptLinkState::NotListening:

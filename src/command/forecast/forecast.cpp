@@ -2,19 +2,23 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "cobot_command/blocks/list/goal_rules.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/joint_path.h"
+#include "cobot_command/common/given.h"
+#include "cobot_command/link/stream_items.h"
 
 namespace cobot_command::command {
 namespace {
 
 /// What one command, planned, is answered with.
-blocks::Outcome outcomeOf(blocks::Block block, const Planned& planned, bool has_model) {
+blocks::Outcome outcomeOf(blocks::Block block, const Planned& planned, const blocks::PlanningScene& scene) {
   if (!planned) return toRejection(block, {planned.error()});
   if (!*planned) {
-    const int id = has_model ? blocks::own_error::kStartUnknown : blocks::own_error::kNoModel;
-    return toRejection(block, {{id, "", ""}});
+    if (scene.arm == nullptr) return toRejection(block, {{blocks::own_error::kNoModel, "", ""}});
+    return toRejection(block, {{blocks::own_error::kStartUnknown, scene.why_unknown, ""}});
   }
   blocks::Outcome outcome;
   outcome.planned = (*planned)->duration;
@@ -32,7 +36,7 @@ PlanAnswer planGoal(const blocks::Goal& goal, const blocks::PlanningScene& scene
   }
   const blocks::Command command = *rules.command();
   const Planned plan = planFor(arm, command, base, scene.speed_share, origin, scene.give_up);
-  PlanAnswer answer{outcomeOf(command.block, plan, arm != nullptr), {}};
+  PlanAnswer answer{outcomeOf(command.block, plan, scene), {}};
   if (plan && *plan) answer.tool_path = toolPathOf(**plan, *arm);
   return answer;
 }
@@ -98,6 +102,30 @@ Origin Forecast::origin(Instant now) const {
   return origin;
 }
 
+std::string Forecast::whyStartUnknown() const {
+  if (!robot_.joints()) return robot_.whyNoJoints();
+  if (robot_.moving().value_or(false)) return "the robot moves, and nobody knows to where";
+  if (loose_.endsUnknown()) return "it comes after a motion of which nobody knows where it ends";
+  return "a command before it leaves the robot where nobody knows";
+}
+
+std::string Forecast::whyUnplanned(const CommandOrder& order, const Origin& origin) const {
+  if (!order.moves || order.is_open_ended) return "";  // these have no plan
+  if (!arm_) return "the command layer knows no model of the arm";
+  if (!order.commands) return "its lines say more than the command layer can read";
+  if (!origin.start.joints) return whyStartUnknown();
+  const auto unknown = [](const char* what, const std::string& name, const char* item, bool is_streamed) {
+    return fmt::format("the value of the active {}{} is not known{}", what,
+                       name.empty() ? "" : " " + quoted(name),
+                       is_streamed ? "" : ", as " + link::lackOf(item));
+  };
+  const robot::ActiveFrames active = frames();
+  const auto& status = robot_.status();
+  if (!origin.start.base) return unknown("base", active.base_name, "Base_Value", !status || status->base);
+  if (!origin.start.tcp) return unknown("TCP", active.tcp_name, "TCP_Value", !status || robot_.tcp());
+  return "what its lines do cannot be foreseen";
+}
+
 Result<CommandOrder, blocks::Failure> Forecast::order(const blocks::Command& command) const {
   auto lines = linesOf(command, frames().base, speed_.share());
   if (!lines) return refuse(lines.error());
@@ -145,6 +173,7 @@ PlanDesk::MakeWork Forecast::workFor(const blocks::Goal& goal, const OriginAt& o
     scene.arm = limited_arm_.get();
     scene.speed_share = speed_.share();
     if (origin) scene.start = origin->start;
+    if (!origin || !origin->start.joints) scene.why_unknown = whyStartUnknown();
     scene.give_up = [dropped] { return dropped->load(); };
     scene.tables = tables_.forPlans();
     return [=, arm = limited_arm_, base = baseAt(origin)]() -> PlanAnswer {

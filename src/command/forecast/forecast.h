@@ -51,6 +51,10 @@ class Forecast {
   // --- Plans.
   /// Where a command starts that is sent now.
   [[nodiscard]] Origin origin(Instant now) const;
+  /// Why it is not known where the robot will stand then, for people. Precondition: it is not.
+  [[nodiscard]] std::string whyStartUnknown() const;
+  /// Why it goes out from there without a plan, for people; empty: it needs none. Precondition: it has none.
+  [[nodiscard]] std::string whyUnplanned(const CommandOrder& order, const Origin& origin) const;
   /// The command as it goes out now, without tag and plan; else what speaks against it.
   [[nodiscard]] Result<CommandOrder, blocks::Failure> order(const blocks::Command& command) const;
   /// Its plan takes no time, if it has one.

@@ -6,12 +6,14 @@
 
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/command/waiting_goals.h"
+#include "cobot_command/link/stream_items.h"
 
 namespace cobot_command::command {
 namespace {
 
 constexpr const char* kRobot = "robot";
 constexpr const char* kQueue = "queue";
+constexpr const char* kStatusStream = "status_stream";
 
 Message emergencyStop() {
   return {0,
@@ -33,6 +35,29 @@ Message queueNearlyFull() {
           kQueue,
           "80 % of the commands wait that can wait",
           "send no more until some are done: further ones are refused when it is full (16#216)"};
+}
+
+/// The controller has taken the script all the same.
+Message scriptWarning(blocks::Block block, const blocks::Remarks& remarks) {
+  return {0,
+          {},
+          Severity::Warning,
+          MessageType::Command,
+          0,
+          toString(block),
+          remarks.textOfWarnings(),
+          "look at these lines: the controller has carried them out, but may not do so in another version"};
+}
+
+Message itemsMissing(const std::vector<link::StreamItem>& missing) {
+  return {0,
+          {},
+          Severity::Warning,
+          MessageType::Interface,
+          0,
+          kStatusStream,
+          fmt::format("the status stream does not have {}", describe(missing)),
+          link::remedyForMissingItems()};
 }
 
 }  // namespace
@@ -61,6 +86,7 @@ void MessageDesk::take(const GoalEnded& end) {
 
 void MessageDesk::tellEnd(blocks::Block block, const blocks::Outcome& outcome, Instant now) {
   now_ = now;
+  if (!outcome.remarks.warned_lines.empty()) raise(scriptWarning(block, outcome.remarks));
   if (outcome.error_id == 0) return;
   raise({0,
          {},
@@ -91,6 +117,7 @@ void MessageDesk::take(const RobotStatusReceived& received) {
   // What was received, not what is known: an emergency stop closes the link, and what is known goes with it.
   const link::RobotStatus& status = received.status;
   show(status.emergency_stop.value_or(false), emergencyStop());
+  tellMissingItems(status);
   if (!status.error.value_or(false)) return;
   raise({0,
          {},
@@ -100,6 +127,15 @@ void MessageDesk::take(const RobotStatusReceived& received) {
          kRobot,
          robot::errorText(status),
          "clear it at the robot stick or in TMflow, then reset"});
+}
+
+void MessageDesk::tellMissingItems(const link::RobotStatus& status) {
+  const auto missing = link::missingItems(status);
+  if (missing.empty()) {
+    board_.end(kStatusStream, 0);
+  } else {
+    show(true, itemsMissing(missing));
+  }
 }
 
 void MessageDesk::raise(Message message, bool lasts) {

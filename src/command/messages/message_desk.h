@@ -56,6 +56,7 @@ class MessageDesk {
   void take(const RobotStatusReceived& received);
   template <class Other>
   void take(const Other& /*action*/) {}
+  void tellMissingItems(const link::RobotStatus& status);
   void raise(Message message, bool lasts = false);
   void tellPending();
 

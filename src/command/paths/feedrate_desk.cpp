@@ -44,8 +44,8 @@ void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& repl
   const bool restarts = request.restart && pace.can_restart && percent != 0;
   auto refused = objectionTo(percent, restarts, pace);
   if (!refused && restarts && !core_.robot.joints()) {
-    refused = refusal(blocks::own_error::kStartUnknown,
-                      "the status stream does not tell where the robot stands: set it without restart");
+    refused =
+        refusal(blocks::own_error::kStartUnknown, core_.robot.whyNoJoints() + "; or set it without restart");
   }
   if (refused) {
     refused->effective = kPercent * core_.desk.served().effective(pace.running);

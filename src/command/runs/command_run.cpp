@@ -197,7 +197,8 @@ void CommandRun::askForStop(Instant now) {
 void CommandRun::beginVerifying(Instant now) {
   if (!tag_seen_at_) tag_seen_at_ = now;
   clock_.clear();  // its time begins with the first frame behind the tag
-  if (followed_ || !order_.stands_at_end || !context_.robot.tellsMotion()) fire(Event::Verified, now);
+  is_to_be_seen_ = order_.moves && order_.stands_at_end && !followed_;
+  if (!is_to_be_seen_ || !context_.robot.tellsMotion()) fire(Event::Verified, now);
 }
 
 void CommandRun::verify(Instant now) {
@@ -261,6 +262,9 @@ void CommandRun::end(blocks::Outcome outcome, Instant now) {
   }
   const bool is_done = outcome.ending == blocks::Ending::Done;
   const robot::StreamedPlace place = is_done ? evidence_.place() : context_.robot.place();
+  if (is_done && is_to_be_seen_) remarks_.unseen = evidence_.whyUnseen();
+  remarks_.unplanned = order_.unplanned;
+  outcome.remarks = std::move(remarks_);
   outcome.final_joints_deg = place.joints_deg;
   outcome.final_pose_mm_deg = place.tool_in_base_mm_deg;
   outcome_ = std::move(outcome);

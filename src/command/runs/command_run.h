@@ -115,8 +115,10 @@ class CommandRun {
   StopRun::Number stop_in_front_;  ///< the last one when it was sent
   StopRun::Number stop_ = 0;       ///< that it has asked for
   bool followed_ = false;          ///< the command behind it takes the robot over
+  bool is_to_be_seen_ = false;     ///< its tag came: the status stream should show it at its end
   std::string cancelled_why_;
   std::string stopped_how_;
+  blocks::Remarks remarks_;
   blocks::Outcome outcome_;
 };
 

@@ -18,9 +18,9 @@ bool hasLine(const std::vector<std::string>& script, int line) {
   return line >= 1 && line <= static_cast<int>(script.size());
 }
 
-/// "line 1: PTP(...); line 3: QueueTag(...)" for the lines that the controller named; of a long list the
-/// first ones. What it names beside the script is its own fault, and told as that.
-std::string faultyLines(const std::vector<std::string>& script, std::vector<int> lines) {
+/// "line 1: PTP(...); line 3: QueueTag(...)" for the lines that the controller named, as errors or warnings;
+/// of a long list the first ones. What it names beside the script is its own fault, and told as that.
+std::string namedLines(const std::vector<std::string>& script, std::vector<int> lines) {
   constexpr std::size_t kMaxNamed = 8;
   if (lines.empty()) return "no line was named";
   std::sort(lines.begin(), lines.end());
@@ -42,7 +42,7 @@ std::string faultyLines(const std::vector<std::string>& script, std::vector<int>
 }
 
 blocks::Failure rejectedBy(const protocol::ScriptReply& reply, const std::vector<std::string>& script) {
-  blocks::Failure failure{blocks::motion_error::kRejected, faultyLines(script, reply.lines), ""};
+  blocks::Failure failure{blocks::motion_error::kRejected, namedLines(script, reply.lines), ""};
   for (const int line : reply.lines) {
     if (hasLine(script, line)) failure.refused_lines.push_back(script[static_cast<std::size_t>(line) - 1]);
   }
@@ -81,6 +81,7 @@ void CommandRun::answered(const link::ScriptAnswered& answer, Instant now) {
   const auto& reply = std::get<protocol::ScriptReply>(answer.answer);
   if (reply.accepted) {
     accepted_at_ = now;
+    if (!reply.lines.empty()) remarks_.warned_lines.push_back(namedLines(order_.lines, reply.lines));
     if (order_.exits_node || order_.has_exit) context_.link.exitAccepted(now);
     fire(!order_.tag ? Event::AcceptedLast : tag_seen_at_ ? Event::AcceptedBehindTag : Event::Accepted, now);
   } else if (state_ == State::Sent) {

@@ -26,6 +26,7 @@ blocks::Outcome withMotion(const blocks::Outcome& exit, const blocks::Outcome& m
   outcome.ending = exit.ending;
   outcome.error_id = exit.error_id;
   outcome.remedy = exit.remedy;
+  outcome.remarks.add(exit.remarks);
   if (exit.ending != blocks::Ending::Done) {
     outcome.error_description =
         exit.error_description + " (the motion was done, the Listen node was to be left)";

@@ -36,6 +36,15 @@ bool Evidence::confirms() {
   return false;
 }
 
+std::string Evidence::whyUnseen() const {
+  if (reached_) return "";
+  if (!robot_.tellsMotion()) {
+    return "its queue tag alone says that it is done, as " + robot_.whyNoJoints();
+  }
+  const bool shows_no_place = target_ && !gap();
+  return shows_no_place ? "it was seen to stand, but not where, as " + robot_.whyNoJoints() : "";
+}
+
 /// It was at its target, and moves on at once: that is another client's motion, and none of this goal's
 /// business.
 Evidence::Verdict Evidence::verdict() const {

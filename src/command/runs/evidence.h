@@ -51,6 +51,9 @@ class Evidence {
   [[nodiscard]] Verdict verdict() const;
   /// Where the robot was by the frame that is the evidence: the one of now, unless it has moved on since.
   [[nodiscard]] robot::StreamedPlace place() const { return reached_.value_or(robot_.place()); }
+  /// Why the status stream has not shown that it is at its end, for people; empty: it has, as far as that is
+  /// known.
+  [[nodiscard]] std::string whyUnseen() const;
   /// For people, of what is contradicted.
   [[nodiscard]] std::string contradiction(int tag) const;
 

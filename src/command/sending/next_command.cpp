@@ -28,8 +28,11 @@ NextCommand::State NextCommand::make(const blocks::Command& command, blocks::Goa
   auto order = forecast_.order(command);
   if (!order) return refuse(order.error());
   order_ = std::move(*order);
-  if (!order_.commands) return State::Ready;
   const Origin origin = origin_(now);
+  if (!order_.commands) {
+    order_.unplanned = forecast_.whyUnplanned(order_, origin);
+    return State::Ready;
+  }
   if (forecast_.isPlannedAtOnce(order_)) return take(*forecast_.plan(order_, origin), origin);
   ask({goal, order_.key, first, forecast_.speedShare()}, origin, now);
   return asked_->answered ? take(*asked_->planned, origin) : State::Planning;
@@ -50,6 +53,7 @@ void NextCommand::ask(const Asked& asked, const Origin& origin, Instant now) {
 NextCommand::State NextCommand::take(PlannedCommand& planned, const Origin& now) {
   if (!planned.plan) return refuse(planned.plan.error());
   takePlan(order_, planned, now);
+  if (!order_.plan) order_.unplanned = forecast_.whyUnplanned(order_, now);
   return State::Ready;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/list/goal.h"
+#include "cobot_command/link/stream_items.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/ros/command/diagnostics.h"
 
@@ -119,6 +120,10 @@ void describeRobot(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
     status.summary(DiagnosticStatus::WARN, "paused; it goes on after program_control RESUME");
   } else if (!robot.project_running.value_or(true)) {
     status.summary(DiagnosticStatus::WARN, "no project is running; start it at the robot");
+  } else if (const auto missing = link::missingForReady(robot); !missing.empty()) {
+    status.summary(DiagnosticStatus::WARN,
+                   fmt::format("ready to move as far as the status stream shows, which does not have {}: {}",
+                               link::describe(missing), link::remedyForMissingItems()));
   } else {
     status.summary(DiagnosticStatus::OK, "ready to move");
   }

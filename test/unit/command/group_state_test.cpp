@@ -64,7 +64,9 @@ TEST_F(GroupStates, countWhatIsPending) {
   rig.core.reset(rig.now);
   rig.pump();
   EXPECT_EQ(state().pending_errors, 0);
-  rig.status(StatusFrames().emergencyStop());
+  rig.status(StatusFrames().whole());
+  EXPECT_EQ(state().pending_warnings, 0);
+  rig.status(StatusFrames().whole().emergencyStop());
   EXPECT_EQ(state().pending_warnings, 1);
 }
 

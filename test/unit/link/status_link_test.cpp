@@ -2,16 +2,19 @@
 
 #include "cobot_command/link/status_link.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "recording_wire.h"
 #include "status_decoding.h"
+#include "whole_stream.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/link/stream_items.h"
 #include "cobot_command/protocol/status_items.h"
 
 namespace cobot_command::link {
@@ -114,8 +117,20 @@ TEST(StatusDecoding, inventsNoLevelOfADigitalInputOrOutput) {
 class StatusLinkTest : public ::testing::Test {
  protected:
   static std::string frame(int number, int mode = 1) {
-    return protocol::encode(protocol::StatusFrame{
-        std::to_string(number % 10), mode, protocol::encodeBinaryItems({item::ofBool("ESTOP", false)})});
+    return protocol::encode(protocol::StatusFrame{std::to_string(number % 10), mode,
+                                                  protocol::encodeBinaryItems(testing::wholeStream())});
+  }
+  static std::vector<StatusItem> wholeWith(const StatusItem& other) {
+    auto items = testing::wholeStream();
+    std::replace_if(
+        items.begin(), items.end(), [&](const auto& known) { return known.name == other.name; }, other);
+    return items;
+  }
+  static std::vector<StatusItem> wholeWithout(const std::string& name) {
+    auto items = testing::wholeStream();
+    items.erase(std::remove_if(items.begin(), items.end(), [&](const auto& i) { return i.name == name; }),
+                items.end());
+    return items;
   }
   int receive(const std::string& bytes) {
     link.received(bytes);
@@ -169,8 +184,9 @@ TEST_F(StatusLinkTest, tellsEachFrameAlsoWhenItSaysTheSame) {
   int number = 0;
   for (const bool pressed : {false, true, true, false}) {
     now += 15ms;
-    link.received(protocol::encode(protocol::StatusFrame{
-        std::to_string(++number), 1, protocol::encodeBinaryItems({item::ofBool("ESTOP", pressed)})}));
+    link.received(protocol::encode(
+        protocol::StatusFrame{std::to_string(++number), 1,
+                              protocol::encodeBinaryItems(wholeWith(item::ofBool("ESTOP", pressed)))}));
     const auto status = link.next(now);
     ASSERT_TRUE(status) << number;
     EXPECT_EQ(status->received, now);
@@ -287,7 +303,7 @@ TEST_F(StatusLinkTest, namesAStreamWhoseItemsCannotBeRead) {
   stream();
   const auto send = [&](std::vector<float> joints) {
     receive(protocol::encode(protocol::StatusFrame{
-        "1", 1, protocol::encodeBinaryItems({item::ofFloats("Joint_Angle", std::move(joints))})}));
+        "1", 1, protocol::encodeBinaryItems(wholeWith(item::ofFloats("Joint_Angle", std::move(joints))))}));
   };
   send({0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 0});
   EXPECT_TRUE(link.streaming());
@@ -295,6 +311,21 @@ TEST_F(StatusLinkTest, namesAStreamWhoseItemsCannotBeRead) {
   EXPECT_THAT(link.diagnosis(), HasSubstr("not finite"));
   send({0, 0, 90, 0, 90, 0});
   EXPECT_TRUE(link.diagnosis().empty()) << "it is well again";
+}
+
+TEST_F(StatusLinkTest, namesWhatADataTableShouldHaveAndWhatIsSoWithoutIt) {
+  stream();
+  for (const StreamItem& item : streamItems()) {
+    if (item.need == ItemNeed::Choice) continue;
+    const std::string name(item.name);
+    receive(protocol::encode(protocol::StatusFrame{"1", 1, protocol::encodeBinaryItems(wholeWithout(name))}));
+    EXPECT_TRUE(link.streaming());
+    EXPECT_THAT(link.diagnosis(),
+                HasSubstr("does not have " + name + " (" + std::string(item.without) + ")"));
+    EXPECT_THAT(link.diagnosis(), HasSubstr("Data Table"));
+    receive(frame(2));
+    EXPECT_TRUE(link.diagnosis().empty()) << "it is well again";
+  }
 }
 
 // --- Who the controller is.

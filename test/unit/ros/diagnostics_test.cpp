@@ -16,8 +16,10 @@ DiagnosticsView ready() {
   view.command.port = 5890;
   view.command.listen_node = "Listen1";
   view.command.status_stream = true;
-  view.robot.emergency_stop = false;
+  view.robot.emergency_stop = view.robot.safeguard = view.robot.error = false;
   view.robot.project_running = true;
+  view.robot.project_paused = false;
+  view.robot.joints = arm::JointVector::Zero();
   view.status_rate = 66.4;
   view.status_age = 0.012;
   return view;
@@ -123,6 +125,19 @@ TEST(Diagnostics, theWorstOfTheRobotComesFirst) {
   view.robot.emergency_stop = true;
   EXPECT_THAT(said(describeRobot, view).message, HasSubstr("emergency stop"));
   EXPECT_EQ(said(describeRobot, view).level, DiagnosticStatus::ERROR);
+}
+
+/// Nobody can say that it is ready without these.
+TEST(Diagnostics, aRobotOfWhichTheStreamShowsTooLittleIsReadyOnlyAsFarAsItShows) {
+  DiagnosticsView view = ready();
+  view.robot.joints.reset();
+  view.robot.emergency_stop.reset();
+  const auto status = said(describeRobot, view);
+  EXPECT_EQ(status.level, DiagnosticStatus::WARN);
+  EXPECT_THAT(status.message, HasSubstr("ready to move as far as the status stream shows"));
+  EXPECT_THAT(status.message, HasSubstr("ESTOP (an emergency stop is not seen"));
+  EXPECT_THAT(status.message, HasSubstr("Joint_Angle (no joint_states"));
+  EXPECT_THAT(status.message, HasSubstr("Ethernet Slave"));
 }
 
 TEST(Diagnostics, aMissingStatusStreamIsAWarningOnlyWhenOneIsWanted) {

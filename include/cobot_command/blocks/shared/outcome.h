@@ -19,6 +19,21 @@ enum class Ending {
   CommandAborted  ///< a cancel or another command took it away
 };
 
+/// What people have to know of a goal that was carried out all the same. Each is a part of a sentence; empty:
+/// there is nothing to say.
+struct Remarks {
+  std::vector<std::string> warned_lines;  ///< of its scripts, as the controller has named them
+  std::string unplanned;                  ///< why a motion was sent without a plan, and so unchecked
+  std::string unseen;                     ///< why nobody has seen a motion at its end
+
+  /// Of another command of the same goal: what is known stays.
+  void add(const Remarks& other);
+  /// For the result of a goal that is Done.
+  [[nodiscard]] std::string text() const;
+  /// For one that is not: its end says what became of its motions.
+  [[nodiscard]] std::string textOfWarnings() const;
+};
+
 /// What every block has; what only one has, or a few, is a detail.
 struct Outcome {
   Ending ending = Ending::Done;
@@ -35,7 +50,8 @@ struct Outcome {
   std::optional<std::array<double, 6>> final_pose_mm_deg;  ///< active TCP in the active base
   /// Of its script, as the controller has named them; none unless it refused the script.
   std::vector<std::string> refused_lines;
-  Detail detail;  ///< of the block; none where it has none to tell
+  Remarks remarks;  ///< told in its description
+  Detail detail;    ///< of the block; none where it has none to tell
 };
 
 /// Where a goal stands, while it is Busy.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/blocks/shared/detail.h"
@@ -26,6 +27,7 @@ struct PlanningScene {
   const arm::ArmModel* arm = nullptr;  ///< nullptr: no model is known
   /// The robot when the first command comes, as far as that is known; absent: nothing is.
   std::optional<planning::ScriptPlanner::Start> start;
+  std::string why_unknown;         ///< the joints of the start, for people; empty: they are known
   GiveUp give_up;                  ///< may be empty: never
   tables::DataTables tables = {};  ///< as they are when the planning begins
   Detail chain = {};       ///< of the run that the goal is to join (GoalChain::end); none: it is the first

@@ -42,11 +42,15 @@ class RunReports {
   /// The first of them to end.
   [[nodiscard]] GoalId goal() const { return goal_; }
   void tell(GoalId goal, Progress progress) { progress_.push_back({goal, std::move(progress)}); }
+  /// What is to be known of commands that have ended: all goals that end from now on tell it.
+  void remark(const Remarks& remarks) { remarks_.add(remarks); }
+  [[nodiscard]] const Remarks& remarks() const { return remarks_; }
   /// Of a kind of its block's own.
   void tellEveryone(Detail news) { news_.push_back(std::move(news)); }
   /// That goal has ended, while others go on. Precondition: `first`, the first to end from now on, is one of
   /// these.
   void end(GoalId goal, Outcome outcome, GoalId first) {
+    outcome.remarks = remarks_;
     ended_.push_back({goal, std::move(outcome)});
     goal_ = first;
   }
@@ -57,6 +61,7 @@ class RunReports {
 
  private:
   GoalId goal_;
+  Remarks remarks_;
   std::vector<GoalProgress> progress_;
   std::vector<Detail> news_;
   std::vector<GoalEnd> ended_;
@@ -166,7 +171,10 @@ class Run {
 
  protected:
   void report(Progress progress) { reports_.tell(goal(), std::move(progress)); }
-  void end(Outcome outcome) { outcome_ = std::move(outcome); }
+  void end(Outcome outcome) {
+    outcome_ = std::move(outcome);
+    outcome_->remarks = reports_.remarks();
+  }
 
  private:
   Block block_;

@@ -22,14 +22,15 @@ class Messages : public ::testing::Test {
  protected:
   Messages() : rig(std::nullopt, link::LinkSettings()) {
     rig.connect();
-    show(StatusFrames());
+    show(StatusFrames().whole());
+    rig.messages.clear();  // of the frame that it was connected with
   }
   [[nodiscard]] std::vector<int> pendingCodes() const {
     std::vector<int> codes;
     for (const Message& message : rig.pending_messages) codes.push_back(message.code);
     return codes;
   }
-  void show(const StatusFrames& frame) { rig.status(frame); }
+  void show(StatusFrames frame) { rig.status(frame.whole()); }
 
   CoreRig rig;
 };
@@ -37,6 +38,34 @@ class Messages : public ::testing::Test {
 TEST_F(Messages, areNoneAsLongAsAllIsWell) {
   EXPECT_TRUE(rig.messages.empty());
   EXPECT_TRUE(rig.pending_messages.empty());
+}
+
+TEST_F(Messages, tellOnceWhatTheStatusStreamShouldHaveAndUntilItHas) {
+  for (int i = 0; i < 3; ++i) rig.status(StatusFrames().whole().without("ESTOP").without("MA_Mode"));
+  ASSERT_EQ(rig.messages.size(), 1U);
+  EXPECT_EQ(rig.messages[0].severity, Severity::Warning);
+  EXPECT_EQ(rig.messages[0].origin, "status_stream");
+  EXPECT_THAT(rig.messages[0].text, HasSubstr("does not have ESTOP (an emergency stop is not seen"));
+  EXPECT_THAT(rig.messages[0].text, HasSubstr("MA_Mode ("));
+  EXPECT_EQ(rig.pending_messages.size(), 1U);
+  rig.status(StatusFrames().whole().without("MA_Mode"));
+  EXPECT_EQ(rig.messages.size(), 2U) << "in other words it is another one";
+  EXPECT_EQ(rig.pending_messages.size(), 1U);
+  show(StatusFrames());
+  EXPECT_TRUE(rig.pending_messages.empty());
+}
+
+TEST_F(Messages, tellOfAScriptThatTheControllerTakesWithAWarning) {
+  RunScriptGoal script;
+  script.script = "var_i++\r\nvar_j++";
+  const GoalId id = rig.submit(script);
+  rig.reply(rig.takeScript().id, true, {2});
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::Done);
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("the controller warns of line 2: var_j++"));
+  ASSERT_EQ(rig.messages.size(), 1U);
+  EXPECT_EQ(rig.messages[0].severity, Severity::Warning);
+  EXPECT_EQ(rig.messages[0].text, "the controller warns of line 2: var_j++");
+  EXPECT_TRUE(rig.pending_messages.empty()) << "it has no end that could be awaited";
 }
 
 TEST_F(Messages, tellTheErrorOfAGoal) {
@@ -144,8 +173,9 @@ TEST_F(Messages, warnOfAQueueThatIsNearlyFull) {
 TEST_F(Messages, areReadFromASeverityOn) {
   show(StatusFrames().emergencyStop());
   rig.submit(tooFast());
-  EXPECT_EQ(rig.core.messages(Severity::Off, 0).size(), 2U);
-  EXPECT_EQ(rig.core.messages(Severity::Error, 0).size(), 1U);
+  const std::uint32_t before = rig.messages.front().id - 1;
+  EXPECT_EQ(rig.core.messages(Severity::Off, before).size(), 2U);
+  EXPECT_EQ(rig.core.messages(Severity::Error, before).size(), 1U);
   EXPECT_EQ(rig.core.messages(Severity::Off, rig.messages.back().id).size(), 0U);
 }
 

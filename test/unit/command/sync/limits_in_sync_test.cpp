@@ -1,4 +1,5 @@
 // The software limits beside those of the controller's safety functions, where its status stream tells them.
+#include <algorithm>
 #include <vector>
 
 #include "exchange_rig.h"
@@ -221,8 +222,10 @@ TEST_F(LimitsInSync, interruptMotionsAndSayHowTheyGoOn) {
   const GoalId refused = rig.submit(CoreRig::move());
   EXPECT_EQ(rig.outcome(refused)->error_id, 0x8C30);
   EXPECT_THAT(rig.outcome(refused)->remedy, HasSubstr("write_software_limits"));
-  const command::Message& told = rig.messages.front();
-  EXPECT_EQ(told.code, 0x8C30);
+  const auto found = std::find_if(rig.messages.begin(), rig.messages.end(),
+                                  [](const command::Message& message) { return message.code == 0x8C30; });
+  ASSERT_NE(found, rig.messages.end());
+  const command::Message& told = *found;
   EXPECT_THAT(told.text, HasSubstr("motions are interrupted: J1"));
   EXPECT_THAT(told.remedy, HasSubstr("on the pendant"));
   plan(-90, 100);
