@@ -117,6 +117,7 @@ void Remarks::add(const Remarks& other) {
   }
   keepFirst(unplanned, other.unplanned);
   keepFirst(unseen, other.unseen);
+  keepFirst(pace, other.pace);
 }
 
 std::string Remarks::text() const {
@@ -124,6 +125,7 @@ std::string Remarks::text() const {
   const auto add = [&text](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
   if (!unplanned.empty()) add("sent unplanned and unchecked: " + unplanned);
   if (!unseen.empty()) add("nobody has seen where it ended: " + unseen);
+  if (!pace.empty()) add(pace);
   if (!warned_lines.empty()) add(textOfWarnings());
   return text;
 }

@@ -23,7 +23,7 @@ Arbiter::Arbiter(const CoreParts& parts, CorePorts ports, Planning planning)
       queue_(parts.board, desk_, parts.actions, std::move(ports.newest)),
       stop_(parts.settings, parts.script, parts.tags, parts.robot, parts.forecast.arm()),
       window_({parts.settings, parts.script, parts.tags, parts.robot, stop_, parts.forecast.arm()},
-              parts.forecast, std::move(ports.gate)),
+              parts.forecast, desk_, std::move(ports.gate)),
       stops_(parts, stop_, window_),
       plans_(
           parts, desk_, queue_,

@@ -23,6 +23,7 @@ void takePlan(CommandOrder& order, PlannedCommand& planned, const Origin& now) {
     return;
   }
   order.target = order.plan->target;
+  order.origin = now;
   if (!now.isBehindMotion()) return;
   const Duration since = now.arrival - order.plan->arrival;
   order.plan->arrival = now.arrival;

@@ -33,6 +33,7 @@ struct CommandOrder : blocks::Order {
   std::optional<Duration> reply_timeout;     ///< other than that of the link
   std::optional<Duration> evidence_timeout;  ///< the same: to be seen at its target, behind its tag
   std::optional<Plan> plan;
+  std::optional<Origin> origin;           ///< that it was planned from
   std::string unplanned;                  ///< why there is none, where there should be one
   std::optional<arm::JointVector> start;  ///< where what is in front leaves the arm, as far as it is planned
   std::optional<robot::Target> target;    ///< where it leaves the robot, if that is certain

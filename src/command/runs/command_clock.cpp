@@ -37,6 +37,11 @@ Duration CommandClock::executed(Instant now) const {
   return executing_from_ ? now - *executing_from_ : Duration::zero();
 }
 
+void CommandClock::prolong(Duration by) {
+  if (deadline_) *deadline_ += by;
+  if (kept_) *kept_ += by;
+}
+
 void CommandClock::ask(bool early) {
   kept_ = early ? deadline_ : std::nullopt;
   deadline_.reset();

@@ -36,6 +36,8 @@ class CommandClock {
 
   // --- The deadline.
   void setDeadline(Instant at) { deadline_ = at; }
+  /// It has so much more time, or less, than was expected.
+  void prolong(Duration by);
   [[nodiscard]] bool hasDeadline() const { return deadline_.has_value(); }
   [[nodiscard]] bool overdue(Instant now) const { return deadline_ && now >= *deadline_ && !held(); }
   /// A question is asked, and there is no deadline until its answer. `early`: it has not come yet, and is

@@ -1,6 +1,7 @@
 #include "runs/command_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -140,7 +141,8 @@ void CommandRun::act(CommandRunAction action, Instant now) {
       return;
     case Do::AskTag:
     case Do::AskTagEarly:
-      askTag(action == Do::AskTagEarly, now);
+      clock_.ask(action == Do::AskTagEarly);
+      context_.link.queryTag(*order_.tag, now);
       return;
     case Do::Extend:
       clock_.goOn(now + context_.settings.tag_deadline_margin);
@@ -177,11 +179,6 @@ void CommandRun::awaitTag(Instant now) {
                 timeFor(order_, context_.settings));
   reports_.goOn(now);
   reports_.followHold(underWay(), now);
-}
-
-void CommandRun::askTag(bool early, Instant now) {
-  clock_.ask(early);
-  context_.link.queryTag(*order_.tag, now);
 }
 
 /// What several commands need in one event is one stop.
@@ -246,6 +243,21 @@ void CommandRun::lookForReason(Instant now) {
     blocks::tellStoppedProject(context_.robot, failure_);
   }
   fire(Event::Overdue, now);
+}
+
+// --- How fast it is made.
+
+void CommandRun::retime(const Origin& origin, Plan plan) {
+  if (!underWay()) return;
+  const Duration before = timeFor(order_, context_.settings);
+  const auto percent = [](const Origin& from) { return std::round(100 * from.start.speed_override); };
+  remarks_.pace = fmt::format(
+      "planned for {:.2f} s at the project speed of {} %, and for {:.2f} s at {} %, which "
+      "the status stream showed when it began",
+      toSeconds(order_.plan->duration), percent(*order_.origin), toSeconds(plan.duration), percent(origin));
+  order_.plan = std::move(plan);
+  order_.origin = origin;
+  clock_.prolong(timeFor(order_, context_.settings) - before);
 }
 
 void CommandRun::end(blocks::Outcome outcome, Instant now) {

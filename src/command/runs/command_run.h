@@ -64,6 +64,8 @@ class CommandRun {
   void robotChanged(Instant now);
   void advance(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const { return clock_.next(); }
+  /// It is made at another project speed than it was planned for: the plan for that one, from there.
+  void retime(const Origin& origin, Plan plan);
 
   [[nodiscard]] const CommandOrder& order() const { return order_; }
   [[nodiscard]] bool accepted() const { return accepted_at_.has_value(); }
@@ -89,7 +91,6 @@ class CommandRun {
   void fail(blocks::Failure failure, Robot robot, Instant now,
             CommandRunEvent event = CommandRunEvent::Failed);
   void awaitTag(Instant now);
-  void askTag(bool early, Instant now);
   void askForStop(Instant now);
 
   void beginVerifying(Instant now);

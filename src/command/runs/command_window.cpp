@@ -231,7 +231,23 @@ void CommandWindow::besideLinkLost(const std::string& reason, Instant now) {
 }
 
 void CommandWindow::robotChanged(Instant now) {
-  for (Sent& sent : ordered_) sent.run.robotChanged(now);
+  for (Sent& sent : ordered_) {
+    sent.run.robotChanged(now);
+    const CommandOrder& order = sent.run.order();
+    if (!sent.run.underWay() || !order.plan) continue;
+    const auto origin = sent.pace.see(order, context_.robot, sent.run.waited(now) - order.plan->start_delay);
+    if (!origin) continue;
+    const auto take = [this, goal = order.goal, key = order.key](std::optional<PlanAnswer> answer) {
+      const bool is_planned = answer && answer->command && answer->command->plan && *answer->command->plan;
+      if (!is_planned) return;  // it is made all the same, as it was planned
+      for (Sent& then : ordered_) {
+        if (then.run.order().goal != goal || then.run.order().key != key) continue;
+        then.run.retime(answer->command->origin, **answer->command->plan);
+      }
+    };
+    desk_.ask({order.block, order.goal, PlanDesk::Purpose::Send, forecast_.workFor(order, *origin), take},
+              now);
+  }
   for (CommandRun& run : beside_) run.robotChanged(now);
 }
 

@@ -13,7 +13,9 @@
 
 #include "forecast/command_order.h"
 #include "forecast/forecast.h"
+#include "forecast/plan_desk.h"
 #include "runs/command_run.h"
+#include "runs/project_pace.h"
 #include "stops/stop_run.h"
 
 #include "cobot_command/blocks/shared/command.h"
@@ -34,9 +36,9 @@ class CommandWindow {
     bool stops_unanswered = false;  ///< see blocks::Order
   };
 
-  /// `forecast`: has to live longer, and so has what the context refers to. `gate`: may be empty.
-  CommandWindow(const RunContext& context, Forecast& forecast, Gate gate)
-      : context_(context), forecast_(forecast), gate_(std::move(gate)) {}
+  /// `forecast` and `desk` have to live longer, and so has what the context refers to. `gate`: may be empty.
+  CommandWindow(const RunContext& context, Forecast& forecast, PlanDesk& desk, Gate gate)
+      : context_(context), forecast_(forecast), desk_(desk), gate_(std::move(gate)) {}
 
   // --- In.
   /// Gives it its tag and its last lines; else what speaks against it.
@@ -98,6 +100,7 @@ class CommandWindow {
          std::optional<blocks::Outcome> motion = {})
         : run(std::move(order), context, now), motion_in_front(std::move(motion)) {}
     CommandRun run;
+    ProjectPace pace;
     std::optional<blocks::Outcome> motion_in_front;  ///< of an exit: how that ended
   };
   [[nodiscard]] static Ended endOf(const CommandRun& run);
@@ -114,6 +117,7 @@ class CommandWindow {
 
   RunContext context_;
   Forecast& forecast_;
+  PlanDesk& desk_;
   Gate gate_;
   std::list<Sent> ordered_;
   std::list<CommandRun> beside_;

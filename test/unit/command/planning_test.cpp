@@ -159,6 +159,50 @@ TEST_F(Planning, countsTheProjectSpeed) {
   rig.takeScript();
 }
 
+/// The operator has changed it in the moment in which the motion was sent.
+TEST_F(Planning, isMadeAnewForTheProjectSpeedThatIsShownWhenTheMotionBegins) {
+  const auto slowly = [](const StatusFrames& frame) {
+    return StatusFrames(frame).with(item::ofInt("Project_Speed", 10));
+  };
+  rig.status(StatusFrames());
+  const GoalId goal = rig.submit(toJoints(kAside));
+  const Instant sent = rig.now;
+  rig.reply(rig.takeScript().id);
+  rig.status(slowly(StatusFrames().moving()));
+  rig.pass(110ms);
+  rig.status(slowly(StatusFrames().at({1, 0, 90, 0, 90, 0}).moving()));
+  const Duration slow = ptpTime(kHome, kAside, 50, 0.1);
+  EXPECT_EQ(rig.progress(goal).back().planned, slow);
+  const Duration deadline = fromSeconds(toSeconds(slow) * 1.5) + 2s;
+  while (rig.now - sent < deadline - 300ms) {
+    rig.pass(100ms);
+    rig.status(slowly(StatusFrames().at({30, 0, 90, 0, 90, 0}).moving()));
+  }
+  EXPECT_TRUE(rig.nothingSent()) << "its tag is not overdue";
+  rig.tag(1);
+  rig.status(slowly(StatusFrames().at({60, 0, 90, 0, 90, 0})));
+  ASSERT_NE(rig.outcome(goal), nullptr);
+  EXPECT_EQ(rig.outcome(goal)->planned, slow);
+  EXPECT_THAT(rig.outcome(goal)->error_description,
+              ::testing::HasSubstr("at 10 %, which the status stream showed"));
+}
+
+TEST_F(Planning, isNotMadeAnewForAProjectSpeedThatComesLater) {
+  rig.status(StatusFrames());
+  const GoalId goal = rig.submit(toJoints(kAside));
+  rig.reply(rig.takeScript().id);
+  rig.pass(100ms);
+  rig.status(StatusFrames().moving());
+  rig.pass(100ms);
+  rig.status(StatusFrames().moving().with(item::ofInt("Project_Speed", 10)));
+  rig.pass(100ms);
+  rig.status(StatusFrames().moving().with(item::ofInt("Project_Speed", 10)));
+  EXPECT_EQ(rig.progress(goal).back().planned, ptpTime(kHome, kAside));
+  rig.tag(1);
+  rig.status(StatusFrames().at({60, 0, 90, 0, 90, 0}));
+  EXPECT_EQ(rig.outcome(goal)->error_description, "");
+}
+
 TEST_F(Planning, startsAtTheEndOfWhatIsQueuedInFrontOfIt) {
   rig.status(StatusFrames());
   MoveAbsoluteGoal blended = toJoints(kAside);

@@ -25,6 +25,7 @@ struct Remarks {
   std::vector<std::string> warned_lines;  ///< of its scripts, as the controller has named them
   std::string unplanned;                  ///< why a motion was sent without a plan, and so unchecked
   std::string unseen;                     ///< why nobody has seen a motion at its end
+  std::string pace;                       ///< by which project speed a motion was planned anew
 
   /// Of another command of the same goal: what is known stays.
   void add(const Remarks& other);

@@ -74,7 +74,8 @@ class CommandWindowTest : public ::testing::Test {
   SpeedOverride speed_;
   Forecast forecast_{arm_, robot_, tables_, speed_, actions_};
   StopRun stop_{settings_, link_, tags_, robot_, nullptr};
-  CommandWindow window_{{settings_, link_, tags_, robot_, stop_, nullptr}, forecast_, {}};
+  PlanDesk desk_{settings_.planning_budget, actions_, Planning::AtOnce};
+  CommandWindow window_{{settings_, link_, tags_, robot_, stop_, nullptr}, forecast_, desk_, {}};
   Instant now_{};
   std::map<blocks::CommandKey, std::string> ids_of_;
   std::map<blocks::CommandKey, int> tags_of_;
