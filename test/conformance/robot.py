@@ -275,7 +275,8 @@ class SimulatedRobot(Robot):
 
     def default_ports(self):
         """The ports of the script and the status server, where no others are asked for."""
-        found = re.findall(r'--(?:script|status)-port \w+=(\d+)', self._help)
+        # CLI11 writes them as TEXT=5890, and since 2.4 as TEXT [5890].
+        found = re.findall(r'--(?:script|status)-port \w+(?:=| \[)(\d+)', self._help)
         return tuple(int(port) for port in found)
 
     def close(self):
