@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <string_view>
 
+#include "cobot_command/capabilities/layer_version.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/nearest.h"
 #include "cobot_command/common/setting_kinds.h"
@@ -84,9 +86,13 @@ Words leftOf(const CLI::App& app) {
   return left;
 }
 
+Words::const_iterator unknownOptionIn(const Words& left) {
+  return std::find_if(left.begin(), left.end(),
+                      [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
+}
+
 std::string tellLeft(const CLI::App& app, const Words& left) {
-  const auto is_option = [](const std::string& word) { return word.size() > 1 && word.front() == '-'; };
-  const auto unknown = std::find_if(left.begin(), left.end(), is_option);
+  const auto unknown = unknownOptionIn(left);
   if (unknown == left.end()) {
     return "nothing takes " + inQuotes(left.front()) +
            ": it stands behind no option that wants it; a value with blanks needs quotes";
@@ -117,7 +123,8 @@ std::string tell(const CLI::App* app, const CLI::Error& error) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !left.empty()) text = tellLeft(*app, left);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) text = tellMismatch(*app, text);
   // What the library says has the words as they were given.
-  return foreignText(text, kLongestFault) + "\nRun with --help for all that is allowed.\n";
+  const std::string program = app->get_name().empty() ? "" : app->get_name() + ": ";
+  return program + foreignText(text, kLongestFault) + "\nRun with --help for all that is allowed.\n";
 }
 
 bool hasSubcommands(const CLI::App& app) {
@@ -137,10 +144,40 @@ void checkSubcommand(const CLI::App& app) {
   }
   const std::string found =
       left.empty() ? "no subcommand is given" : "there is no subcommand " + inQuotes(left.front());
-  throw CLI::RequiredError(found + "; allowed: " + known, CLI::ExitCodes::RequiredError);
+  throw CLI::ParseError(found + "; allowed: " + known, CLI::ExitCodes::RequiredError);
 }
 
+/// Something is missing: a word that was misspelt is why, if there is such, and CLI11 comes to it last.
+bool isMissing(const CLI::ParseError& error) {
+  return dynamic_cast<const CLI::RequiredError*>(&error) != nullptr ||
+         dynamic_cast<const CLI::RequiresError*>(&error) != nullptr;
+}
+
+int endWith(const CLI::App& app, const CLI::ParseError& error) {
+  return app.exit(error) == 0 ? 0 : kBadUsage;
+}
+
+/// CLI11 has a subcommand that is asked for behind its parser as one that can be left out.
+class Formatter : public CLI::Formatter {
+ public:
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    constexpr std::string_view kOptional = "[SUBCOMMAND]";
+    std::string usage = CLI::Formatter::make_usage(app, std::move(name));
+    if (const std::size_t at = usage.find(kOptional); at != std::string::npos) {
+      usage.replace(at, kOptional.size(), "SUBCOMMAND");
+    }
+    return usage;
+  }
+};
+
 }  // namespace
+
+void nameProgram(CLI::App& app, const std::string& name) {
+  app.name(name);
+  app.formatter(std::make_shared<Formatter>());
+  app.set_version_flag("--version", name + " (cobot_command) " + std::string(capabilities::layerVersion()),
+                       "Print the version and exit");
+}
 
 void askForSubcommand(CLI::App& app) {
   app.require_subcommand(0, 1);
@@ -157,7 +194,9 @@ std::optional<int> readCommandLine(CLI::App& app, std::vector<std::string> words
     if (hasSubcommands(app)) checkSubcommand(app);
     behind_all();
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kBadUsage;
+    const Words left = leftOf(app);
+    const bool is_unknown = isMissing(error) && unknownOptionIn(left) != left.end();
+    return is_unknown ? endWith(app, CLI::ExtrasError(left)) : endWith(app, error);
   }
   return std::nullopt;
 }

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/setting_kinds.h"
+
 namespace cobot_command::tools {
 
 namespace {
@@ -40,6 +42,15 @@ std::string allowedByOption(const SettingKind& kind) {
   return allowed.substr(kList.size()) + "; can be given several times";
 }
 
+/// As CLI11 has them; all are read as texts, and taken by their kind.
+std::string typeName(const SettingKind& kind) {
+  int unused = 0;
+  if (kind.form == Form::Number) {
+    return kind.type == setting_kinds::whole(unused, 0, 0).type ? "INT" : "FLOAT";
+  }
+  return kind.form == Form::Numbers ? "FLOAT,..." : "TEXT";
+}
+
 void addValue(CLI::App& app, const Setting& setting) {
   const std::string option = optionOf(setting);
   const std::string name = longOptionOf(setting);
@@ -54,6 +65,7 @@ void addValue(CLI::App& app, const Setting& setting) {
       fmt::format("{} ({})", setting.meaning, allowedByOption(kind)));
   added->type_size(1)->expected(1, is_repeated ? CLI::detail::expected_max_vector_size : 1);
   added->allow_extra_args(is_repeated);  // else it takes every stray word behind it
+  added->type_name(typeName(kind));
   added->default_str(kind.show());
 }
 

@@ -117,7 +117,8 @@ void printCorners() {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Curves of planned paths as CSV.", "path_curves"};
+  CLI::App app{"Curves of planned paths as CSV."};
+  tools::nameProgram(app, "path_curves");
   app.add_subcommand("laws",
                      "Joint 1 by 90 deg at 90 deg/s and 180 deg/s^2, by each law and a jerk of 0, 50, 100 %");
   app.add_subcommand("corner", "Two lines of 100 mm at 100 mm/s and 500 mm/s^2, tolerance 0, 5, 100 mm");

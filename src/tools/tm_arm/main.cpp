@@ -141,12 +141,14 @@ void describe(CLI::App& app, Arguments& arguments) {
   ik->add_option("numbers", arguments.numbers, "X Y Z RX RY RZ, or -")->required()->expected(1, kAnyCount);
   auto* urdf = app.add_subcommand("urdf", "The URDF of the model");
   urdf->add_option("--prefix", arguments.prefix, "Stands before the name of every link and joint");
+  for (auto* subcommand : {fk, ik}) subcommand->get_option("numbers")->type_name("FLOAT");
   for (auto* subcommand : {fk, ik, urdf}) subcommand->fallthrough();
   tools::askForSubcommand(app);
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Kinematics of the TM arms.", "tm_arm"};
+  CLI::App app{"Kinematics of the TM arms."};
+  tools::nameProgram(app, "tm_arm");
   Arguments arguments;
   describe(app, arguments);
   if (const auto end = tools::readCommandLine(app, numbersAndWordsOf(argc, argv))) return *end;

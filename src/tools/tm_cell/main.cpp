@@ -25,6 +25,8 @@ namespace {
 using namespace cobot_command::tools;
 using cobot_command::cell::BuildStage;
 
+constexpr const char* kFile = "FILE";  // as help names what is one
+
 /// Beside a range, which a NaN is neither below nor above.
 CLI::Validator isNumber() {
   return CLI::Validator(
@@ -75,7 +77,10 @@ class Commands {
     addStage("instrument", "Make events and automata of the programs", BuildStage::Instrument);
     addStage("synthesize", "Find the supervisor", BuildStage::Synthesize);
     CLI::App* build = addStage("build", "All of that, verified, into one artifact", BuildStage::Verify);
-    build->add_option("-o,--output", given_.build.output, "The artifact")->required()->check(isNamed());
+    build->add_option("-o,--output", given_.build.output, "The artifact")
+        ->type_name(kFile)
+        ->required()
+        ->check(isNamed());
     addArtifactCommands();
     addAutomataCommands();
     addCover();
@@ -101,7 +106,9 @@ class Commands {
 
   CLI::App* addCell(const std::string& name, const std::string& description, std::function<Answer()> run) {
     CLI::App* command = add(name, description, std::move(run));
-    command->add_option("CELL", given_.build.cell_file, "The file of a cell, as in config/cells")->required();
+    command->add_option("CELL", given_.build.cell_file, "The file of a cell, as in config/cells")
+        ->type_name(kFile)
+        ->required();
     return command;
   }
 
@@ -120,7 +127,7 @@ class Commands {
   CLI::App* addArtifact(const std::string& name, const std::string& description,
                         std::function<Answer()> run) {
     CLI::App* command = add(name, description, std::move(run));
-    command->add_option("ARTIFACT", given_.artifact, "What build has written")->required();
+    command->add_option("ARTIFACT", given_.artifact, "What build has written")->type_name(kFile)->required();
     return command;
   }
 
@@ -131,6 +138,7 @@ class Commands {
                                         std::max(1U, std::thread::hardware_concurrency()));
                 })
         ->add_option("--cell", given_.cell_file, "The file that it has to be made of, byte by byte")
+        ->type_name(kFile)
         ->check(isNamed());
     CLI::App* explain = addArtifact("explain", "Whether an event is granted, and why not", [this] {
       return explainEvent(given_.artifact, given_.happened, given_.event);
@@ -153,7 +161,8 @@ class Commands {
     exported->add_option("FORMAT", given_.format, "wmod, cif, dot or json")
         ->required()
         ->check(CLI::IsMember({"wmod", "cif", "dot", "json"}));
-    exported->add_option("-o,--output", given_.output, "A file; without it standard output");
+    exported->add_option("-o,--output", given_.output, "A file; without it standard output")
+        ->type_name(kFile);
   }
 
   void addSimulate() {
@@ -195,24 +204,27 @@ class Commands {
     add("import", "Synthesize and verify automata of another program",
         [this] { return importAutomata(given_.file); })
         ->add_option("FILE", given_.file, "A module of Supremica (.wmod), or our own JSON")
+        ->type_name(kFile)
         ->required();
     add("oracle", "Compare with figures that independent programs have found",
         [this] { return compareOracles(given_.file); })
         ->add_option("FILE", given_.file, "As test/data/cell-oracles.json")
+        ->type_name(kFile)
         ->required();
   }
 
   void addCover() {
     CLI::App* cover = add("cover", "Boxes that cover a mesh, as shapes of a cell file",
                           [this] { return coverMesh(given_.cover); });
-    cover->add_option("FILE", given_.cover.mesh, "An STL file, text or binary")->required();
+    cover->add_option("FILE", given_.cover.mesh, "An STL file, text or binary")->type_name(kFile)->required();
     cover->add_option("--cell", given_.cover.cell, "The boxes consist of cells with this edge [mm]")
         ->check(CLI::Range(1.0, 1000.0))
         ->check(isNumber());
     cover->add_option("--scale", given_.cover.scale, "So many mm are one unit of the file: 1000 for metres")
         ->check(CLI::Range(1e-6, 1e6))
         ->check(isNumber());
-    cover->add_option("-o,--output", given_.cover.output, "A file; without it standard output");
+    cover->add_option("-o,--output", given_.cover.output, "A file; without it standard output")
+        ->type_name(kFile);
   }
 
   void addVoxels() {
@@ -222,6 +234,7 @@ class Commands {
       return writeVoxels(given_.voxels);
     });
     voxels->add_option("-o,--output", given_.voxels.folder, "A folder; it is made where there is none")
+        ->type_name("FOLDER")
         ->required();
     voxels
         ->add_option("--format", given_.voxels.format,
@@ -236,6 +249,7 @@ class Commands {
 
 int run(int argc, char** argv) {
   CLI::App app("Cells of several robots: zones that are swept, supervisors that are proved");
+  nameProgram(app, "tm_cell");
   app.footer("Exit status: 0 yes, 1 no, 2 bad usage, 3 the answer could not be written.");
   Commands commands(app);
   askForSubcommand(app);

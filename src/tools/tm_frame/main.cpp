@@ -1,16 +1,22 @@
 // tm_frame: frames of the TM protocol from and to bytes, for people and scripts.
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "../command_line.h"
 #include "../written_output.h"
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cobot_command/common/foreign_text.h"
@@ -27,6 +33,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSuccess = 0;
 constexpr int kFaultFound = 1;
+constexpr const char* kStandardInput = "-";
 const std::vector<std::string> kSenders{"client", "controller", "status"};
 using cobot_command::tools::kBadUsage;
 
@@ -102,14 +109,38 @@ bool printEvents(FrameDecoder& decoder) {
   return faulty;
 }
 
+/// From here on standard input is the file; or why it is not.
+std::optional<std::string> readFrom(const std::string& file) {
+  if (file == kStandardInput) return std::nullopt;
+  const auto told = [&](const std::string& why) {
+    return fmt::format("{} cannot be read: {}; name a file with the bytes of frames, or - for standard input",
+                       cobot_command::foreignText(file), why);
+  };
+  if (file.empty()) return told("the name is empty");
+  const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (opened < 0) return told(std::generic_category().message(errno));
+  struct stat about {};
+  const bool is_folder = ::fstat(opened, &about) == 0 && S_ISDIR(about.st_mode);
+  if (!is_folder) ::dup2(opened, STDIN_FILENO);
+  ::close(opened);
+  return is_folder ? std::optional(told("it is a folder")) : std::nullopt;
+}
+
+int cannotRead(const std::string& fault) {
+  std::cerr << "tm_frame: " << fault << '\n';
+  return kBadUsage;
+}
+
 /// As the bytes come, so that it can stand behind a live connection.
 int decodeBytes(FrameDecoder decoder) {
   bool faulty = false;
   char block[4096];
-  for (ssize_t size = 0; std::cout && (size = ::read(STDIN_FILENO, block, sizeof(block))) > 0;) {
+  ssize_t size = 0;
+  while (std::cout && (size = ::read(STDIN_FILENO, block, sizeof(block))) > 0) {
     decoder.feed(std::string_view(block, static_cast<std::size_t>(size)));
     faulty = printEvents(decoder) || faulty;
   }
+  if (size < 0) return cannotRead("what is read ends in an error: " + std::generic_category().message(errno));
   decoder.finish();
   faulty = printEvents(decoder) || faulty;
   return faulty ? kFaultFound : kSuccess;
@@ -132,6 +163,7 @@ int decodeHexLines(FrameDecoder decoder, const Print& print) {
     decoder.finish();
     faulty = print(decoder, bytes) || faulty;
   }
+  if (std::cin.bad() || std::ferror(stdin) != 0) return cannotRead("what is read ends in an error");
   return faulty ? kFaultFound : kSuccess;
 }
 
@@ -189,45 +221,61 @@ std::string checkHeader(const std::string& header) {
                        std::to_string(kMaxHeaderLength) + " letters";
 }
 
-int run(int argc, char** argv) {
-  CLI::App app("Frames of the TM protocol: $HEADER,LENGTH,DATA,*CS");
-  app.footer("Exit status: 0 success, 1 a fault was found, 2 bad usage, 3 the answer could not be written.");
-
+/// What the words of the command line set.
+struct Given {
   std::string header;
   std::string data;
-  CLI::App* encode = app.add_subcommand("encode", "Write the bytes of one frame to standard output");
-  encode->add_option("HEADER", header, "TMSCT, TMSTA, TMSVR or CPERR; other letters are sent as they are")
-      ->required()
-      ->check(checkHeader);
-  encode->add_option("DATA", data, "Any text, for example \"1,ScriptExit()\"")->required();
-
+  std::string file = kStandardInput;
   bool hex = false;
   FrameDecoder::Options options;
-  CLI::App* decode = app.add_subcommand(
-      "decode", "Read bytes from standard input, write one line of JSON for each frame or fault");
-  CLI::Option* const hex_lines = decode->add_flag(
-      "--hex", hex, "Standard input is lines of hexadecimal digits, each decoded on its own");
-  decode->add_flag("--accept-empty-length", options.accept_empty_length,
-                   "Take an empty LENGTH and search for the end of the frame, as some bridges need it");
-
   std::string sender;
+};
+
+CLI::App* addEncode(CLI::App& app, Given& given) {
+  CLI::App* encode = app.add_subcommand("encode", "Write the bytes of one frame to standard output");
+  encode
+      ->add_option("HEADER", given.header, "TMSCT, TMSTA, TMSVR or CPERR; other letters are sent as they are")
+      ->required()
+      ->check(checkHeader);
+  encode->add_option("DATA", given.data, "Any text, for example \"1,ScriptExit()\"")->required();
+  return encode;
+}
+
+void addDecode(CLI::App& app, Given& given) {
+  CLI::App* decode = app.add_subcommand(
+      "decode", "Read bytes from a file or standard input, write one line of JSON for each frame or fault");
+  decode->add_option("FILE", given.file, "What is read; without it, or with -, standard input")
+      ->type_name("");
+  CLI::Option* const hex_lines =
+      decode->add_flag("--hex", given.hex, "It is lines of hexadecimal digits, each decoded on its own");
+  decode->add_flag("--accept-empty-length", given.options.accept_empty_length,
+                   "Take an empty LENGTH and search for the end of the frame, as some bridges need it");
   decode
-      ->add_option("--trace-of", sender,
+      ->add_option("--trace-of", given.sender,
                    "Each line is one frame or fault of the flight recorder, sent by this one (client, "
                    "controller: script port; status: status port): one line of JSON for it, with its text "
                    "and meaning as the topics frames and status_frames have them")
       ->needs(hex_lines)
       ->check(CLI::IsMember(kSenders));
+}
 
+int run(int argc, char** argv) {
+  CLI::App app("Frames of the TM protocol: $HEADER,LENGTH,DATA,*CS");
+  cobot_command::tools::nameProgram(app, "tm_frame");
+  app.footer("Exit status: 0 success, 1 a fault was found, 2 bad usage, 3 the answer could not be written.");
+  Given given;
+  const CLI::App* encode = addEncode(app, given);
+  addDecode(app, given);
   cobot_command::tools::askForSubcommand(app);
   if (const auto end =
           cobot_command::tools::readCommandLine(app, cobot_command::tools::wordsOf(argc, argv))) {
     return *end;
   }
-  if (encode->parsed()) return encodeToOutput(header, data);
-  if (!sender.empty()) return readTraces(FrameDecoder(options), sender);
-  if (!hex) return decodeBytes(FrameDecoder(options));
-  return decodeHexLines(FrameDecoder(options),
+  if (encode->parsed()) return encodeToOutput(given.header, given.data);
+  if (const auto fault = readFrom(given.file)) return cannotRead(*fault);
+  if (!given.sender.empty()) return readTraces(FrameDecoder(given.options), given.sender);
+  if (!given.hex) return decodeBytes(FrameDecoder(given.options));
+  return decodeHexLines(FrameDecoder(given.options),
                         [](FrameDecoder& decoder, const std::string&) { return printEvents(decoder); });
 }
 

@@ -39,6 +39,7 @@ struct Options {
 };
 
 void describe(CLI::App& app, const SettingTable& table, Options& options) {
+  tools::nameProgram(app, "tm_simulator");
   app.description(
       "A simulated TM controller: any client of the TM protocol can use it in place of a robot.\n"
       "Prints `listening script=PORT status=PORT` once it serves; Ctrl-C ends it.");

@@ -74,6 +74,7 @@ int main(int argc, char** argv) try {
       "[first=N] [count=N] [time=S] [jitter=S] [rate=N] [text=T], where PORT is script or status; \"faults\" "
       "lists "
       "the kinds. \"heal\" takes all faults away, \"reset\" drops all connections, \"strikes\" counts.");
+  tools::nameProgram(app, "tm_fault_proxy");
   ProxyPorts controller{5890, 5891};
   ProxyPorts listen;
   int seed = 1;

@@ -13,6 +13,7 @@ namespace cobot_command::test_support {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 TEST_F(TmCell, buildsTheCellsOfTheDemosAndVerifiesThem) {
   for (const char* cell : {"handover", "head_on", "iris", "corridor", "pallet"}) {
@@ -278,6 +279,19 @@ TEST_F(TmCell, refusesACommandLineThatItCannotUse) {
   EXPECT_EQ(tmCell("build " + cellFile("handover")).exit_code, 2);
   EXPECT_EQ(tmCell("build " + cellFile("handover") + " -o x --policy mutex").exit_code, 2);
   EXPECT_EQ(tmCell("zones " + cellFile("handover") + " --threads 0").exit_code, 2);
+}
+
+TEST_F(TmCell, namesAMisspeltOptionBeforeWhatIsMissing) {
+  const Outcome outcome = tmCell("build " + cellFile("handover") + " --outptu " + in("x"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("tm_cell: there is no option \"--outptu\"; --output is near"));
+}
+
+TEST_F(TmCell, namesItselfAndItsVersion) {
+  EXPECT_THAT(tmCell("--help").output, HasSubstr("Usage: tm_cell [OPTIONS] SUBCOMMAND"));
+  EXPECT_THAT(tmCell("verify --help").output, HasSubstr("Usage: tm_cell verify [OPTIONS] ARTIFACT"));
+  EXPECT_THAT(tmCell("--version").output, StartsWith("tm_cell (cobot_command) "));
+  EXPECT_EQ(tmCell("--version").exit_code, 0);
 }
 
 }  // namespace

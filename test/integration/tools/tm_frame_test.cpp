@@ -1,9 +1,11 @@
 // The program as a user calls it, through the shell.
 #include <cstdio>
+#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace {
 
@@ -123,6 +125,30 @@ TEST(TmFrame, takesAnEmptyLengthWhenAsked) {
   const char* frame = "$TMSCT,,1,ScriptExit(),*62\\r\\n";
   EXPECT_EQ(run("decode", frame).status, 1);
   EXPECT_EQ(run("decode --accept-empty-length", frame).status, 0);
+}
+
+TEST(TmFrame, readsAFileAsItReadsStandardInput) {
+  char name[] = "/tmp/tm_frame_test_XXXXXX";
+  const int file = mkstemp(name);
+  ASSERT_GE(file, 0);
+  const std::string frame = "$TMSCT,5,10,OK,*6D\r\n";
+  ASSERT_EQ(write(file, frame.data(), frame.size()), static_cast<ssize_t>(frame.size()));
+  close(file);
+  EXPECT_EQ(run(std::string("decode ") + name, "noise").output,
+            run("decode", "$TMSCT,5,10,OK,*6D\\r\\n").output);
+  EXPECT_EQ(run("decode -", "$TMSCT,5,10,OK,*6D\\r\\n").output,
+            run("decode", "$TMSCT,5,10,OK,*6D\\r\\n").output);
+  const Outcome hex = run(std::string("decode --hex ") + name);
+  EXPECT_EQ(hex.status, 2);
+  EXPECT_THAT(hex.output, HasSubstr("line 1: expected pairs of hexadecimal digits"));
+  unlink(name);
+  EXPECT_EQ(run(std::string("decode ") + name).status, 2);
+  EXPECT_THAT(run(std::string("decode ") + name).output,
+              HasSubstr("cannot be read: No such file or directory"));
+  EXPECT_THAT(run("decode /tmp").output, HasSubstr("/tmp cannot be read: it is a folder"));
+  EXPECT_THAT(run("decode ''").output, HasSubstr("the name is empty"));
+  EXPECT_EQ(run("decode </tmp").status, 2);
+  EXPECT_EQ(run("decode --hex </tmp").status, 2);
 }
 
 TEST(TmFrame, saysNothingAboutNothing) {

@@ -4,12 +4,14 @@ Usage: option_values_test.py TM_SIMULATOR TM_ARM TM_FRAME TM_FAULT_PROXY [unitte
 
 The options are those that each program's --help names, so that a new one is tried without a word here.
 """
+import pathlib
 import re
 import subprocess
 import sys
 import threading
 import typing
 import unittest
+import xml.etree.ElementTree
 
 PROGRAMS = {}
 DEADLINE = 60  # seconds; reached only when something is broken
@@ -160,6 +162,37 @@ class StrayWords(unittest.TestCase):
         status, _, err = run('tm_simulator', '--velocity-licence', 'true')
         self.assertEqual(status, BAD_USAGE)
         self.assertIn('nothing takes "true"', err)
+
+    def test_that_are_misspelt_options_are_told_before_what_is_missing(self):
+        for program, words, stray, meant in (('tm_arm', ['--modle', 'tm12', 'fk', *'000000'], '--modle', '--model'),
+                                             ('tm_arm', ['--modle', 'tm12'], '--modle', '--model'),
+                                             ('tm_frame', ['encode', '--hex', 'TMSCT'], '--hex', ''),
+                                             ('tm_frame', ['decode', '--trace-of', 'client', '--hax'], '--hax', '--hex')):
+            with self.subTest(program=program, words=words):
+                status, out, err = run(program, *words)
+                self.assertEqual((status, out), (BAD_USAGE, ''))
+                self.assertIn('%s: there is no option "%s"' % (program, stray), err)
+                self.assertNotIn('required', err)
+                self.assertIn('%s is near' % meant if meant else '', err)
+
+
+class Help(unittest.TestCase):
+    def test_names_the_program_and_its_numbers(self):
+        for program in PROGRAMS:
+            for words in [[]] + [[subcommand] for subcommand in SUBCOMMANDS.get(program, [])]:
+                with self.subTest(program=program, words=words):
+                    status, text, _ = run(program, *words, '--help')
+                    self.assertEqual(status, ENDED)
+                    self.assertRegex(text, r'(?m)^Usage: %s \[OPTIONS\]' % ' '.join([program, *words]))
+                    # Of these the text is no number, though it looks like one.
+                    self.assertEqual(set(re.findall(r'(--[a-z-]+)\S* TEXT=-?[0-9.]+(?:\s|$)', text)) - {'--bind', '--tmflow-version'}, set())
+        self.assertRegex(run('tm_simulator', '--help')[1], r'--script-port INT=5890 ')
+        self.assertRegex(run('tm_simulator', '--help')[1], r'--time-scale FLOAT=1 ')
+
+    def test_has_the_version_of_the_package(self):
+        package = xml.etree.ElementTree.parse(pathlib.Path(__file__).resolve().parents[3] / 'package.xml').getroot()
+        for program in PROGRAMS:
+            self.assertEqual(run(program, '--version'), (ENDED, '%s (cobot_command) %s\n' % (program, package.findtext('version')), ''))
 
 
 if __name__ == '__main__':
