@@ -66,6 +66,20 @@ TEST_F(MotionHolds, lastNoLongerThanTheDelay) {
   EXPECT_EQ(sent(), 2);
 }
 
+TEST_F(MotionHolds, keepThoseThatDoNotBlendAndLetThemGoOneAfterTheOther) {
+  enable(200, 3);
+  MoveAbsoluteGoal move = blended();
+  move.blending_enable = false;
+  rig.submit(move);
+  rig.submit(move);
+  EXPECT_EQ(sent(), 0);
+  rig.submit(move);
+  EXPECT_EQ(sent(), 1) << "the second one waits for its end";
+  rig.tag(1);
+  EXPECT_EQ(sent(), 1);
+  rig.discardSent();
+}
+
 TEST_F(MotionHolds, areNoneForOneMotionWhenOneIsWaitedFor) {
   enable(200, 1);
   rig.submit(blended());
