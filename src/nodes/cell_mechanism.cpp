@@ -8,15 +8,15 @@
 #include "cobot_command/ros/mechanism/mechanism_node.h"
 #include "cobot_command/ros/shared/node_end.h"
 
-int main(int argc, char** argv) {
-  namespace ros_adapter = cobot_command::ros_adapter;
-  if (const auto status = cobot_command::nodes::answerArguments(
-          argc, argv,
-          {"cell_mechanism",
-           "Asks the supervisor of a cell where a mechanism may move, and tells where it is.",
-           "_artifact:=/home/me/pallet.artifact _mechanism:=PALLET"})) {
-    return *status;
-  }
+namespace {
+
+namespace ros_adapter = cobot_command::ros_adapter;
+
+const cobot_command::nodes::NodeDescription kNode{
+    "cell_mechanism", "Asks the supervisor of a cell where a mechanism may move, and tells where it is.",
+    "_artifact:=/home/me/pallet.artifact _mechanism:=PALLET"};
+
+int serve(int argc, char** argv) {
   ros_adapter::NodeEnd end(argc, argv, "cell_mechanism");
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
@@ -36,4 +36,10 @@ int main(int argc, char** argv) {
   end.serve([](const auto& begun) { begun(); });
   end.leaveWithin(ros_adapter::kFarewellPatience);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return cobot_command::nodes::runNode(argc, argv, kNode, [&] { return serve(argc, argv); });
 }

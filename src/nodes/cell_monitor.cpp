@@ -6,14 +6,15 @@
 #include "cobot_command/ros/cell_watch/monitor_node.h"
 #include "cobot_command/ros/shared/node_end.h"
 
-int main(int argc, char** argv) {
-  namespace ros_adapter = cobot_command::ros_adapter;
-  if (const auto status = cobot_command::nodes::answerArguments(
-          argc, argv,
-          {"cell_monitor", "Stops the robots of a cell when two of them come too close. No safety function.",
-           "_cell_file:=/home/me/cell.yaml"})) {
-    return *status;
-  }
+namespace {
+
+namespace ros_adapter = cobot_command::ros_adapter;
+
+const cobot_command::nodes::NodeDescription kNode{
+    "cell_monitor", "Stops the robots of a cell when two of them come too close. No safety function.",
+    "_cell_file:=/home/me/cell.yaml"};
+
+int serve(int argc, char** argv) {
   ros_adapter::NodeEnd end(argc, argv, "cell_monitor");
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
@@ -33,4 +34,10 @@ int main(int argc, char** argv) {
   (*monitor)->stop();
   end.leaveWithin(ros_adapter::kFarewellPatience);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return cobot_command::nodes::runNode(argc, argv, kNode, [&] { return serve(argc, argv); });
 }

@@ -10,14 +10,15 @@
 #include "cobot_command/ros/supervision/supervisor_node.h"
 #include "cobot_command/ros/supervision/supervisor_parameters.h"
 
-int main(int argc, char** argv) {
-  namespace ros_adapter = cobot_command::ros_adapter;
-  if (const auto status = cobot_command::nodes::answerArguments(
-          argc, argv,
-          {"cell_supervisor", "Grants the robots of a cell where they may go, so that none meets another.",
-           "_artifact:=/home/me/handover.artifact _journal:=/home/me/handover.journal"})) {
-    return *status;
-  }
+namespace {
+
+namespace ros_adapter = cobot_command::ros_adapter;
+
+const cobot_command::nodes::NodeDescription kNode{
+    "cell_supervisor", "Grants the robots of a cell where they may go, so that none meets another.",
+    "_artifact:=/home/me/handover.artifact _journal:=/home/me/handover.journal"};
+
+int serve(int argc, char** argv) {
   ros_adapter::NodeEnd end(argc, argv, "cell_supervisor");
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
@@ -45,4 +46,10 @@ int main(int argc, char** argv) {
   end.serve([](const auto& begun) { begun(); });
   end.leaveWithin(ros_adapter::kFarewellPatience);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return cobot_command::nodes::runNode(argc, argv, kNode, [&] { return serve(argc, argv); });
 }

@@ -8,14 +8,15 @@
 #include "cobot_command/ros/cell/cell_seat.h"
 #include "cobot_command/ros/shared/node_end.h"
 
-int main(int argc, char** argv) {
-  namespace ros_adapter = cobot_command::ros_adapter;
-  if (const auto status = cobot_command::nodes::answerArguments(
-          argc, argv,
-          {"command_node", "Commands one Omron/Techman TM cobot, by goals of its actions.",
-           "_robot_ip:=192.168.1.10"})) {
-    return *status;
-  }
+namespace {
+
+namespace ros_adapter = cobot_command::ros_adapter;
+
+const cobot_command::nodes::NodeDescription kNode{
+    "command_node", "Commands one Omron/Techman TM cobot, by goals of its actions.",
+    "_robot_ip:=192.168.1.10"};
+
+int serve(int argc, char** argv) {
   ros_adapter::NodeEnd end(argc, argv, "command_node");
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
@@ -40,4 +41,10 @@ int main(int argc, char** argv) {
   command_node.stop();
   end.leaveWithin(ros_adapter::kFarewellPatience);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return cobot_command::nodes::runNode(argc, argv, kNode, [&] { return serve(argc, argv); });
 }

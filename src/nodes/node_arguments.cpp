@@ -3,12 +3,16 @@
 #include <cstdio>
 #include <string_view>
 
+#include "node_names.h"
 #include <fmt/format.h>
 
+#include "cobot_command/capabilities/layer_version.h"
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::nodes {
 namespace {
+
+constexpr std::size_t kReasonLimit = 600;  // [bytes]; roscpp tells types with their sums
 
 std::string usageOf(const NodeDescription& node) {
   return fmt::format(
@@ -27,13 +31,30 @@ std::optional<int> answerArguments(int argc, const char* const* argv, const Node
       fmt::print("{}", usageOf(node));
       return 0;
     }
+    if (word == "--version") {
+      fmt::print("{} (cobot_command) {}\n", node.name, capabilities::layerVersion());
+      return 0;
+    }
     if (word.find(":=") == std::string_view::npos) {
-      fmt::print(stderr, "'{}' is nothing that a node is started with; allowed: name:=value, --help\n{}",
+      fmt::print(stderr,
+                 "'{}' is nothing that a node is started with; allowed: name:=value, --help, --version\n{}",
                  foreignText(word), usageOf(node));
       return 2;
     }
   }
+  if (const auto fault = faultInNames(argc, argv, ofProcess)) {
+    fmt::print(stderr, "{}: {}\n", node.name, *fault);
+    return 2;
+  }
   return std::nullopt;
+}
+
+int explain(const NodeDescription& node, const std::exception& error) {
+  fmt::print(stderr,
+             "{}: a name cannot be had as this node was started: {}. Change what renames it (name:=other, "
+             "<remap>, __name, __ns)\n",
+             node.name, foreignText(error.what(), kReasonLimit));
+  return 2;
 }
 
 }  // namespace cobot_command::nodes

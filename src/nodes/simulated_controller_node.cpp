@@ -7,15 +7,16 @@
 
 #include "cobot_command/ros/shared/node_end.h"
 
-int main(int argc, char** argv) {
-  using cobot_command::runtime::SimulatorError;
-  namespace ros_adapter = cobot_command::ros_adapter;
-  if (const auto status = cobot_command::nodes::answerArguments(
-          argc, argv,
-          {"simulated_controller_node",
-           "A simulated TM controller with its arm, and its operator's services.", "_script_port:=5890"})) {
-    return *status;
-  }
+namespace {
+
+using cobot_command::runtime::SimulatorError;
+namespace ros_adapter = cobot_command::ros_adapter;
+
+const cobot_command::nodes::NodeDescription kNode{
+    "simulated_controller_node", "A simulated TM controller with its arm, and its operator's services.",
+    "_script_port:=5890"};
+
+int serve(int argc, char** argv) {
   ros_adapter::NodeEnd end(argc, argv, "simulated_controller");
   const ros::NodeHandle node;
   const ros::NodeHandle self("~");
@@ -34,4 +35,10 @@ int main(int argc, char** argv) {
   end.serve([](const auto& begun) { begun(); });
   end.leaveWithin(ros_adapter::kFarewellPatience);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return cobot_command::nodes::runNode(argc, argv, kNode, [&] { return serve(argc, argv); });
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/ros/shared/own_handle.h"
 #include "cobot_command/runtime/cell/any_id.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
@@ -44,7 +45,7 @@ void CellSeat::fill(command::CorePorts& ports) const {
 
 void CellSeat::start(const ros::NodeHandle& node, InCore in_core) {
   in_core_ = std::move(in_core);
-  ros::NodeHandle handle(node);
+  OwnHandle handle(node);
   handle.setCallbackQueue(&queue_);
   reports_ = handle.advertise<cobot_command::CellReport>(cell_ + "/reports", 10);
   const boost::function<void(const cobot_command::CellStateConstPtr&)> take =

@@ -25,6 +25,7 @@ std::string anyId(const std::string& robot) {
 StopLine::StopLine(const ros::NodeHandle& node, std::string robot, const std::string& space)
     : node_(node), robot_(std::move(robot)), id_(anyId(robot_)), goals_(node) {
   moveTo(space);
+  node_.requireType(space + "/stop/goal", "cobot_command/StopActionGoal");
 }
 
 void StopLine::moveTo(const std::string& space) {

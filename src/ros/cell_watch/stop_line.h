@@ -10,6 +10,7 @@
 #include <ros/subscriber.h>
 
 #include "cobot_command/StopActionResult.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -31,7 +32,7 @@ class StopLine {
  private:
   void hear(const cobot_command::StopActionResult& message) const;
 
-  ros::NodeHandle node_;
+  OwnHandle node_;
   std::string robot_;
   std::string id_;  ///< in front of those of its goals
   std::uint64_t sent_ = 0;

@@ -26,6 +26,7 @@
 #include "cobot_command/CellReport.h"
 #include "cobot_command/CellState.h"
 #include "cobot_command/cell/monitor/monitor.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -67,7 +68,7 @@ class Watch {
   [[nodiscard]] std::string carriedBy(std::size_t mover) const;
   void arm(Instant now);
 
-  ros::NodeHandle node_;
+  OwnHandle node_;
   ros::CallbackQueue queue_;
   cell::Monitor monitor_;
   MoverNamespaces namespaces_;

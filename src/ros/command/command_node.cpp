@@ -27,6 +27,7 @@
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/ros/cell/cell_seat.h"
 #include "cobot_command/ros/shared/node_end.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -71,6 +72,12 @@ ros::NodeHandle servedBy(ServingThread& thread, const ros::NodeHandle& node) {
   return served;
 }
 
+/// Those of tf2, which listens from the first goal on that names a frame, and of the diagnostics.
+void requireLibraryTopics(const OwnHandle& node) {
+  for (const char* tf : {"/tf", "/tf_static"}) node.requireType(tf, "tf2_msgs/TFMessage");
+  node.requireType("/diagnostics", "diagnostic_msgs/DiagnosticArray");
+}
+
 }  // namespace
 
 CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
@@ -104,6 +111,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       },
       false, false);
   makeServices(node, parameters);
+  requireLibraryTopics(node);
   startCore(node, std::move(parameters));
 }
 
@@ -130,7 +138,10 @@ void CommandNode::makeServices(const ros::NodeHandle& node, const CommandParamet
 }
 
 void CommandNode::startCore(const ros::NodeHandle& node, CommandParameters parameters) {
-  // It may speak at once. Goals come in on threads that are not there yet.
+  // Goals come in on threads that are not there yet.
+  keep_alive_ = keepAlives(servedBy(stops_, node));
+  finish_ = OwnHandle(servedBy(questions_, node)).advertiseService("finish", &CommandNode::finish, this);
+  // It may speak at once.
   runtime_ = std::make_unique<runtime::CommandRuntime>(
       std::move(parameters.arm), withAnyFirstTag(parameters.link),
       [this](const command::Action& action, Instant now) { onAction(action, now); }, ports());
@@ -140,8 +151,6 @@ void CommandNode::startCore(const ros::NodeHandle& node, CommandParameters param
   runtime_->useTables(parameters.tables.tables);
   runtime_->useExchangeRules(parameters.exchange);
   if (parameters.limits) static_cast<void>(runtime_->writeLimits(*parameters.limits));  // they were tried
-  keep_alive_ = keepAlives(servedBy(stops_, node));
-  finish_ = servedBy(questions_, node).advertiseService("finish", &CommandNode::finish, this);
   if (parameters.auto_connect) {
     blocks::ConnectGoal target;
     target.host = default_host_;
@@ -196,8 +205,8 @@ ros::Subscriber CommandNode::keepAlives(const ros::NodeHandle& node) {
   const boost::function<void(const std_msgs::EmptyConstPtr&)> take = [this](const std_msgs::EmptyConstPtr&) {
     runtime_->keepJogging();
   };
-  return ros::NodeHandle(node).subscribe<std_msgs::Empty>("jog_keep_alive", 1, take, ros::VoidConstPtr(),
-                                                          ros::TransportHints().tcpNoDelay());
+  return OwnHandle(node).subscribe<std_msgs::Empty>("jog_keep_alive", 1, take, ros::VoidConstPtr(),
+                                                    ros::TransportHints().tcpNoDelay());
 }
 
 CommandNode::~CommandNode() {

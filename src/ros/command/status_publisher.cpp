@@ -33,7 +33,7 @@ geometry_msgs::TransformStamped stamped(const arm::Pose& pose, const std::string
 
 }  // namespace
 
-StatusPublisher::StatusPublisher(ros::NodeHandle node, JointNames joint_names, std::string prefix)
+StatusPublisher::StatusPublisher(OwnHandle node, JointNames joint_names, std::string prefix)
     : joint_names_(std::move(joint_names)), prefix_(std::move(prefix)), base_frame_(prefix_ + "base") {
   joint_states_ = HeardTopic::advertise<sensor_msgs::JointState>(node, "joint_states", kQueueSize);
   tool_pose_ = HeardTopic::advertise<geometry_msgs::PoseStamped>(node, "tool_pose", kQueueSize);

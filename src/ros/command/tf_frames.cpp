@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <ros/exceptions.h>
 #include <tf2/exceptions.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
@@ -51,7 +52,12 @@ class TfFrames::Listener {
 
  private:
   void listen() {
-    auto listener = std::make_unique<tf2_ros::TransformListener>(buffer_);
+    std::unique_ptr<tf2_ros::TransformListener> listener;
+    try {
+      listener = std::make_unique<tf2_ros::TransformListener>(buffer_);
+    } catch (const ros::ConflictingSubscriptionException&) {
+      // A topic of tf has the name of another one: the start of the node ends by that (CommandNode).
+    }
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!is_closed_) listener_ = std::move(listener);
     is_beginning_ = false;

@@ -8,6 +8,7 @@
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/capabilities/functions.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -53,7 +54,7 @@ arm::JointVector toRadians(const Six& degrees) {
 }  // namespace
 
 DynamicsServices::DynamicsServices(const ros::NodeHandle& node, Core core) : core_(std::move(core)) {
-  ros::NodeHandle n(node);
+  OwnHandle n(node);
   using Self = DynamicsServices;
   services_.push_back(n.advertiseService("change_speed_override", &Self::changeSpeedOverride, this));
   services_.push_back(n.advertiseService("read_reference_dynamics", &Self::readReference, this));

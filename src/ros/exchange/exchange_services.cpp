@@ -5,11 +5,13 @@
 #include "action_parts/exchange_parts.h"
 #include "shared/core_answer.h"
 
+#include "cobot_command/ros/shared/own_handle.h"
+
 namespace cobot_command::ros_adapter {
 
 ExchangeServices::ExchangeServices(const ros::NodeHandle& node, Update update) : update_(std::move(update)) {
-  service_ = ros::NodeHandle(node).advertiseService("update_configuration",
-                                                    &ExchangeServices::updateConfiguration, this);
+  service_ =
+      OwnHandle(node).advertiseService("update_configuration", &ExchangeServices::updateConfiguration, this);
 }
 
 bool ExchangeServices::updateConfiguration(cobot_command::UpdateConfiguration::Request& request,

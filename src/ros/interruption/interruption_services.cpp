@@ -4,11 +4,13 @@
 
 #include "shared/core_answer.h"
 
+#include "cobot_command/ros/shared/own_handle.h"
+
 namespace cobot_command::ros_adapter {
 
 InterruptionServices::InterruptionServices(const ros::NodeHandle& node, Ask interrupt, Ask go_on)
     : interrupt_(std::move(interrupt)), go_on_(std::move(go_on)) {
-  ros::NodeHandle handle(node);
+  OwnHandle handle(node);
   of_interrupt_ = handle.advertiseService("interrupt", &InterruptionServices::interrupt, this);
   of_continue_ = handle.advertiseService("continue", &InterruptionServices::goOn, this);
 }

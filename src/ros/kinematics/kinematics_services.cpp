@@ -5,6 +5,7 @@
 #include "kinematics/kinematics_messages.h"
 
 #include "cobot_command/capabilities/functions.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -25,7 +26,7 @@ bool calculateTool(cobot_command::CalculateTool::Request& request,
 
 KinematicsServices::KinematicsServices(const ros::NodeHandle& node, Sources sources)
     : sources_(std::move(sources)) {
-  ros::NodeHandle handle(node);
+  OwnHandle handle(node);
   services_.push_back(handle.advertiseService("forward_kinematics", &KinematicsServices::forward, this));
   services_.push_back(handle.advertiseService("inverse_kinematics", &KinematicsServices::inverse, this));
   services_.push_back(handle.advertiseService("calculate_frame", &KinematicsServices::frame, this));

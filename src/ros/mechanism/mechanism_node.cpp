@@ -9,6 +9,7 @@
 #include <ros/console.h>
 
 #include "cobot_command/StopActionGoal.h"
+#include "cobot_command/ros/shared/own_handle.h"
 #include "cobot_command/runtime/cell/any_id.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
@@ -35,7 +36,7 @@ MechanismNode::MechanismNode(const ros::NodeHandle& node, const MechanismParamet
                              std::unique_ptr<cell::MechanismAgent> agent, Duration period)
     : agent_(std::move(agent)) {
   agent_->run(parameters.running);
-  ros::NodeHandle handle(node);
+  OwnHandle handle(node);
   reports_ = handle.advertise<cobot_command::CellReport>(parameters.cell + "/reports", 10);
   targets_ = handle.advertise<std_msgs::Float64>("target", 10, true);
   const boost::function<void(const cobot_command::CellStateConstPtr&)> hear = [this](const auto& message) {

@@ -10,6 +10,7 @@
 
 #include "cobot_command/Message.h"
 #include "cobot_command/MessageList.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -42,7 +43,7 @@ std::vector<cobot_command::Message> toMessages(const std::vector<command::Messag
 }  // namespace
 
 MessageServices::MessageServices(const ros::NodeHandle& node, Core core) : core_(std::move(core)) {
-  ros::NodeHandle handle(node);
+  OwnHandle handle(node);
   messages_ = handle.advertise<cobot_command::Message>("messages", kQueueSize);
   pending_ = handle.advertise<cobot_command::MessageList>("pending_messages", 1, true);
   take(command::PendingChanged(), {ros::Time::now(), steadyNow()});  // so that it can be read at once

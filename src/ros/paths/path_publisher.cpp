@@ -16,7 +16,7 @@ constexpr std::uint32_t kQueueSize = 100;
 
 }  // namespace
 
-PathPublisher::PathPublisher(ros::NodeHandle node, std::string base_frame)
+PathPublisher::PathPublisher(OwnHandle node, std::string base_frame)
     : base_frame_(std::move(base_frame)),
       line_(node.advertise<visualization_msgs::Marker>("planned_path", kQueueSize, true)),
       points_(node.advertise<visualization_msgs::MarkerArray>("planned_points", kQueueSize, true)),

@@ -13,6 +13,7 @@
 
 #include "cobot_command/blocks/load_path.h"
 #include "cobot_command/command/actions.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -20,7 +21,7 @@ namespace cobot_command::ros_adapter {
 class PathPublisher {
  public:
   /// Topics are relative to `node`. `base_frame`: the tf frame of the robot base.
-  PathPublisher(ros::NodeHandle node, std::string base_frame);
+  PathPublisher(OwnHandle node, std::string base_frame);
 
   void take(const command::PathPlanned& path);
   void take(const command::GoalPreviewed& preview);

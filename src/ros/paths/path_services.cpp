@@ -5,6 +5,7 @@
 #include "shared/core_answer.h"
 
 #include "cobot_command/TrackingState.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -22,7 +23,7 @@ cobot_command::TrackingState toMessage(const path::TrackingObjects& objects) {
 }  // namespace
 
 PathServices::PathServices(const ros::NodeHandle& node, Core core) : core_(std::move(core)) {
-  ros::NodeHandle handle(node);
+  OwnHandle handle(node);
   tracking_state_ = handle.advertise<cobot_command::TrackingState>("tracking_state", 1, true);
   take({});
   services_.push_back(handle.advertiseService("set_tracking", &PathServices::setTracking, this));

@@ -4,11 +4,13 @@
 
 #include "robot_data/robot_data_message.h"
 
+#include "cobot_command/ros/shared/own_handle.h"
+
 namespace cobot_command::ros_adapter {
 
 RobotDataPublisher::RobotDataPublisher(const ros::NodeHandle& node, JointNames joint_names, Arm arm)
     : joint_names_(std::move(joint_names)), arm_(std::move(arm)) {
-  topic_ = ros::NodeHandle(node).advertise<cobot_command::RobotData>("robot_data", 1, true);
+  topic_ = OwnHandle(node).advertise<cobot_command::RobotData>("robot_data", 1, true);
   publish();
 }
 

@@ -89,7 +89,13 @@ class NodeEnd::Impl {
       if (!cancelled) ask();
     });
     thread_ = std::thread([this] { context_.run(); });
-    ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+    try {
+      ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+    } catch (...) {  // of names; the thread must not outlive this
+      context_.stop();
+      thread_.join();
+      throw;
+    }
     listenToMaster();
     moveOn([this] { stage_ = Stage::Joining; });
   }

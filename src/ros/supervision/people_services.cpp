@@ -12,7 +12,7 @@ namespace cobot_command::ros_adapter {
 PeopleServices::PeopleServices(const ros::NodeHandle& node, cell::Supervision& core, Clock clock,
                                std::function<void(Instant now)> settle)
     : clock_(std::move(clock)), settle_(std::move(settle)) {
-  ros::NodeHandle handle(node);
+  OwnHandle handle(node);
   serve<std_srvs::SetBool>(handle, "hold", [&core](const auto& request, Instant now) {
     return core.hold(request.data != 0, now);
   });
@@ -34,7 +34,7 @@ PeopleServices::PeopleServices(const ros::NodeHandle& node, cell::Supervision& c
 }
 
 template <class Service, class Ask>
-void PeopleServices::serve(ros::NodeHandle& node, const char* name, Ask ask) {
+void PeopleServices::serve(OwnHandle& node, const char* name, Ask ask) {
   using Request = typename Service::Request;
   using Response = typename Service::Response;
   const boost::function<bool(Request&, Response&)> answer = [this, name, ask](Request& request,

@@ -14,6 +14,7 @@
 #include "cobot_command/TakeOut.h"
 #include "cobot_command/cell/supervision/supervision.h"
 #include "cobot_command/common/time.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -27,7 +28,7 @@ class PeopleServices {
 
  private:
   template <class Service, class Ask>
-  void serve(ros::NodeHandle& node, const char* name, Ask ask);
+  void serve(OwnHandle& node, const char* name, Ask ask);
 
   Clock clock_;
   std::function<void(Instant now)> settle_;

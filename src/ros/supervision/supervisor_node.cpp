@@ -15,6 +15,7 @@
 #include <ros/this_node.h>
 
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -47,7 +48,8 @@ SupervisorNode::SupervisorNode(const ros::NodeHandle& node, const ros::NodeHandl
   runs_ = std::make_unique<ProgramRuns>(node, queues, namesOf(artifact), contacts_);
   builder_ = std::make_unique<CellBuilder>(node, queues, artifact.hash);
   diagnostics_ = std::make_unique<SupervisorDiagnostics>(node, self, artifact.parameters.wait_timeout);
-  ros::NodeHandle handle(node);
+  OwnHandle handle(node);
+  handle.requireType("/diagnostics", "diagnostic_msgs/DiagnosticArray");
   const auto promptly = ros::TransportHints().tcpNoDelay();
   state_ = handle.advertise<cobot_command::CellState>("state", 10, true);
   const boost::function<void(const ReportEvent&)> report = [this](const auto& event) { takeReport(event); };

@@ -63,7 +63,7 @@ int indexError(tables::Kind kind) {
 TableServices::TableServices(const ros::NodeHandle& node, const tables::DataTables& tables,
                              TableWriter::Core core, TableWriter::Keep keep)
     : board_(tables), writer_(tables, std::move(core), std::move(keep)) {
-  topic_ = ros::NodeHandle(node).advertise<cobot_command::DataTables>("data_tables", 1, true);
+  topic_ = OwnHandle(node).advertise<cobot_command::DataTables>("data_tables", 1, true);
   topic_.publish(toMessage(tables, ros::Time()));
   serve<OfTools>(node);
   serve<OfFrames>(node);
@@ -71,7 +71,7 @@ TableServices::TableServices(const ros::NodeHandle& node, const tables::DataTabl
 }
 
 template <class Of>
-void TableServices::serve(ros::NodeHandle node) {
+void TableServices::serve(OwnHandle node) {
   const std::string kind(toString(Of::kKind));
   services_.push_back(node.advertiseService("read_" + kind, &TableServices::read<Of>, this));
   services_.push_back(node.advertiseService("write_" + kind, &TableServices::write<Of>, this));

@@ -12,6 +12,8 @@
 #include <ros/publisher.h>
 #include <ros/service_server.h>
 
+#include "cobot_command/ros/shared/own_handle.h"
+
 namespace cobot_command::ros_adapter {
 
 class TableServices {
@@ -28,7 +30,7 @@ class TableServices {
 
  private:
   template <class Of>
-  void serve(ros::NodeHandle node);
+  void serve(OwnHandle node);
   template <class Of>
   bool read(typename Of::Read::Request& request, typename Of::Read::Response& response);
   template <class Of>

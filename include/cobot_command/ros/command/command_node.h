@@ -117,7 +117,6 @@ class CommandNode {
   GoalFiles goal_files_;
   GoalIntake intake_;
   std::vector<std::unique_ptr<GoalListener>> servers_;  ///< by their blocks
-  std::unique_ptr<runtime::CommandRuntime> runtime_;
   std::unique_ptr<TableServices> tables_;
   std::unique_ptr<PathServices> path_services_;
   std::unique_ptr<MessageServices> messages_;
@@ -126,6 +125,7 @@ class CommandNode {
   std::unique_ptr<KinematicsServices> kinematics_;
   std::unique_ptr<RobotDataPublisher> robot_data_;
   std::unique_ptr<DynamicsServices> dynamics_;
+  std::unique_ptr<runtime::CommandRuntime> runtime_;  ///< below all that its thread speaks to
   ros::SteadyTimer retry_;
   ros::Subscriber keep_alive_;
   ros::ServiceServer finish_;

@@ -6,8 +6,9 @@
 #include <memory>
 #include <string>
 
-#include <ros/node_handle.h>
 #include <ros/publisher.h>
+
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -17,7 +18,7 @@ class HeardTopic {
  public:
   HeardTopic() = default;
   template <class Message>
-  static HeardTopic advertise(ros::NodeHandle& node, const std::string& name, std::uint32_t queue_size,
+  static HeardTopic advertise(OwnHandle& node, const std::string& name, std::uint32_t queue_size,
                               bool latch = false) {
     HeardTopic topic;
     topic.publisher_ = node.advertise<Message>(

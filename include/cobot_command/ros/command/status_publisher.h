@@ -13,6 +13,7 @@
 #include "cobot_command/command/command_core.h"
 #include "cobot_command/ros/command/heard_topic.h"
 #include "cobot_command/ros/shared/conversions.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -20,7 +21,7 @@ class StatusPublisher {
  public:
   /// Topics are relative to `node`. `prefix` stands in front of every tf frame; the joint names have it
   /// already.
-  StatusPublisher(ros::NodeHandle node, JointNames joint_names, std::string prefix);
+  StatusPublisher(OwnHandle node, JointNames joint_names, std::string prefix);
 
   /// Positions, tool and robot status, as far as the controller streams them; its digital inputs and outputs
   /// where they have changed; and the active frames in tf again.

@@ -38,6 +38,7 @@
 #include <ros/steady_timer.h>
 #include <ros/subscriber.h>
 
+#include "cobot_command/ros/shared/own_handle.h"
 #include "cobot_command/ros/shared/posted.h"
 #include "cobot_command/ros/shared/receipts.h"
 #include "cobot_command/ros/shared/serving_thread.h"
@@ -300,8 +301,8 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
   };
 
   ActionQueues queues_;
-  ros::NodeHandle action_;
-  ros::NodeHandle for_cancels_;
+  OwnHandle action_;
+  OwnHandle for_cancels_;
   actionlib_msgs::GoalID incoming_;  ///< the goal whose callback runs
   std::mutex cancels_mutex_;
   std::vector<KeptCancel> kept_cancels_;

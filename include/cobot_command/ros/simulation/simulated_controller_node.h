@@ -13,6 +13,7 @@
 
 #include "cobot_command/common/result.h"
 #include "cobot_command/ros/shared/conversions.h"
+#include "cobot_command/ros/shared/own_handle.h"
 #include "cobot_command/ros/simulation/simulator_parameters.h"
 #include "cobot_command/runtime/simulation/simulator_runtime.h"
 
@@ -47,7 +48,7 @@ class SimulatedControllerNode {
   ros::Publisher topic(const std::string& name);
   void publish(const simulator::RobotState& state);  // on the simulator's thread
 
-  ros::NodeHandle self_;
+  OwnHandle self_;
   JointNames joint_names_;
   std::string base_frame_;
   ros::Publisher joint_states_;

@@ -17,6 +17,7 @@
 
 #include "cobot_command/cell/program/cell.h"
 #include "cobot_command/common/result.h"
+#include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -37,7 +38,7 @@ class CellPictures {
   void publishClaims();
   void showBodies(const WatchView& view);
 
-  ros::NodeHandle node_;
+  OwnHandle node_;
   cell::Cell cell_;
   std::optional<CellScene> scene_;
   std::vector<cobot_command::CellZone> shown_zones_;
