@@ -8,6 +8,8 @@
 #include "urdf/urdf_chain.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::arm {
 namespace {
 
@@ -35,7 +37,7 @@ const Ratings* ratingsOf(std::string_view name) {
 }
 
 ModelError unknownName(std::string_view name) {
-  return {fmt::format("There is no robot model \"{}\". Known models: {}.", name,
+  return {fmt::format("There is no robot model \"{}\". Known models: {}.", foreignText(name, kQuoteLimit),
                       fmt::join(ArmModel::knownNames(), ", "))};
 }
 

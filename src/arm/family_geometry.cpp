@@ -1,6 +1,7 @@
 #include "family_geometry.h"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <kdl/frames.hpp>
@@ -13,6 +14,8 @@ namespace {
 constexpr double kTolerance = 1e-6;
 /// Below this length of an arm tube the elbow is no longer determined.
 constexpr double kShortestTube = 1e-3;
+/// Of any of the lengths; more is one in mm.
+constexpr double kMostLength = 10;
 
 /// The line that a joint turns about, with all joints at zero, in the base.
 struct Axis {
@@ -103,6 +106,14 @@ Result<DhLengths, ModelError> lengthsOfFamilyMember(const KDL::Chain& chain) {
                                "and a3 must be above {} m, d4 "
                                "below {} m. Correct the origins of elbow_joint and wrist_1_joint.",
                                lengths.a2, lengths.a3, lengths.d4, kShortestTube, -kShortestTube)});
+  }
+  for (const double length : {lengths.d1, lengths.a2, lengths.a3, lengths.d4, lengths.d5, lengths.d6}) {
+    if (!(std::abs(length) <= kMostLength)) {
+      return refuse(
+          ModelError{fmt::format("A length of the arm is {} m, but at most {} m are allowed. Give the "
+                                 "origins of its joints in metres.",
+                                 length, kMostLength)});
+    }
   }
   return lengths;
 }

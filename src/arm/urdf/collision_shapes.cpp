@@ -7,6 +7,8 @@
 #include "urdf_document.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/given.h"
+
 namespace cobot_command::arm {
 namespace {
 
@@ -57,8 +59,11 @@ std::optional<Anchor> anchorOf(const UrdfDocument& document, const Anchors& anch
   return std::nullopt;
 }
 
+/// Of a shape, and from its link's frame [m].
+constexpr double kLongestShape = 100;
+
 bool isLength(double value) {
-  return std::isfinite(value) && value > 0;
+  return value > 0 && value <= kLongestShape;
 }
 
 /// The dimensions are those of a shape as the header has them; else nothing, and `problem` says why.
@@ -85,12 +90,13 @@ std::optional<CollisionShape> shapeOf(const urdf::Geometry& geometry, std::strin
       break;
     }
     case urdf::Geometry::MESH:
-      problem = fmt::format("is the mesh \"{}\", but bodies are made of primitives. Cover it by boxes",
-                            static_cast<const urdf::Mesh&>(geometry).filename);
+      problem = fmt::format("is the mesh {}, but bodies are made of primitives. Cover it by boxes",
+                            quoted(static_cast<const urdf::Mesh&>(geometry).filename));
       return std::nullopt;
   }
   if (is_shape) return shape;
-  problem = "has a length that is not finite and positive. Correct its <geometry>";
+  problem =
+      fmt::format("has a length that is not above 0 and up to {} m. Correct its <geometry>", kLongestShape);
   return std::nullopt;
 }
 
@@ -99,12 +105,17 @@ Result<CollisionShape, ModelError> shapeOf(const urdf::Link& link, const urdf::C
   std::string problem;
   auto shape = collision.geometry ? shapeOf(*collision.geometry, problem) : std::nullopt;
   if (!collision.geometry) problem = "has no <geometry>. Give it one";
+  const urdf::Vector3& place = collision.origin.position;
+  if (shape && !(std::hypot(place.x, place.y, place.z) <= kLongestShape)) {
+    problem = fmt::format("is more than {} m from its link. Correct its <origin>", kLongestShape);
+    shape.reset();
+  }
   if (shape && !anchor) {
     problem = "is not fixed to a link of the arm, so nobody knows where it is. Make its joints \"fixed\"";
   }
   if (!shape || !anchor) {
     return refuse(
-        ModelError{fmt::format("A <collision> of the link \"{}\" of the URDF {}.", link.name, problem)});
+        ModelError{fmt::format("A <collision> of the link {} of the URDF {}.", quoted(link.name), problem)});
   }
   shape->link = anchor->link;
   shape->at = anchor->at * toPose(collision.origin);

@@ -6,34 +6,60 @@
 #include "urdf_document.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/given.h"
+
 namespace cobot_command::arm {
 namespace {
+
+/// More than twice as fast as the fastest joint of the family, and slower than anything that is meant
+/// [rad/s].
+constexpr double kLeastVelocity = 0.01;
+constexpr double kMostVelocity = 20;
+/// More turns than any joint makes [rad].
+constexpr double kMostAngle = 100;
+/// No link has as much [kg], or its mass as far from its frame [m].
+constexpr double kMostMass = 1000;
+constexpr double kMostDistance = 10;
 
 /// What is wrong with the k-th moving joint of the path, if anything.
 std::optional<std::string> problemOf(const urdf::Joint& joint, const std::string& expected_name) {
   if (joint.name != expected_name) {
     return fmt::format(
-        "the joint \"{}\" stands where \"{}\" is needed. The six joints of the arm are, from "
+        "the joint {} stands where {} is needed. The six joints of the arm are, from "
         "the base: {}",
-        joint.name, expected_name, fmt::join(kJointNames, ", "));
+        quoted(joint.name), quoted(expected_name), fmt::join(kJointNames, ", "));
   }
+  const std::string name = quoted(joint.name);
   if (joint.type != urdf::Joint::REVOLUTE || !joint.limits) {
-    return fmt::format("the joint \"{}\" is not of type \"revolute\" with a <limit>. Make it so", joint.name);
+    return fmt::format("the joint {} is not of type \"revolute\" with a <limit>. Make it so", name);
   }
   const auto& limit = *joint.limits;
-  if (!(std::isfinite(limit.lower) && std::isfinite(limit.upper) && limit.lower < limit.upper)) {
+  if (!(limit.lower >= -kMostAngle && limit.upper <= kMostAngle && limit.lower < limit.upper)) {
     return fmt::format(
-        "the limits of the joint \"{}\" are {} to {} rad, but the lower must be below the upper, "
-        "both finite. Correct its <limit>",
-        joint.name, limit.lower, limit.upper);
+        "the limits of the joint {} are {} to {} rad, but the lower must be below the upper, "
+        "both between -{} and {}. Correct its <limit>",
+        name, limit.lower, limit.upper, kMostAngle, kMostAngle);
   }
-  if (!(std::isfinite(limit.velocity) && limit.velocity > 0)) {
+  if (!(limit.velocity >= kLeastVelocity && limit.velocity <= kMostVelocity)) {
     return fmt::format(
-        "the velocity limit of the joint \"{}\" is {} rad/s, but must be positive. Correct its "
-        "<limit>",
-        joint.name, limit.velocity);
+        "the velocity limit of the joint {} is {} rad/s, but must be {} to {}. Correct its <limit>", name,
+        limit.velocity, kLeastVelocity, kMostVelocity);
   }
   return std::nullopt;
+}
+
+/// What is wrong with the mass of a link, if anything.
+std::optional<std::string> problemOf(const urdf::Link& link) {
+  if (!link.inertial) return std::nullopt;
+  const urdf::Inertial& body = *link.inertial;
+  const urdf::Vector3& centre = body.origin.position;
+  const bool is_near = std::hypot(centre.x, centre.y, centre.z) <= kMostDistance;
+  if (body.mass >= 0 && body.mass <= kMostMass && is_near) return std::nullopt;
+  return fmt::format(
+      "the link {} has {} kg at {}, {}, {} m, but must have 0 to {} kg, at most {} m from its origin. "
+      "Correct "
+      "its <inertial>",
+      quoted(link.name), body.mass, centre.x, centre.y, centre.z, kMostMass, kMostDistance);
 }
 
 /// Of a link, in its own frame; none for a link without.
@@ -64,6 +90,10 @@ KDL::Segment segmentOf(const urdf::Joint& joint, const urdf::Link& link) {
                       frame, inertiaOf(link));
 }
 
+ModelError in(const std::string& robot, const std::string& problem) {
+  return {fmt::format("In the URDF {} {}.", quoted(robot), problem)};
+}
+
 }  // namespace
 
 Result<UrdfChain, ModelError> readUrdfChain(const std::string& urdf) {
@@ -78,19 +108,21 @@ Result<UrdfChain, ModelError> readUrdfChain(const std::string& urdf) {
       const std::string expected =
           count < kJointCount ? document->prefix + kJointNames[count] : "no further joint";
       if (const auto problem = problemOf(*joint, expected)) {
-        return refuse(ModelError{fmt::format("In the URDF \"{}\" {}.", result.robot_name, *problem)});
+        return refuse(in(result.robot_name, *problem));
       }
       result.joint_names[count] = joint->name;
       result.limits[count] = {joint->limits->lower, joint->limits->upper, joint->limits->velocity};
       ++count;
     }
-    result.chain.addSegment(segmentOf(*joint, *document->model->getLink(joint->child_link_name)));
+    const auto link = document->model->getLink(joint->child_link_name);
+    if (const auto problem = problemOf(*link)) return refuse(in(result.robot_name, *problem));
+    result.chain.addSegment(segmentOf(*joint, *link));
   }
   if (count != kJointCount) {
-    return refuse(ModelError{
-        fmt::format("The URDF \"{}\" has {} moving joints from the base to the flange, but the arm "
-                    "has six: {}. Add the missing ones.",
-                    result.robot_name, count, fmt::join(kJointNames, ", "))});
+    return refuse(
+        ModelError{fmt::format("The URDF {} has {} moving joints from the base to the flange, but the arm "
+                               "has six: {}. Add the missing ones.",
+                               quoted(result.robot_name), count, fmt::join(kJointNames, ", "))});
   }
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct UrdfDocument {
   std::string prefix;                           ///< what stands before the names of links and joints
   std::vector<urdf::JointConstSharedPtr> path;  ///< from the base to the flange, fixed ones included
 };
+
+/// Nothing when the text is XML with one <robot> and no other element or text beside it.
+[[nodiscard]] std::optional<ModelError> whyNotOneRobot(const std::string& text);
 
 /// Whatever the joints of the path are like. Refused when the text is no URDF, or of none or several arms, or
 /// has no path from the base to the flange.

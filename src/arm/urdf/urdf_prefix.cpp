@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "urdf_document.h"
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
@@ -50,14 +51,10 @@ Result<std::string, ModelError> withPrefix(const std::string& urdf, const std::s
         fmt::format("The prefix is \"{}\". Allowed are letters, digits, _, -, . and /, not beginning with /.",
                     foreignText(prefix, kQuoteLimit))});
   }
+  if (const auto error = whyNotOneRobot(urdf)) return refuse(*error);
   tinyxml2::XMLDocument document;
-  const bool parsed = document.Parse(urdf.data(), urdf.size()) == tinyxml2::XML_SUCCESS;
-  auto* robot = parsed ? document.FirstChildElement("robot") : nullptr;
-  if (robot == nullptr) {
-    return refuse(ModelError{fmt::format("This is not a URDF: {}. Give the text of a complete URDF.",
-                                         parsed ? "it has no <robot>" : document.ErrorStr())});
-  }
-  addPrefix(*robot, prefix);
+  document.Parse(urdf.data(), urdf.size());
+  addPrefix(*document.FirstChildElement("robot"), prefix);
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);
   return std::string(printer.CStr());

@@ -4,8 +4,11 @@
 #include <string>
 
 #include "arm_test_support.h"
+#include "foreign_bytes.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "cobot_command/arm/urdf_prefix.h"
 
 namespace cobot_command::arm {
 namespace {
@@ -53,6 +56,27 @@ const std::vector<BadUrdf> bad_urdfs = {
     {"limitInfinite", "upper=\"2.705260340591211\"", "upper=\"1e999\"", "limit"},
     {"limitWithComma", "lower=\"-2.705260340591211\"", "lower=\"-2,7\"", "limit"},
     {"speedZero", "velocity=\"3.141592653589793\"", "velocity=\"0\"", "velocity limit"},
+    {"speedTiny", "velocity=\"3.141592653589793\"", "velocity=\"1e-300\"",
+     "the velocity limit of the joint \"shoulder_1_joint\" is 1e-300 rad/s, but must be 0.01 to 20"},
+    {"speedHuge", "velocity=\"3.141592653589793\"", "velocity=\"1e300\"",
+     "the velocity limit of the joint \"shoulder_1_joint\" is 1e+300 rad/s, but must be 0.01 to 20"},
+    {"speedInDegrees", "velocity=\"3.141592653589793\"", "velocity=\"180\"", "is 180 rad/s, but must be"},
+    {"limitHuge", "upper=\"2.705260340591211\"", "upper=\"1e300\"", "to 1e+300 rad, but the lower must be"},
+    {"limitInDegrees", "upper=\"2.705260340591211\"", "upper=\"155\"", "both between -100 and 100"},
+    {"massHuge", "<mass value=\"4.032\"", "<mass value=\"1e300\"", "has 1e+300 kg at"},
+    {"massNegative", "<mass value=\"4.032\"", "<mass value=\"-4.032\"", "must have 0 to 1000 kg"},
+    {"massNotANumber", "<mass value=\"4.032\"", "<mass value=\"nan\"", "mass"},
+    {"massMissing", "<mass value=\"4.032\"/>", "", "mass"},
+    {"collisionNotANumber", "<collision><origin xyz=\"0.21015 0", "<collision><origin xyz=\"x 0",
+     "This is not a URDF"},
+    {"massFarAway", "<origin xyz=\"0 0 -0.02\" rpy=\"0 0 0\"/><mass",
+     "<origin xyz=\"0 0 -20\" rpy=\"0 0 0\"/><mass", "Correct its <inertial>"},
+    {"lengthInMillimetres", "<origin xyz=\"0.429 0 0\"", "<origin xyz=\"429 0 0\"",
+     "A length of the arm is 429 m, but at most 10 m"},
+    {"anotherRobotBehind", "</robot>", "</robot><robot name=\"tm12\"/>",
+     "it has 2 outermost elements, but must have one, <robot>"},
+    {"textBehind", "</robot>", "</robot>more", ""},
+    {"nameOfABytes", "<joint name=\"elbow_joint\"", "<joint name=\"\x1b[31m\xff\"", "\\x1B[31m\\xFF"},
     {"speedNegative", "velocity=\"3.141592653589793\"", "velocity=\"-1\"", "velocity limit"},
     {"originNotANumber", "<origin xyz=\"0 0 0.1452\"", "<origin xyz=\"0 0 nan\"", ""},
     {"originTooLarge", "<origin xyz=\"0 0 0.1452\"", "<origin xyz=\"0 0 1e308\"", ""},
@@ -105,6 +129,39 @@ TEST(Urdf, thatIsNoUrdfAtAllIsRefused) {
   }
 }
 
+TEST(Urdf, thatIsThereTwiceIsRefused) {
+  const std::string& urdf = ArmModel::urdfOf("tm5-900");
+  const auto refused = ArmModel::fromUrdf(urdf + urdf);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("This is not a URDF: "));
+  EXPECT_FALSE(ArmModel::fromUrdf(urdf + '\0' + urdf));
+  EXPECT_FALSE(withPrefix(urdf + urdf, "left_"));
+  EXPECT_TRUE(ArmModel::fromUrdf(urdf + "<!-- a comment -->\n"));
+}
+
+TEST(Urdf, isRefusedWithoutHarmWhateverBytesItHas) {
+  for (const std::string& text : test_support::foreignTexts()) {
+    for (const char* place : {"robot name=\"tm5-900", "joint name=\"elbow_joint",
+                              "joint name=\"shoulder_1_joint", "link name=\"link_2", "link name=\"base",
+                              "child link=\"link_3", "type=\"revolute", "xyz=\"0 0 0.1452"}) {
+      const std::string whole = place;
+      const std::string urdf =
+          replaced(ArmModel::urdfOf("tm5-900"), whole, whole.substr(0, whole.find('"') + 1) + text);
+      const auto arm = ArmModel::fromUrdf(urdf);
+      if (!arm) {
+        EXPECT_THAT(arm.error().message, test_support::IsHarmless());
+      }
+      const auto prefixed = withPrefix(urdf, text);
+      if (!prefixed) {
+        EXPECT_THAT(prefixed.error().message, test_support::IsHarmless());
+      }
+    }
+    const auto named = ArmModel::named(text);
+    EXPECT_THAT(named.error().message, test_support::IsHarmless());
+    EXPECT_THAT(ArmModel::fromUrdf(text).error().message, test_support::IsHarmless());
+  }
+}
+
 TEST(Urdf, everyPrefixOfTheTextIsRefused) {
   const std::string& urdf = ArmModel::urdfOf("tm5-900");
   const std::size_t complete = urdf.rfind("</robot>") + std::string("</robot>").size();
@@ -121,6 +178,13 @@ TEST(Urdf, aRingOfLinksBesideTheTreeIsRefused) {
   const auto refused = ArmModel::fromUrdf(urdf);
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("no chain of joints"));
+}
+
+TEST(Urdf, mayHaveAColourThatIsNotDefined) {
+  const auto arm = ArmModel::fromUrdf(
+      replaced(ArmModel::urdfOf("tm5-900"),
+               "<material name=\"white\"><color rgba=\"0.93 0.93 0.92 1\"/></material>", ""));
+  EXPECT_TRUE(arm) << arm.error().message;
 }
 
 TEST(Urdf, otherLengthsMakeAnotherArmOfTheFamily) {

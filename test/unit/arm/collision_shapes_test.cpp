@@ -1,6 +1,7 @@
 #include "cobot_command/arm/collision_shapes.h"
 
 #include "arm_test_support.h"
+#include "foreign_bytes.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -98,9 +99,19 @@ TEST(CollisionShapes, areRefusedWhereTheyMoveByThemselves) {
 }
 
 TEST(CollisionShapes, areRefusedWhereALengthIsNone) {
-  for (const char* geometry : {R"(<sphere radius="-1"/>)", R"(<sphere radius="0"/>)",
-                               R"(<box size="1 0 1"/>)", R"(<cylinder radius="1" length="-1"/>)"}) {
+  for (const char* geometry :
+       {R"(<sphere radius="-1"/>)", R"(<sphere radius="0"/>)", R"(<sphere radius="1e300"/>)",
+        R"(<box size="1 0 1"/>)", R"(<cylinder radius="1" length="-1"/>)"}) {
     EXPECT_THAT(refusalOf(urdfWith(linkOf(geometry) + jointOf("fixed"))), HasSubstr("camera")) << geometry;
+  }
+}
+
+TEST(CollisionShapes, areRefusedWithoutHarmWhateverBytesTheyHave) {
+  for (const std::string& text : test_support::foreignTexts()) {
+    EXPECT_THAT(refusalOf(urdfWith(linkOf("<mesh filename=\"" + text + "\"/>") + jointOf("fixed"))),
+                test_support::IsHarmless());
+    EXPECT_THAT(refusalOf(urdfWith(linkOf("<sphere radius=\"" + text + "\"/>") + jointOf("fixed"))),
+                test_support::IsHarmless());
   }
 }
 
