@@ -223,6 +223,8 @@ SettingTable controllerTable(Settings& s) {
        "what the project does when a motion cannot be made"},
       {"checks_payload", flag(s.checks_payload),
        "a motion fails when tool and load are more than the model carries", "any-payload"},
+      {"accept_zero_ramp", flag(s.accept_zero_ramp),
+       "a time to top speed of 0 is the shortest ramp that the arm allows; else such a motion fails"},
       {"safety_limits", safetyLimits(s.safety_limits),
        "of joints, as Safety_Joint_Angle_Min and Safety_Joint_Angle_Max tell them; of others those of the "
        "model",

@@ -14,6 +14,7 @@ MotionQueue::Options queueOptions(const Settings& settings) {
   MotionQueue::Options options;
   options.stop_time = std::max(settings.stop_time, Duration::zero());
   options.checks_payload = settings.checks_payload;
+  options.accept_zero_ramp = settings.accept_zero_ramp;
   options.live_speed = settings.project_speed_live;
   options.pvt_lag = std::max(settings.pvt_lag, Duration::zero());
   return options;

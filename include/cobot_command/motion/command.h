@@ -23,8 +23,8 @@ struct PoseTarget {
 /// A move in joint space, all joints starting and ending together.
 struct Ptp {
   std::variant<arm::JointVector, PoseTarget> target;
-  double speed_ratio = 1.0;  ///< (0, 1] of the rated joint speeds
-  Duration time_to_top_speed{};
+  double speed_ratio = 1.0;      ///< (0, 1] of the rated joint speeds
+  Duration time_to_top_speed{};  ///< here and below: zero for the shortest that the arm allows
 };
 
 /// The highest speed of a TCP that a script can ask for [m/s] (thesis table 5.3.2.3).

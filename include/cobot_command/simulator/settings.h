@@ -63,6 +63,8 @@ struct Settings {
   Duration data_timeout{};
   /// Does a motion fail when tool and load are more than the model carries?
   bool checks_payload = true;
+  /// Is a time to top speed of 0 taken, as the shortest ramp that the arm allows? Else it is a robot error.
+  bool accept_zero_ramp = true;
   /// Between which angles the safety functions let joints be, as the status port tells them, by the index of
   /// the joint; of others those of the model. The arm is not stopped by them.
   std::map<std::size_t, arm::JointLimit> safety_limits;

@@ -7,6 +7,7 @@
 #include "curves/half_turn.h"
 #include "curves/tcp_path.h"
 #include "paths/path_trajectory.h"
+#include "profiles/ramp_time.h"
 #include "profiles/trapezoid.h"
 
 namespace cobot_command::motion {
@@ -25,7 +26,8 @@ Result<TrajectoryPtr, Refusal> planPath(const arm::ArmModel& arm, const arm::Joi
   }
   const double travel =
       timeAtTopSpeed(arm, path.length(), path.turn(), request.speed, setting.speed_override);
-  auto profile = std::make_shared<const Trapezoid>(travel, toSeconds(request.time_to_top_speed));
+  const double share = shareOfFullSpeed(arm, path.length(), path.turn(), request.speed);
+  auto profile = std::make_shared<const Trapezoid>(travel, rampTime(request.time_to_top_speed, share));
   const AskedSpeed asked = askedSpeed(request.speed, path.length(), travel * setting.speed_override);
   return follow(arm, start, {std::make_shared<const TcpPath>(path), std::move(profile), request.name, asked},
                 setting);

@@ -8,6 +8,7 @@
 #include "curves/twist_path.h"
 #include "paths/path_refusals.h"
 #include "paths/path_trajectory.h"
+#include "profiles/ramp_time.h"
 #include "profiles/trapezoid.h"
 #include <fmt/format.h>
 
@@ -82,7 +83,8 @@ Result<TrajectoryPtr, Refusal> planPLine(const arm::ArmModel& arm, const arm::Jo
   }
   const double time =
       timeAtTopSpeed(arm, way.head<3>().norm(), way.tail<3>().norm(), line.speed, setting.speed_override);
-  const double ramp = toSeconds(line.time_to_top_speed);
+  const double share = shareOfFullSpeed(arm, way.head<3>().norm(), way.tail<3>().norm(), line.speed);
+  const double ramp = rampTime(line.time_to_top_speed, share);
   Chain chain{TwistPath(from),
               Trapezoid(time, ramp),
               PathRate::Zero(),

@@ -6,6 +6,7 @@
 #include "curves/half_turn.h"
 #include "kinds/joint_trajectory.h"
 #include "paths/input_check.h"
+#include "profiles/ramp_time.h"
 #include "profiles/trapezoid.h"
 #include <fmt/format.h>
 
@@ -70,7 +71,7 @@ Result<TrajectoryPtr, Refusal> planPtp(const arm::ArmModel& arm, const arm::Join
     return refuse(std::move(target.error()));
   }
   const double travel = timeAtRatedSpeed(arm, *target - start) / (ptp.speed_ratio * setting.speed_override);
-  auto profile = std::make_shared<const Trapezoid>(travel, toSeconds(ptp.time_to_top_speed));
+  auto profile = std::make_shared<const Trapezoid>(travel, rampTime(ptp.time_to_top_speed, ptp.speed_ratio));
   if (auto too_long = checkDuration(profile->duration())) {
     return refuse(std::move(*too_long));
   }

@@ -78,11 +78,12 @@ Finding checkSpeed(const PathSpeed& speed) {
 }
 
 Finding checkRamp(Duration time_to_top_speed) {
-  if (time_to_top_speed > Duration::zero()) {
+  if (time_to_top_speed >= Duration::zero()) {
     return std::nullopt;
   }
   return refusal(Reason::BadParameter,
-                 fmt::format("the time to top speed is {:.6g} ms, it must be above 0: give a longer time",
+                 fmt::format("the time to top speed is {:.6g} ms, it must not be negative: give a time, or 0 "
+                             "for the shortest that the arm allows",
                              1e3 * toSeconds(time_to_top_speed)));
 }
 

@@ -132,4 +132,9 @@ double timeAtTopSpeed(const arm::ArmModel& arm, double length, double turn, cons
   return std::max(length / linear, turn / angular) / speed_override;
 }
 
+double shareOfFullSpeed(const arm::ArmModel& arm, double length, double turn, const PathSpeed& speed) {
+  const double time = timeAtTopSpeed(arm, length, turn, speed, 1.0);
+  return time > 0.0 ? timeAtTopSpeed(arm, length, turn, SpeedRatio{1.0}, 1.0) / time : 1.0;
+}
+
 }  // namespace cobot_command::motion

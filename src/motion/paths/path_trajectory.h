@@ -44,4 +44,8 @@ struct TimedCurve {
 [[nodiscard]] double timeAtTopSpeed(const arm::ArmModel& arm, double length, double turn,
                                     const PathSpeed& speed, double speed_override);
 
+/// What that top speed is of the one at 100 %: above 1 where a speed in mm/s is; 1 of no way.
+[[nodiscard]] double shareOfFullSpeed(const arm::ArmModel& arm, double length, double turn,
+                                      const PathSpeed& speed);
+
 }  // namespace cobot_command::motion

@@ -1,5 +1,6 @@
 #include "queue/motion_planner.h"
 
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,33 @@ motion::Setting motionSetting(const ToolAndBase& setting, double speed_override)
   return {setting.base, setting.tcp, speed_override};
 }
 
+template <class Kind, class = void>
+struct HasRamp : std::false_type {};
+template <class Kind>
+struct HasRamp<Kind, std::void_t<decltype(Kind::time_to_top_speed)>> : std::true_type {};
+
+bool hasZeroRamp(const motion::Command& command) {
+  return std::visit(
+      [](const auto& kind) {
+        if constexpr (HasRamp<std::decay_t<decltype(kind)>>::value) {
+          return kind.time_to_top_speed == Duration::zero();
+        } else {
+          return false;
+        }
+      },
+      command);
+}
+
+/// As of any number that the controller does not take.
+RobotError zeroRamp() {
+  motion::Refusal refusal;
+  refusal.reason = motion::Refusal::Reason::BadParameter;
+  refusal.message =
+      "the time to top speed is 0 ms, which this controller does not take: give a longer one, or set "
+      "accept_zero_ramp";
+  return robotErrorFor(refusal, false);
+}
+
 bool isUnreachable(const Result<motion::TrajectoryPtr, motion::Refusal>& planned) {
   return !planned && planned.error().reason == motion::Refusal::Reason::Unreachable;
 }
@@ -52,6 +80,7 @@ Result<ArmMotion, RobotError> MotionPlanner::plan(const arm::JointVector& start,
   if (auto too_heavy = overloadBy(setting)) return refuse(std::move(*too_heavy));
   const auto command = planning::toMotion(request);
   if (!command) return refuse(robotErrorFor(command.error(), false));
+  if (!options_.accept_zero_ramp && hasZeroRamp(*command)) return refuse(zeroRamp());
   const motion::Setting with = motionSetting(setting, speed_override);
   const auto planned = motion::plan(arm_, start, *command, with);
   if (planned) {

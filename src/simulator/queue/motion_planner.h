@@ -17,11 +17,12 @@ namespace cobot_command::simulator {
 class MotionPlanner {
  public:
   struct Options {
-    Duration stop_time{};         ///< from one velocity to another
-    bool checks_payload = true;   ///< no motion with more than the model carries
-    double speed_override = 1.0;  ///< project speed, (0, 1]
-    bool live_speed = false;      ///< it counts for what is under way, too
-    Duration pvt_lag{};           ///< by which the arm follows a PVT late
+    Duration stop_time{};          ///< from one velocity to another
+    bool checks_payload = true;    ///< no motion with more than the model carries
+    bool accept_zero_ramp = true;  ///< a time to top speed of 0 is the shortest that the arm allows
+    double speed_override = 1.0;   ///< project speed, (0, 1]
+    bool live_speed = false;       ///< it counts for what is under way, too
+    Duration pvt_lag{};            ///< by which the arm follows a PVT late
   };
 
   /// `pvt_linear`: does the arm go straight between the points of a PVT?

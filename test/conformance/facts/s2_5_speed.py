@@ -156,3 +156,10 @@ def motion_is_continuous(robot):
         mean = (one['Joint_Speed'][0] + other['Joint_Speed'][0]) / 2
         near(other['Joint_Angle'][0] - one['Joint_Angle'][0], mean * STREAM_PERIOD, 0.05,
              'deg of J1 between two frames')
+
+
+@check('TM-2.5.17', 'a time to top speed of 0, as off-line programming tools send it, is taken', '?', CHOICE, since='1.80')
+def no_time_to_top_speed(robot):
+    found = speeds(robot.observe('PTP("JPP",5,0,90,0,90,0,10,0,0,false)'), 0)
+    near(max(found), 18, 0.5, 'deg/s of J1')
+    true(robot.value('Robot_Error') in (0, False), 'a robot error')

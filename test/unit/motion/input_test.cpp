@@ -79,8 +79,8 @@ TEST(Input, refusesASpeedOutsideItsRange) {
   }
 }
 
-TEST(Input, refusesATimeToTopSpeedThatIsNotPositive) {
-  for (const Duration bad : {Duration::zero(), -milliseconds(1), Duration::min()}) {
+TEST(Input, refusesATimeToTopSpeedThatIsNegative) {
+  for (const Duration bad : {-Duration(1), -milliseconds(1), Duration::min()}) {
     EXPECT_EQ(reasonFor(ptp(0.5, bad)), Reason::BadParameter);
     EXPECT_EQ(reasonFor(line(SpeedRatio{0.1}, bad)), Reason::BadParameter);
   }

@@ -211,7 +211,7 @@ TEST(PLine, isRefusedAsALineIs) {
       {straight(0, 0.1, 0, 4.6), Refusal::Reason::BadParameter},
       {straight(0, NAN, 0), Refusal::Reason::NotFinite},
       {PLine{degrees(0, NAN, 0, 0, 0, 0), TcpSpeed{0.1}, milliseconds(100)}, Refusal::Reason::NotFinite},
-      {PLine{arm::Pose::Identity(), TcpSpeed{0.1}, milliseconds(0)}, Refusal::Reason::BadParameter},
+      {PLine{arm::Pose::Identity(), TcpSpeed{0.1}, milliseconds(-1)}, Refusal::Reason::BadParameter},
   };
   for (const auto& wrong : cases) {
     const auto result = plan(model(), workingPosture(), wrong.command, Setting{});

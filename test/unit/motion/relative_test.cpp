@@ -73,7 +73,7 @@ TEST(RelativeMotion, isRefusedByTheNameOfTheOffset) {
       {MovePtp{no_rotation, 0.0, milliseconds(200)}, Refusal::Reason::BadParameter,
        "orientation of the offset"},
       {MovePtp{degrees(0, 0, 0, 0, 0, 1), 0.0, milliseconds(200)}, Refusal::Reason::BadParameter, "speed"},
-      {MoveLine{{}, SpeedRatio{0.5}, milliseconds(0)}, Refusal::Reason::BadParameter, "time to top speed"},
+      {MoveLine{{}, SpeedRatio{0.5}, milliseconds(-1)}, Refusal::Reason::BadParameter, "time to top speed"},
   };
   for (const auto& wrong : cases) {
     const auto result = plan(model(), workingPosture(), wrong.command, Setting{});

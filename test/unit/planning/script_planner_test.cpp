@@ -41,6 +41,17 @@ TEST_F(ScriptPlannerTest, plansAsMotionDoes) {
   EXPECT_EQ(step.duration, (*direct)->duration());
 }
 
+TEST_F(ScriptPlannerTest, plansATimeToTopSpeedOfZeroAsTheShortestThatTheArmAllows) {
+  // As an off-line programming tool sends it.
+  for (const char* text :
+       {"PTP(\"JPP\",5,0,90,0,90,0,10,0,0,false)", "Move_Line(\"CAP\",0,0,-50,0,0,0,100,0,0,false)",
+        "Circle(\"CAP\",400,-100,300,180,0,90,380,-60,300,180,0,90,100,0,0,0,false)"}) {
+    const PlannedStep step = append(planner, text);
+    EXPECT_TRUE(step.planned) << text;
+    EXPECT_GT(step.duration, Duration::zero()) << text;
+  }
+}
+
 TEST_F(ScriptPlannerTest, givesNoTrajectoryToWhatIsNoMotion) {
   append(planner, "PTP(\"JPP\",0,0,90,0,90,0,50,200,0,false)");
   for (const char* text : {"QueueTag(1)", "ChangeBase(1,2,3,4,5,6)", "ChangeTCP(1,2,3,4,5,6)",

@@ -53,6 +53,7 @@ GivenValues others() {
           {"safeguard_resets_itself", {false}},
           {"on_motion_error", {"stop_project"}},
           {"checks_payload", {false}},
+          {"accept_zero_ramp", {false}},
           {"safety_limits", {texts({"1=-90,90", "3=-100,100.5"})}},
           {"turn_speed", {90}},
           {"joint_noise", {0.1}},
@@ -80,8 +81,8 @@ TEST(SettingsOfTheSimulator, canAllBeSet) {
   // Whoever adds a member has to count it here, and so finds the table.
   const auto& [listen_node, running, posture, start_tcp, period, format, items, clients, speed, speed_live,
                empty_length, faults, on_error, stop_time, pvt_lag, resets, reentry, connection, data, payload,
-               safety_limits, turn_speed, joint_noise, speed_noise, torque_noise, force_noise, seed, licence,
-               name, version, bases, tcps, points, variables] = settings;
+               zero_ramp, safety_limits, turn_speed, joint_noise, speed_noise, torque_noise, force_noise,
+               seed, licence, name, version, bases, tcps, points, variables] = settings;
   EXPECT_EQ(listen_node, "Listen, left");
   EXPECT_FALSE(running);
   EXPECT_TRUE(posture.isApprox(arm::toJointVector({10, 0.5, 90, 0, 90, 0})));
@@ -104,6 +105,7 @@ TEST(SettingsOfTheSimulator, canAllBeSet) {
   EXPECT_EQ(connection, 3s);
   EXPECT_EQ(data, 4500ms);
   EXPECT_FALSE(payload);
+  EXPECT_FALSE(zero_ramp);
   EXPECT_EQ(safety_limits.size(), 2U);
   EXPECT_DOUBLE_EQ(safety_limits.at(0).lower, degToRad(-90));
   EXPECT_DOUBLE_EQ(safety_limits.at(2).upper, degToRad(100.5));

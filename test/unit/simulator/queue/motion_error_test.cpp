@@ -110,6 +110,33 @@ TEST(Payload, isNotAskedForWhereTheSettingSaysSo) {
   EXPECT_FALSE(robot.state().error);
 }
 
+/// What a widespread off-line programming tool sends in every motion.
+constexpr const char* kZeroRamps =
+    "PTP(\"JPP\",5,0,90,0,90,0,10,0,0,false)\r\n"
+    "Line(\"CAP\",417.5,-60,461.05,180,0,90,100,0,0,false)\r\n"
+    "Circle(\"CAP\",427.5,-40,461.05,180,0,90,417.5,-20,461.05,180,0,90,100,0,0,0,false)";
+
+TEST(ZeroRamp, isTakenAsTheShortestThatTheArmAllows) {
+  SimulatedRobot robot;
+  const ClientId client = robot.connect();
+  robot.script(client, "1", std::string(kZeroRamps) + "\r\nQueueTag(1)");
+  robot.waitUntilIdle();
+  EXPECT_EQ(robot.heard(client), ok("1") + tag("01,true"));
+  EXPECT_FALSE(robot.state().error) << robot.state().error_text;
+}
+
+TEST(ZeroRamp, isARobotErrorWhereTheSettingSaysSo) {
+  Settings settings;
+  settings.accept_zero_ramp = false;
+  SimulatedRobot robot(settings);
+  const ClientId client = robot.connect();
+  robot.script(client, "1", std::string(kZeroRamps) + "\r\nQueueTag(1)");
+  robot.waitUntilIdle();
+  EXPECT_EQ(robot.heard(client), ok("1") + tag("01,false"));
+  EXPECT_EQ(robot.state().error_code, 0x21);
+  EXPECT_THAT(robot.state().error_text, HasSubstr("accept_zero_ramp"));
+}
+
 struct Case {
   const char* script;
   int code;
