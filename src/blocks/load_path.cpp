@@ -12,6 +12,7 @@
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/joint_path.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/path/path_planner.h"
 
 namespace cobot_command::blocks {
@@ -43,7 +44,7 @@ PathReport blaming(int index, int joint = -1) {
 StepReport blame(const PathRefusal& refusal) {
   StepReport report;
   report.error_id = refusal.error_id;
-  report.error_description = refusal.found;
+  report.error_description = forPeople(refusal.found);
   if (refusal.where) report.offending_point = arm::toControllerPose(*refusal.where);
   return report;
 }

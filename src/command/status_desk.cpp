@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/robot/diagnosis.h"
 
 namespace cobot_command::command {
@@ -53,12 +54,12 @@ void StatusDesk::describe(CommandStatus& status) const {
   if (status.link == CommandStatus::LinkState::Ready && !connect.ready()) {
     status.link = CommandStatus::LinkState::Probing;
   }
-  status.diagnosis = diagnosis();
+  status.diagnosis = forPeople(diagnosis());
   status.host = connect.target().host;
   status.port = connect.target().port;
   status.listen_node = script.listenNode();
   status.status_stream = parts_.links.status().streaming();
-  status.status_diagnosis = parts_.links.status().diagnosis();
+  status.status_diagnosis = forPeople(parts_.links.status().diagnosis());
   status.last_connected = connect.lastConnected();
   status.last_lost = connect.lastLost();
   status.commands_under_way = parts_.arbiter.turns().isAnythingThere() || next_is_planned ? 1 : 0;

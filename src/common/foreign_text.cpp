@@ -1,6 +1,7 @@
 #include "cobot_command/common/foreign_text.h"
 
 #include <algorithm>
+#include <array>
 
 #include <boost/locale/utf.hpp>
 
@@ -14,10 +15,27 @@ struct Character {
   bool shown = false;    ///< as it is
 };
 
-/// Moves the cursor, the line or the direction of writing, or stands for nothing.
+struct CodePoints {
+  CodePoint first;
+  CodePoint last;
+};
+/// They move the cursor, the line or the direction of writing, or stand for nothing.
+constexpr std::array<CodePoints, 12> kInvisible = {{{0x00, 0x1F},
+                                                    {0x7F, 0x9F},
+                                                    {0xAD, 0xAD},
+                                                    {0x61C, 0x61C},
+                                                    {0x180E, 0x180E},
+                                                    {0x200B, 0x200F},
+                                                    {0x2028, 0x202E},
+                                                    {0x2060, 0x206F},
+                                                    {0xFEFF, 0xFEFF},
+                                                    {0xFFF9, 0xFFFB},
+                                                    {0xFFFE, 0xFFFF},
+                                                    {0xE0000, 0xE007F}}};
+
 bool isInvisible(CodePoint c) {
-  return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029 || (c >= 0x200B && c <= 0x200F) ||
-         (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;
+  return std::any_of(kInvisible.begin(), kInvisible.end(),
+                     [c](const CodePoints& range) { return c >= range.first && c <= range.last; });
 }
 
 /// The character at the front. Precondition: bytes is not empty.
@@ -62,6 +80,11 @@ std::string escaped(std::string_view bytes) {
     bytes.remove_prefix(character.size);
   }
   return text;
+}
+
+std::string forPeople(std::string text) {
+  const bool is_plain = std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 0x7F; });
+  return is_plain ? text : escaped(text);
 }
 
 std::string foreignText(std::string_view bytes, std::size_t limit) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/nearest.h"
 
 namespace cobot_command {
@@ -42,7 +43,7 @@ Given numbersIn(const std::string& text) {
 }  // namespace
 
 std::string describe(const SettingFault& fault) {
-  return fmt::format("{}; allowed: {}", fault.found, fault.allowed);
+  return forPeople(fmt::format("{}; allowed: {}", fault.found, fault.allowed));
 }
 
 std::string allowedBy(const SettingKind& kind) {

@@ -219,8 +219,8 @@ YAML::Node YamlMap::listOf(const char* key, std::size_t most, const char* entrie
 }
 
 std::string describe(const FileFault& fault) {
-  return fault.line == 0 ? fmt::format("{}: {}", fault.file, fault.what)
-                         : fmt::format("{}:{}: {}", fault.file, fault.line, fault.what);
+  return forPeople(fault.line == 0 ? fmt::format("{}: {}", fault.file, fault.what)
+                                   : fmt::format("{}:{}: {}", fault.file, fault.line, fault.what));
 }
 
 FileFault faultOf(const std::string& name, const YamlFault& fault) {

@@ -5,6 +5,7 @@
 #include "node_arguments.h"
 #include <ros/ros.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/mechanism/mechanism_node.h"
 #include "cobot_command/ros/shared/node_end.h"
 
@@ -24,13 +25,13 @@ int serve(int argc, char** argv) {
   const auto parameters = ros_adapter::readMechanismParameters(ros_adapter::givenParameters(node, self));
   if (end.isAskedFor()) return 0;  // whatever was read by then
   if (!parameters) {
-    ROS_FATAL_STREAM(parameters.error().message);
+    ROS_FATAL_STREAM(cobot_command::forPeople(parameters.error().message));
     return 2;
   }
-  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(warning);
+  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(cobot_command::forPeople(warning));
   const auto mechanism = ros_adapter::MechanismNode::of(node, *parameters);
   if (!mechanism) {
-    ROS_FATAL_STREAM("~artifact, ~mechanism: " << mechanism.error());
+    ROS_FATAL_STREAM("~artifact, ~mechanism: " << cobot_command::forPeople(mechanism.error()));
     return 2;
   }
   end.serve([](const auto& begun) { begun(); });

@@ -3,6 +3,7 @@
 #include "node_arguments.h"
 #include <ros/ros.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/cell_watch/monitor_node.h"
 #include "cobot_command/ros/shared/node_end.h"
 
@@ -22,12 +23,12 @@ int serve(int argc, char** argv) {
   const auto parameters = ros_adapter::readMonitorParameters(node, self);
   if (end.isAskedFor()) return 0;  // whatever was read by then
   if (!parameters) {
-    ROS_FATAL_STREAM(parameters.error().message);
+    ROS_FATAL_STREAM(cobot_command::forPeople(parameters.error().message));
     return 2;
   }
   const auto monitor = ros_adapter::MonitorNode::of(node, self, *parameters);
   if (!monitor) {
-    for (const std::string& fault : monitor.error()) ROS_FATAL_STREAM(fault);
+    for (const std::string& fault : monitor.error()) ROS_FATAL_STREAM(cobot_command::forPeople(fault));
     return 2;
   }
   end.serve([](const auto& begun) { begun(); });

@@ -6,6 +6,7 @@
 #include "node_arguments.h"
 #include <ros/ros.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/node_end.h"
 #include "cobot_command/ros/supervision/supervisor_node.h"
 #include "cobot_command/ros/supervision/supervisor_parameters.h"
@@ -26,20 +27,20 @@ int serve(int argc, char** argv) {
   const auto parameters = ros_adapter::readSupervisorParameters(ros_adapter::givenParameters(node, self));
   if (end.isAskedFor()) return 0;  // whatever was read by then
   if (!parameters) {
-    ROS_FATAL_STREAM(parameters.error().message);
+    ROS_FATAL_STREAM(cobot_command::forPeople(parameters.error().message));
     return 2;
   }
-  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(warning);
+  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(cobot_command::forPeople(warning));
   // Its services would take the place of those of the first one, without a word.
   const std::string hold = node.resolveName("hold");
   if (ros::service::exists(hold, false)) {
-    ROS_FATAL_STREAM("a supervisor serves " << hold
+    ROS_FATAL_STREAM("a supervisor serves " << cobot_command::forPeople(hold)
                                             << " already: stop it, or give this cell another namespace");
     return 2;
   }
   auto supervisor = cobot_command::runtime::CellSupervisor::open(parameters->files, parameters->policy);
   if (!supervisor) {
-    ROS_FATAL_STREAM("~artifact, ~journal, ~cell_file: " << supervisor.error());
+    ROS_FATAL_STREAM("~artifact, ~journal, ~cell_file: " << cobot_command::forPeople(supervisor.error()));
     return 2;
   }
   const ros_adapter::SupervisorNode supervisor_node(node, self, std::move(*supervisor));

@@ -5,6 +5,7 @@
 #include "node_arguments.h"
 #include <ros/ros.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/cell/cell_seat.h"
 #include "cobot_command/ros/shared/node_end.h"
 
@@ -24,14 +25,14 @@ int serve(int argc, char** argv) {
   auto parameters = ros_adapter::readCommandParameters(node, self, [&] { return end.isAskedFor(); });
   if (end.isAskedFor()) return 0;  // whatever was read by then
   if (!parameters) {
-    ROS_FATAL_STREAM(parameters.error().message);
+    ROS_FATAL_STREAM(cobot_command::forPeople(parameters.error().message));
     return 2;
   }
   std::unique_ptr<ros_adapter::CellSeat> seat;
   if (!parameters->cell.cell.empty()) {
     auto taken = ros_adapter::CellSeat::of(parameters->cell, parameters->robot_model);
     if (!taken) {
-      ROS_FATAL_STREAM("~cell_artifact, ~cell_robot: " << taken.error());
+      ROS_FATAL_STREAM("~cell_artifact, ~cell_robot: " << cobot_command::forPeople(taken.error()));
       return 2;
     }
     seat = std::move(*taken);

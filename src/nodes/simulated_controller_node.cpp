@@ -5,6 +5,7 @@
 #include "node_arguments.h"
 #include <ros/ros.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/node_end.h"
 
 namespace {
@@ -24,12 +25,12 @@ int serve(int argc, char** argv) {
   auto parameters = ros_adapter::readSimulatorParameters(node, self);
   if (end.isAskedFor()) return 0;  // whatever was read by then
   if (!parameters) {
-    ROS_FATAL_STREAM(parameters.error().message);
+    ROS_FATAL_STREAM(cobot_command::forPeople(parameters.error().message));
     return 2;
   }
   ros_adapter::SimulatedControllerNode controller(self, std::move(*parameters));
   if (const auto started = controller.start(); !started) {
-    ROS_FATAL_STREAM(started.error().message);
+    ROS_FATAL_STREAM(cobot_command::forPeople(started.error().message));
     return started.error().kind == SimulatorError::Kind::BadOption ? 2 : 1;
   }
   end.serve([](const auto& begun) { begun(); });

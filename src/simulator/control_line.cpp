@@ -11,6 +11,8 @@
 #include "settings_text.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/given.h"
+
 namespace cobot_command::simulator {
 
 namespace {
@@ -73,27 +75,27 @@ Read eitherOr(Words& words, const char* yes, const char* no) {
   const std::string word = words.next();
   if (word == yes) return Action{true};
   if (word == no) return Action{false};
-  return refuse(fmt::format("\"{}\": say {} or {}", word, yes, no));
+  return refuse(fmt::format("{}: say {} or {}", quoted(word), yes, no));
 }
 
 Read readSpeed(Words& words) {
   const std::string word = words.next();
   const auto percent = toInt(word);
-  if (!percent) return refuse(fmt::format("\"{}\": give the speed in %, 5 to 100", word));
+  if (!percent) return refuse(fmt::format("{}: give the speed in %, 5 to 100", quoted(word)));
   return SetProjectSpeed{*percent};
 }
 
 Read readError(Words& words) {
   const std::string word = words.next();
   const auto code = toInt(word);
-  if (!code) return refuse(fmt::format("\"{}\": give a code such as 0x14058, and a text", word));
+  if (!code) return refuse(fmt::format("{}: give a code such as 0x14058, and a text", quoted(word)));
   return RaiseError{*code, words.rest()};
 }
 
 Read readInput(Words& words) {
   const std::string name = words.next();
   const auto module = script::ioModule(name);
-  if (!module) return refuse(fmt::format("\"{}\": the modules are ControlBox and EndModule", name));
+  if (!module) return refuse(fmt::format("{}: the modules are ControlBox and EndModule", quoted(name)));
   const auto index = toInt(words.next());
   const auto value = toInt(words.next());
   if (!index || !value || (*value != 0 && *value != 1)) {
@@ -109,7 +111,7 @@ Read readFrame(Words& words) {
   auto named = parseNamedList(text);
   Action action;
   if (!named || named->second.size() != action.value.size()) {
-    return refuse(fmt::format("\"{}\": give NAME=x,y,z,rx,ry,rz [mm, deg]", text));
+    return refuse(fmt::format("{}: give NAME=x,y,z,rx,ry,rz [mm, deg]", quoted(text)));
   }
   action.name = std::move(named->first);
   std::copy(named->second.begin(), named->second.end(), action.value.begin());
@@ -122,9 +124,9 @@ Read readLoad(Words& words) {
   const std::size_t count = named ? named->second.size() : 0;
   if (count != 1 && count != 4 && count != 10) {
     return refuse(
-        fmt::format("\"{}\": give NAME=kg, or NAME=kg,ixx,iyy,izz [kg mm^2], or these and "
+        fmt::format("{}: give NAME=kg, or NAME=kg,ixx,iyy,izz [kg mm^2], or these and "
                     "x,y,z,rx,ry,rz [mm, deg] of the mass centre in the TCP",
-                    text));
+                    quoted(text)));
   }
   const auto& numbers = named->second;
   SetLoad load{std::move(named->first), numbers[0], {}, {}};
@@ -148,7 +150,7 @@ Result<SetFault, std::string> faultIn(Words& words) {
   if (count.empty()) return order;
   const auto number = toInt(count);
   if (!number) {
-    return refuse(fmt::format("\"{}\": give a count, 0 for until it is turned off; or off", count));
+    return refuse(fmt::format("{}: give a count, 0 for until it is turned off; or off", quoted(count)));
   }
   order.count = *number;
   const std::string value = words.rest();
@@ -157,7 +159,7 @@ Result<SetFault, std::string> faultIn(Words& words) {
     return order;
   }
   const auto seconds = toDouble(value);
-  if (!seconds) return refuse(fmt::format("\"{}\": give the delay in seconds", value));
+  if (!seconds) return refuse(fmt::format("{}: give the delay in seconds", quoted(value)));
   order.seconds = *seconds;
   return order;
 }
@@ -214,12 +216,14 @@ Read read(const std::string& name, Words& words) {
   const auto* const command = std::find_if(std::begin(kCommands), std::end(kCommands),
                                            [&](const Command& known) { return name == known.name; });
   if (command == std::end(kCommands)) {
-    return refuse(fmt::format("unknown command \"{}\": help lists them", name));
+    return refuse(fmt::format("unknown command {}: help lists them", quoted(name)));
   }
   Read action = command->read(words);
   if (!action) return action;
   const std::string left = words.rest();
-  if (!left.empty()) return refuse(fmt::format("{} takes no \"{}\": help lists the arguments", name, left));
+  if (!left.empty()) {
+    return refuse(fmt::format("{} takes no {}: help lists the arguments", name, quoted(left)));
+  }
   return action;
 }
 
@@ -229,7 +233,7 @@ Result<SetFault, std::string> parseFault(const std::string& text) {
   Words words(text);
   auto order = faultIn(words);
   const std::string left = words.rest();
-  if (order && !left.empty()) return refuse(fmt::format("there is a \"{}\" too much", left));
+  if (order && !left.empty()) return refuse(fmt::format("there is a {} too much", quoted(left)));
   return order;
 }
 

@@ -9,6 +9,8 @@
 #include "status_port/item_table.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/given.h"
+
 namespace cobot_command::simulator {
 
 namespace {
@@ -35,7 +37,7 @@ Complaint checkLines(SetFault& order) {
   for (std::string number; std::getline(numbers, number, ';');) {
     const bool digits =
         !number.empty() && number.size() <= 6 && number.find_first_not_of("0123456789") == std::string::npos;
-    if (!digits) return fmt::format("lines \"{}\": give line numbers such as 1;3", order.text);
+    if (!digits) return fmt::format("lines {}: give line numbers such as 1;3", quoted(order.text));
   }
   return std::nullopt;
 }
@@ -45,7 +47,7 @@ Complaint checkCode(SetFault& order) {
   for (const char* code : {"00", "01", "02", "03", "04", "F1"}) {
     if (order.text == code) return std::nullopt;
   }
-  return fmt::format("code \"{}\": allowed are 00, 01, 02, 03, 04, F1", order.text);
+  return fmt::format("code {}: allowed are 00, 01, 02, 03, 04, F1", quoted(order.text));
 }
 
 Complaint checkUncounted(SetFault& order) {
@@ -58,7 +60,7 @@ Complaint checkItems(SetFault& order) {
   bool any = false;
   for (std::string name; names >> name; any = true) {
     if (!isItem(name)) {
-      return fmt::format("there is no item \"{}\"; names stand with blanks between them", name);
+      return fmt::format("there is no item {}; names stand with blanks between them", quoted(name));
     }
   }
   if (!any) return std::string("give the names of the items, with blanks between them");
@@ -166,7 +168,7 @@ std::optional<Found> find(FaultSwitches& faults, std::string_view name) {
 }
 
 std::string unknown(const std::string& name) {
-  std::string message = fmt::format("unknown fault \"{}\"; known are", name);
+  std::string message = fmt::format("unknown fault {}; known are", quoted(name));
   for (const KnownFault& fault : knownFaults()) message.append(" ").append(fault.name);
   return message;
 }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::simulator {
 
 namespace {
@@ -128,7 +130,7 @@ OperatorReply OperatorDesk::act(const SetProjectSpeed& action) {
 
 OperatorReply OperatorDesk::act(const RaiseError& action) {
   if (action.code == 0) return notDone("error code 0 means no error: give another");
-  parts_.queue.raise({action.code, action.text}, now_);
+  parts_.queue.raise({action.code, foreignText(action.text)}, now_);
   return done(fmt::format("the robot is in error 0x{:X}", action.code));
 }
 

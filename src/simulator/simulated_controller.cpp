@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::simulator {
 
@@ -102,6 +103,7 @@ void SimulatedController::Impl::streamStatus() {
 OperatorReply SimulatedController::Impl::operate(const OperatorAction& action, Instant now) {
   advance(now);
   OperatorReply reply = operator_.operate(action, now_);
+  reply.text = forPeople(std::move(reply.text));
   outbox_.log("operator: " + reply.text);
   settle();
   return reply;

@@ -166,7 +166,8 @@ std::optional<TextFault> takeLine(Reading& reading, FileFrame& frame, const std:
 }  // namespace
 
 std::string describe(const TextFault& fault) {
-  return fmt::format("{}, \"{}\": {}", fault.place, foreignText(fault.text, kQuoteLimit), fault.reason);
+  return forPeople(
+      fmt::format("{}, \"{}\": {}", fault.place, foreignText(fault.text, kQuoteLimit), fault.reason));
 }
 
 Result<DataTables, TextFault> readLists(const TableLists& lists, const Payload& payload) {

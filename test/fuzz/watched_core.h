@@ -141,6 +141,7 @@ class WatchedCore {
   static void requireText(const std::string& text) {
     REQUIRE(text.size() <= kLongestText);
     REQUIRE(isUtf8(text));
+    REQUIRE(escaped(text) == text);
   }
   static void requireTexts(const blocks::SequenceReport* report) {
     if (report == nullptr) return;

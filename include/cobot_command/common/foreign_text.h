@@ -25,6 +25,11 @@ inline constexpr std::size_t kCutMark = 3;
 /// four times as long.
 [[nodiscard]] std::string escaped(std::string_view bytes);
 
+/// A whole line of a log, error, answer or message on its way out: what is foreign in it does no harm, even
+/// where it was not put in as foreignText(). Not bounded. Every sink of texts goes through it: the boards of
+/// the core, the log of the simulated controller, what nodes and programs print (test/checks/check_texts.py).
+[[nodiscard]] std::string forPeople(std::string text);
+
 [[nodiscard]] bool isUtf8(std::string_view bytes);
 /// Of ASCII.
 [[nodiscard]] constexpr bool isControl(char c) {

@@ -15,6 +15,10 @@ struct Fault {
   std::string reason;
 };
 
+/// What the script itself has in the reason comes out as foreign text, and no reason is longer than a few
+/// lines.
+[[nodiscard]] Fault faultOf(int line, std::string_view reason);
+
 struct ParsedScript {
   Script statements;          ///< of the lines without fault
   std::vector<Fault> faults;  ///< in the order of the lines, one for each

@@ -21,7 +21,7 @@ struct Fault {
 
 template <class... Values>
 [[noreturn]] void fail(fmt::format_string<Values...> text, Values&&... values) {
-  throw Fault{fmt::format(text, std::forward<Values>(values)...)};
+  throw Fault{forPeople(fmt::format(text, std::forward<Values>(values)...))};
 }
 
 const json& member(const json& object, const char* key, json::value_t kind, std::string_view place) {

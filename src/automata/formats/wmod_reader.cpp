@@ -22,8 +22,8 @@ struct Fault {
 
 template <class... Values>
 [[noreturn]] void fail(const XMLElement& element, fmt::format_string<Values...> text, Values&&... values) {
-  throw Fault{
-      fmt::format("line {}: {}", element.GetLineNum(), fmt::format(text, std::forward<Values>(values)...))};
+  throw Fault{forPeople(
+      fmt::format("line {}: {}", element.GetLineNum(), fmt::format(text, std::forward<Values>(values)...)))};
 }
 
 std::string attribute(const XMLElement& element, const char* name) {

@@ -8,6 +8,7 @@
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/robot_failure.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::blocks {
 
@@ -117,7 +118,7 @@ void PickAndPlaceRun::commandRefused(CommandKey /*key*/, const Failure& failure,
 void PickAndPlaceRun::failStep(int error_id, Failure step_failure, const std::string& remedy, Instant now) {
   StepReport& report = found_.steps[step_];
   report.error_id = step_failure.error_id;
-  report.error_description = step_failure.found;
+  report.error_description = forPeople(step_failure.found);
   const char* part = state_ == State::Setting   ? "the output of "
                      : state_ == State::Waiting ? "the input of "
                                                 : "";

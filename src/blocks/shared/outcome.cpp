@@ -10,12 +10,14 @@
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/blocks/shared/failure.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::blocks {
 namespace {
 
 std::string describe(const ErrorEntry& entry, const std::string& found) {
-  return found.empty() ? std::string(entry.description) : fmt::format("{}: {}", entry.description, found);
+  if (found.empty()) return std::string(entry.description);
+  return forPeople(fmt::format("{}: {}", entry.description, found));
 }
 
 /// A missing row is a fault of this layer; but who commands a robot has to get an answer all the same.
@@ -73,7 +75,7 @@ Outcome toOutcome(Block block, Ending ending, const Failure& failure) {
   outcome.ending = ending;
   outcome.error_id = id;
   outcome.error_description = describe(entry, failure.found);
-  outcome.remedy = failure.remedy.empty() ? entry.remedy : failure.remedy;
+  outcome.remedy = failure.remedy.empty() ? entry.remedy : forPeople(failure.remedy);
   outcome.detail = failure.detail;
   outcome.refused_lines = failure.refused_lines;
   return outcome;
@@ -90,7 +92,7 @@ Failure failureOf(Block block, const Outcome& outcome) {
 Outcome commandAborted(std::string why) {
   Outcome outcome;
   outcome.ending = Ending::CommandAborted;
-  outcome.error_description = std::move(why);
+  outcome.error_description = forPeople(std::move(why));
   return outcome;
 }
 

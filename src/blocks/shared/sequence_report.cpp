@@ -6,6 +6,7 @@
 
 #include "cobot_command/blocks/shared/error_catalogue.h"
 #include "cobot_command/blocks/shared/error_ids.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::blocks {
 
@@ -14,7 +15,7 @@ SequenceReport blaming(std::size_t step, int error_id, std::string error_descrip
   report.failed_step = static_cast<int>(step);
   report.steps.resize(step + 1);
   report.steps.back().error_id = error_id;
-  report.steps.back().error_description = std::move(error_description);
+  report.steps.back().error_description = forPeople(std::move(error_description));
   return report;
 }
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::cell {
 
 namespace {
@@ -32,7 +34,7 @@ std::string describe(const Fault& fault) {
   if (fault.line > 0) text += fmt::format(":{}:{}", fault.line, fault.column);
   text += fmt::format(": {} {}", fault.field.empty() ? "the file" : fault.field, part(fault.found));
   if (!fault.allowed.empty()) text += "; allowed: " + part(fault.allowed);
-  return text + "; " + part(fault.advice);
+  return forPeople(text + "; " + part(fault.advice));
 }
 
 std::string joined(const std::string& field, const std::string& part) {

@@ -4,6 +4,7 @@
 
 #include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/failure.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::command {
 namespace {
@@ -99,6 +100,7 @@ void OutputBoard::progress(blocks::Block block, blocks::GoalId goal, blocks::Pro
     of(block).active = progress.phase == blocks::Phase::Active || progress.phase == blocks::Phase::Dwelling ||
                        progress.phase == blocks::Phase::Connected;
   }
+  progress.text = forPeople(std::move(progress.text));
   actions_.push_back(GoalProgressed{block, goal, std::move(progress)});
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cobot_command/common/deadline.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::command {
 
@@ -68,7 +69,7 @@ bool Links::isTraced(link::Channel channel) const {
 
 void Links::trace(Instant now, link::Channel channel, bool sent, std::string_view bytes,
                   std::string meaning) {
-  actions_.emplace_back(FrameTraced{now, channel, sent, std::string(bytes), std::move(meaning)});
+  actions_.emplace_back(FrameTraced{now, channel, sent, std::string(bytes), forPeople(std::move(meaning))});
 }
 
 }  // namespace cobot_command::command

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::command {
 namespace {
 
@@ -33,6 +35,9 @@ const char* toString(Severity severity) {
 
 std::optional<Message> MessageBoard::raise(Message message, bool lasts) {
   if (!keeps(message.severity)) return std::nullopt;
+  for (std::string* text : {&message.origin, &message.text, &message.remedy}) {
+    *text = forPeople(std::move(*text));
+  }
   message.pending = lasts || message.severity >= Severity::Error;
   if (isPending(message)) return std::nullopt;
   message.id = ++last_id_;

@@ -9,6 +9,7 @@
 #include "cobot_command/blocks/shared/joint_path.h"
 #include "cobot_command/blocks/shared/outcome.h"
 #include "cobot_command/blocks/shared/sequence_report.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -20,8 +21,8 @@ namespace cobot_command::ros_adapter {
 template <class Result>
 void fillEnd(Result& message, const blocks::Outcome& outcome) {
   message.error_id = outcome.error_id;
-  message.error_description = outcome.error_description;
-  message.remedy = outcome.remedy;
+  message.error_description = forPeople(outcome.error_description);
+  message.remedy = forPeople(outcome.remedy);
 }
 
 /// That of a command with an id.
@@ -67,7 +68,7 @@ void fillSteps(Result& message, const blocks::SequenceReport& report, const Join
 template <class Feedback>
 void fillPhase(Feedback& message, const blocks::Progress& progress) {
   message.phase = toPhase(progress.phase);
-  message.text = progress.text;
+  message.text = forPeople(progress.text);
 }
 
 /// That of what waits for its turn.

@@ -4,6 +4,7 @@
 #include "action_parts/serve.h"
 
 #include "cobot_command/ConnectAction.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -38,7 +39,7 @@ void fill(cobot_command::ConnectFeedback& message, const blocks::Progress& progr
   message.phase = message.connected                          ? Message::CONNECTED
                   : progress.phase == blocks::Phase::Probing ? Message::PROBING
                                                              : Message::CONNECTING;
-  message.text = progress.text;
+  message.text = forPeople(progress.text);
   fillTimes(message, progress.detail, site.clocks);
 }
 

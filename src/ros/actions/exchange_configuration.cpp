@@ -5,6 +5,7 @@
 #include "action_parts/serve.h"
 
 #include "cobot_command/ExchangeConfigurationAction.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
 
@@ -27,7 +28,7 @@ void fill(cobot_command::ExchangeConfigurationResult& message, const blocks::Out
 
 void fill(cobot_command::ExchangeConfigurationFeedback& message, const blocks::Progress& progress,
           const FillSite& /*site*/) {
-  message.text = progress.text;
+  message.text = forPeople(progress.text);
   fillReport(message, progress.detail.as<blocks::ExchangeReport>());
 }
 

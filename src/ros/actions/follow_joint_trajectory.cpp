@@ -136,10 +136,10 @@ Goal readGoal(const control_msgs::FollowJointTrajectoryGoal& message, const Look
 void fill(control_msgs::FollowJointTrajectoryResult& message, const blocks::Outcome& outcome,
           const FillSite& /*site*/) {
   message.error_code = codeOf(outcome);
-  message.error_string = outcome.error_description;
+  message.error_string = forPeople(outcome.error_description);
   if (outcome.error_id == 0) return;
-  message.error_string = fmt::format("{} {}; {}", blocks::errorNumber(outcome.error_id),
-                                     outcome.error_description, outcome.remedy);
+  message.error_string = forPeople(fmt::format("{} {}; {}", blocks::errorNumber(outcome.error_id),
+                                               outcome.error_description, outcome.remedy));
 }
 
 /// Before it moves, names alone.
@@ -165,7 +165,7 @@ bool saysNothing(const control_msgs::FollowJointTrajectoryResult& result) {
 }
 template <>
 void say(control_msgs::FollowJointTrajectoryResult& result, const char* description, const char* remedy) {
-  result.error_string = fmt::format("{}; {}", description, remedy);
+  result.error_string = forPeople(fmt::format("{}; {}", description, remedy));
 }
 
 template <>

@@ -62,7 +62,7 @@ void fill(cobot_command::RunProgramFeedback& message, const blocks::Progress& pr
   message.blocked_by = stand.blocked_by;
   message.place_in_queue = static_cast<std::uint32_t>(stand.place_in_queue);
   message.waiting = toSeconds(stand.waiting);
-  message.text = progress.text;
+  message.text = forPeople(progress.text);
 }
 
 template <>

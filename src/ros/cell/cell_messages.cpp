@@ -5,6 +5,8 @@
 
 #include <ros/time.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::ros_adapter {
 namespace {
 
@@ -54,7 +56,7 @@ cobot_command::CellRobot toMessage(const cell::RobotStatus& robot) {
   message.waiting = toMessage(robot.waiting);
   message.report = robot.report;
   message.report_age = toMessage(robot.report_age);
-  message.text = robot.text;
+  message.text = forPeople(robot.text);
   return message;
 }
 
@@ -72,7 +74,7 @@ cell::RobotStatus toRobot(const cobot_command::CellRobot& message) {
   robot.waiting = toDuration(message.waiting);
   robot.report = message.report;
   robot.report_age = toDuration(message.report_age);
-  robot.text = message.text;
+  robot.text = forPeople(message.text);
   return robot;
 }
 
@@ -115,7 +117,7 @@ ReportMessage toMessage(const cell::RobotReport& report) {
   message.condition = static_cast<std::uint8_t>(report.condition);
   message.moving = report.moving ? 1 : 0;
   message.touched_zones = report.touched_zones;
-  message.text = report.text;
+  message.text = forPeople(report.text);
   return message;
 }
 
@@ -133,7 +135,7 @@ cell::RobotReport toReport(const ReportMessage& message) {
   report.condition = enumOf(message.condition, cell::RobotCondition::Unlinked, cell::RobotCondition::Error);
   report.moving = message.moving != 0;
   report.touched_zones = message.touched_zones;
-  report.text = message.text;
+  report.text = forPeople(message.text);
   return report;
 }
 
@@ -151,7 +153,7 @@ cobot_command::CellState toMessage(const cell::CellStatus& status, std::uint64_t
   message.finishing = static_cast<std::uint8_t>(status.is_finishing);
   for (const cell::RobotStatus& robot : status.robots) message.robots.push_back(toMessage(robot));
   for (const cell::ZoneStatus& zone : status.zones) message.zones.push_back(toMessage(zone));
-  message.diagnosis = status.diagnosis;
+  message.diagnosis = forPeople(status.diagnosis);
   return message;
 }
 
@@ -167,7 +169,7 @@ cell::CellStatus toStatus(const cobot_command::CellState& message) {
   status.is_finishing = message.finishing != 0;
   for (const cobot_command::CellRobot& robot : message.robots) status.robots.push_back(toRobot(robot));
   for (const cobot_command::CellZone& zone : message.zones) status.zones.push_back(toZone(zone));
-  status.diagnosis = message.diagnosis;
+  status.diagnosis = forPeople(message.diagnosis);
   return status;
 }
 

@@ -4,6 +4,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -13,7 +14,7 @@ void BaseFrames::tell(std::size_t robot, const std::string& prefix) {
   const std::string frame = prefix + "base";
   if (!told_.insert(frame).second) {
     ROS_WARN_STREAM(
-        "the base of " << known.name << " is " << frame
+        "the base of " << forPeople(known.name) << " is " << forPeople(frame)
                        << ", as that of another robot: tf is not told where it is. Give the robots "
                           "prefixes of their own.");
     return;

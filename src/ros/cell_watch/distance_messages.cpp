@@ -5,6 +5,7 @@
 #include "cell_watch/pictures/watch_view.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/units.h"
 
 namespace cobot_command::ros_adapter {
@@ -60,7 +61,7 @@ cobot_command::CellDistances toMessage(const cell::MonitorStatus& status) {
   cobot_command::CellDistances message;
   for (const cell::PairStatus& pair : status.pairs) message.pairs.push_back(toMessage(pair));
   message.alarmed = status.latched ? 1 : 0;
-  message.text = status.diagnosis;
+  message.text = forPeople(status.diagnosis);
   return message;
 }
 
@@ -77,13 +78,13 @@ void describeMonitor(diagnostic_updater::DiagnosticStatusWrapper& status, const 
                      cell::MonitorSettings::Mode mode) {
   const std::string lack = lackOf(view);
   if (view.status.latched) {
-    status.summary(Level::ERROR, view.status.diagnosis);
+    status.summary(Level::ERROR, forPeople(view.status.diagnosis));
   } else if (isBreached(view.status)) {
-    status.summary(Level::WARN, view.status.diagnosis);
+    status.summary(Level::WARN, forPeople(view.status.diagnosis));
   } else if (!lack.empty()) {
-    status.summary(Level::WARN, lack);
+    status.summary(Level::WARN, forPeople(lack));
   } else {
-    status.summary(Level::OK, view.status.diagnosis);
+    status.summary(Level::OK, forPeople(view.status.diagnosis));
   }
   status.add("mode", mode == cell::MonitorSettings::Mode::Stop ? "stop" : "warn");
   addPairs(status, view.status);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <ros/console.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/setting_kinds.h"
 
 namespace cobot_command::ros_adapter {
@@ -67,7 +68,7 @@ Result<MonitorParameters, ParameterError> readMonitorParameters(const ros::NodeH
                                                                 const ros::NodeHandle& self) {
   auto parameters = readMonitorParameters(givenParameters(node, self));
   if (!parameters) return parameters;
-  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(warning);
+  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(forPeople(warning));
   return parameters;
 }
 

@@ -39,14 +39,14 @@ void StopLine::moveTo(const std::string& space) {
 void StopLine::stop() {
   goals_.send(fmt::format("{}-{}", id_, ++sent_));
   if (isConnected()) return;
-  ROS_ERROR_STREAM(robot_ << " cannot be told to stop: nobody listens to " << goals_.topic()
-                          << ". Make sure that it stands.");
+  ROS_ERROR_STREAM(forPeople(robot_) << " cannot be told to stop: nobody listens to " << goals_.topic()
+                                     << ". Make sure that it stands.");
 }
 
 void StopLine::hear(const cobot_command::StopActionResult& message) const {
   if (message.status.goal_id.id.rfind(id_, 0) != 0) return;  // somebody else's
   if (message.result.error_id == 0) {
-    ROS_INFO_STREAM(robot_ << " stands, or takes nothing any more that moves it");
+    ROS_INFO_STREAM(forPeople(robot_) << " stands, or takes nothing any more that moves it");
   } else {
     ROS_ERROR_STREAM(robot_ << " may still move: " << foreignText(message.result.error_description) << " "
                             << foreignText(message.result.remedy));

@@ -13,6 +13,7 @@
 #include <ros/console.h>
 
 #include "cobot_command/CellDistances.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/overloaded.h"
 
 namespace cobot_command::ros_adapter {
@@ -147,7 +148,8 @@ void Watch::hear(const ros::MessageEvent<cobot_command::CellReport const>& event
   const auto mover = namespaces_.reported(name, event.getPublisherName(), steadyNow());
   if (!mover) return;
   const std::string& space = namespaces_.movers()[*mover].space;
-  ROS_WARN_STREAM(name << " reports from " << event.getPublisherName() << ", and nothing is heard where the "
+  ROS_WARN_STREAM(name << " reports from " << foreignText(event.getPublisherName())
+                       << ", and nothing is heard where the "
                        << "file of the cell has it: it is listened to in " << space << "/ now");
   stop_lines_[*mover]->moveTo(space);
   listenTo(*mover);
@@ -182,8 +184,8 @@ bool Watch::reset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Re
   const Instant now = steadyNow();
   const cell::ResetAnswer answer = monitor_.reset(now);
   response.success = answer.success ? 1 : 0;
-  response.message = answer.message;
-  ROS_INFO_STREAM("reset_monitor: " << answer.message);
+  response.message = forPeople(answer.message);
+  ROS_INFO_STREAM("reset_monitor: " << forPeople(answer.message));
   is_news_ = true;
   advance(now);
   return true;
@@ -205,15 +207,17 @@ void Watch::advance(Instant now) {
 void Watch::carryOut() {
   for (const cell::MonitorAction& action : monitor_.takeActions()) {
     std::visit(Overloaded{[this](const cell::StopAll& known) { stopAll(known.why); },
-                          [](const cell::Warning& known) { ROS_WARN_STREAM(known.text); },
-                          [](const cell::BreachEnded& known) { ROS_WARN_STREAM(sentenceOf(known.breach)); }},
+                          [](const cell::Warning& known) { ROS_WARN_STREAM(forPeople(known.text)); },
+                          [](const cell::BreachEnded& known) {
+                            ROS_WARN_STREAM(forPeople(sentenceOf(known.breach)));
+                          }},
                action);
   }
 }
 
 void Watch::stopAll(const std::string& why) {
   for (const auto& line : stop_lines_) line->stop();
-  ROS_ERROR_STREAM("All robots and mechanisms of the cell are told to stop. " << why);
+  ROS_ERROR_STREAM("All robots and mechanisms of the cell are told to stop. " << forPeople(why));
 }
 
 void Watch::tell(Instant now) {

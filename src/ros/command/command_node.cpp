@@ -23,6 +23,7 @@
 #include <ros/console.h>
 #include <std_msgs/Empty.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/overloaded.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/ros/cell/cell_seat.h"
@@ -45,14 +46,14 @@ void log(const command::LogMessage& message) {
       break;
     case command::Severity::Debug:
     case command::Severity::Info:
-      ROS_INFO_STREAM_NAMED("link", message.text);
+      ROS_INFO_STREAM_NAMED("link", forPeople(message.text));
       break;
     case command::Severity::Warning:
-      ROS_WARN_STREAM_NAMED("link", message.text);
+      ROS_WARN_STREAM_NAMED("link", forPeople(message.text));
       break;
     case command::Severity::Error:
     case command::Severity::Fatal:
-      ROS_ERROR_STREAM_NAMED("link", message.text);
+      ROS_ERROR_STREAM_NAMED("link", forPeople(message.text));
       break;
   }
 }
@@ -319,7 +320,7 @@ bool CommandNode::finish(cobot_command::Finish::Request& request, cobot_command:
     auto found = report->get();
     found.dropped += fallen;
     response.success = found.foundAny();
-    response.message = command::toText(found);
+    response.message = forPeople(command::toText(found));
   }
   return true;
 }

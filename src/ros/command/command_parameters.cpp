@@ -7,6 +7,7 @@
 #include <ros/console.h>
 #include <ros/names.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/host_name.h"
 #include "cobot_command/common/setting_kinds.h"
 #include "cobot_command/common/units.h"
@@ -83,7 +84,7 @@ std::optional<SettingFault> takeAnnouncedPorts(const ros::NodeHandle& node, Comm
   if (controller.empty()) return std::nullopt;
   const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(kAnnouncementTimeout);
   auto ports = announcedPorts(node, controller);
-  if (!ports) ROS_INFO_STREAM("waiting for the ports of " << controller);
+  if (!ports) ROS_INFO_STREAM("waiting for the ports of " << forPeople(controller));
   while (!ports) {
     if (given_up()) return untold(controller, "before the end was asked for");
     if (ros::SteadyTime::now() > deadline) {
@@ -272,7 +273,7 @@ Result<CommandParameters, ParameterError> readCommandParameters(const ros::NodeH
   const GivenParameters given = givenParameters(node, self);
   auto parameters = readCommandParameters(given);
   if (!parameters) return parameters;
-  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(warning);
+  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(forPeople(warning));
   if (const auto fault = takeAnnouncedPorts(node, *parameters, given_up)) {
     return refuse(parameterError(given, *fault));
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/list/goal.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/link/stream_items.h"
 #include "cobot_command/link/tag_ledger.h"
 #include "cobot_command/ros/command/diagnostics.h"
@@ -54,17 +55,19 @@ void describeLink(DiagnosticStatusWrapper& status, const DiagnosticsView& view) 
   const command::CommandStatus& command = view.command;
   const command::BlockOutputs* failed = failedConnect(command);
   if (isConnected(view)) {
-    status.summary(DiagnosticStatus::OK, fmt::format("connected with {}:{}", command.host, command.port));
+    status.summary(DiagnosticStatus::OK,
+                   forPeople(fmt::format("connected with {}:{}", command.host, command.port)));
   } else if (command.link == LinkState::Disconnected && failed != nullptr) {
     status.summary(DiagnosticStatus::ERROR,
-                   failed->error_description + "; send a connect goal once that is put right");
+                   forPeople(failed->error_description) + "; send a connect goal once that is put right");
   } else if (command.link == LinkState::Disconnected) {
     status.summary(DiagnosticStatus::WARN, "not connected; send a connect goal");
   } else {
-    status.summary(DiagnosticStatus::WARN, orElse(command.diagnosis, "connecting"));
+    status.summary(DiagnosticStatus::WARN, orElse(forPeople(command.diagnosis), "connecting"));
   }
   status.add("state", command::toString(command.link));
-  status.add("controller", command.host.empty() ? "none" : fmt::format("{}:{}", command.host, command.port));
+  status.add("controller",
+             command.host.empty() ? "none" : fmt::format("{}:{}", forPeople(command.host), command.port));
   status.add("late replies", command.late_replies);
   status.add("faulty frames", command.decode_faults);
 }
@@ -73,13 +76,13 @@ void describeListenNode(DiagnosticStatusWrapper& status, const DiagnosticsView& 
   if (view.command.link == LinkState::Ready) {
     status.summary(DiagnosticStatus::OK, "the robot's flow is in the Listen node: commands are taken");
   } else if (view.command.link == LinkState::NotListening) {
-    status.summary(DiagnosticStatus::WARN, orElse(view.command.diagnosis,
+    status.summary(DiagnosticStatus::WARN, orElse(forPeople(view.command.diagnosis),
                                                   "the robot's flow is not in the Listen node: commands are "
                                                   "refused; let the project come to it"));
   } else {
     status.summary(DiagnosticStatus::STALE, "unknown: not connected");
   }
-  status.add("entry message", orElse(view.command.listen_node, "none"));
+  status.add("entry message", orElse(forPeople(view.command.listen_node), "none"));
 }
 
 void describeQueue(DiagnosticStatusWrapper& status, const DiagnosticsView& view) {
@@ -113,7 +116,7 @@ void describeRobot(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
     status.summary(DiagnosticStatus::ERROR,
                    fmt::format("the controller is in error: {} {}; execute stop, then the next motion clears "
                                "it; if not, clear it at the robot",
-                               robot.error_code.value_or(0), robot.error_text.value_or("")));
+                               robot.error_code.value_or(0), forPeople(robot.error_text.value_or(""))));
   } else if (robot.safeguard.value_or(false)) {
     status.summary(DiagnosticStatus::WARN, "a safeguard holds the robot; it goes on when that is released");
   } else if (robot.project_paused.value_or(false)) {
@@ -131,7 +134,7 @@ void describeRobot(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
   status.add("emergency stop", toWord(robot.emergency_stop));
   status.add("safeguard", toWord(robot.safeguard));
   status.add("error code", robot.error_code.value_or(0));
-  status.add("error text", robot.error_text.value_or(""));
+  status.add("error text", forPeople(robot.error_text.value_or("")));
   status.add("project running", toWord(robot.project_running));
   status.add("project paused", toWord(robot.project_paused));
   status.add("project speed [%]",
@@ -140,7 +143,7 @@ void describeRobot(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
 
 void describeStatusStream(DiagnosticStatusWrapper& status, const DiagnosticsView& view) {
   if (view.command.status_stream && !view.command.status_diagnosis.empty()) {
-    status.summary(DiagnosticStatus::WARN, view.command.status_diagnosis);
+    status.summary(DiagnosticStatus::WARN, forPeople(view.command.status_diagnosis));
   } else if (view.command.status_stream) {
     status.summary(DiagnosticStatus::OK, fmt::format("{:.0f} frames a second", view.status_rate));
   } else if (!view.status_wanted) {
@@ -148,7 +151,8 @@ void describeStatusStream(DiagnosticStatusWrapper& status, const DiagnosticsView
   } else if (view.command.link == LinkState::Disconnected) {
     status.summary(DiagnosticStatus::STALE, "unknown: not connected");
   } else {
-    status.summary(DiagnosticStatus::WARN, orElse(view.command.status_diagnosis, "no status stream"));
+    status.summary(DiagnosticStatus::WARN,
+                   orElse(forPeople(view.command.status_diagnosis), "no status stream"));
   }
   status.add("rate [Hz]", fmt::format("{:.1f}", view.status_rate));
   status.add("age [s]", view.status_age ? fmt::format("{:.3f}", *view.status_age) : "none came yet");
@@ -162,14 +166,14 @@ void describeExchange(DiagnosticStatusWrapper& status, const DiagnosticsView& vi
       break;
     case blocks::RiState::Initialized:
       status.summary(view.group.out_of_sync.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
-                     orElse(view.group.out_of_sync, "enabled, nothing is compared"));
+                     orElse(forPeople(view.group.out_of_sync), "enabled, nothing is compared"));
       break;
     case blocks::RiState::Synchronized:
       status.summary(DiagnosticStatus::OK, "enabled, and in sync");
       break;
   }
   status.add("Enabled", view.group.ri_state != blocks::RiState::NotInitialized);
-  status.add("Out of sync", orElse(view.group.out_of_sync, "nothing"));
+  status.add("Out of sync", orElse(forPeople(view.group.out_of_sync), "nothing"));
 }
 
 }  // namespace cobot_command::ros_adapter

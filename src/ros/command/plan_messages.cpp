@@ -1,5 +1,7 @@
 #include "command/plan_messages.h"
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::ros_adapter {
 
 trajectory_msgs::JointTrajectory toMessage(const std::vector<blocks::JointPathPoint>& path,
@@ -20,7 +22,7 @@ trajectory_msgs::JointTrajectory toMessage(const std::vector<blocks::JointPathPo
 cobot_command::StepReport toMessage(const blocks::StepReport& report, const JointNames& names) {
   cobot_command::StepReport message;
   message.error_id = report.error_id;
-  message.error_description = report.error_description;
+  message.error_description = forPeople(report.error_description);
   message.start = toRos(report.start);
   message.duration = toRos(report.duration);
   message.done = toRos(report.done);

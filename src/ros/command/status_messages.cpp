@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/trace_text.h"
 
 namespace cobot_command::ros_adapter {
@@ -18,7 +19,7 @@ cobot_command::BlockStatus toMessage(const command::BlockOutputs& outputs) {
   message.error = outputs.error;
   message.command_aborted = outputs.command_aborted;
   message.error_id = outputs.error_id;
-  message.error_description = outputs.error_description;
+  message.error_description = forPeople(outputs.error_description);
   message.command_id_ack = outputs.command_id_ack;
   return message;
 }
@@ -56,7 +57,7 @@ cobot_command::CommandStatus toMessage(const command::CommandStatus& status, con
   cobot_command::CommandStatus message;
   message.header.stamp = clocks.ros_now;
   message.link_state = toMessage(status.link);
-  message.diagnosis = status.diagnosis;
+  message.diagnosis = forPeople(status.diagnosis);
   message.host = status.host;
   message.port = status.port;
   message.listen_node = status.listen_node;

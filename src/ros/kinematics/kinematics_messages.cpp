@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -36,7 +37,7 @@ cobot_command::ArmPosture toMessage(const kinematics::Branch& branch) {
 template <class Response>
 void fill(Response& response, const kinematics::Refusal& refusal) {
   response.error_id = refusal.error_id;
-  response.message = refusal.message;
+  response.message = forPeople(refusal.message);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "cobot_command/Message.h"
 #include "cobot_command/MessageList.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
@@ -26,8 +27,8 @@ cobot_command::Message toMessage(const command::Message& one, const ClockPair& c
   message.type = static_cast<std::uint8_t>(one.type);
   message.code = one.code;
   message.origin = one.origin;
-  message.text = one.text;
-  message.remedy = one.remedy;
+  message.text = forPeople(one.text);
+  message.remedy = forPeople(one.remedy);
   message.pending = static_cast<std::uint8_t>(one.pending);
   return message;
 }
@@ -82,7 +83,7 @@ bool MessageServices::readMessages(cobot_command::ReadMessages::Request& request
 bool MessageServices::reset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
   if (const auto answer = answerOf(core_.reset(), response.message)) {
     response.success = static_cast<std::uint8_t>(answer->success);
-    response.message = answer->message;
+    response.message = forPeople(answer->message);
   }
   return true;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -152,7 +153,7 @@ class Points {
     int lines = 0;
     Marker text = markerOf(site_, "error", Marker::TEXT_VIEW_FACING, kRed);
     text.id = next_++;
-    text.text = inLines(fmt::format("point {}: {}", refusal.index, refusal.found), lines);
+    text.text = inLines(forPeople(fmt::format("point {}: {}", refusal.index, refusal.found)), lines);
     text.scale.z = kLetter;
     text.pose.position = toPoint(besidePoint(place, lines));
     array_.markers.push_back(std::move(text));

@@ -5,6 +5,7 @@
 #include "shared/core_answer.h"
 
 #include "cobot_command/TrackingState.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/own_handle.h"
 
 namespace cobot_command::ros_adapter {
@@ -43,7 +44,7 @@ bool PathServices::setTracking(cobot_command::SetTracking::Request& request,
                response.message, "the command layer is busy, and has not answered yet: see tracking_state");
   if (!refusal) return true;
   response.success = static_cast<std::uint8_t>(!*refusal);
-  response.message = refusal->value_or("");
+  response.message = forPeople(refusal->value_or(""));
   return true;
 }
 
@@ -66,7 +67,7 @@ bool PathServices::setFeedrate(cobot_command::SetFeedrate::Request& request,
 bool PathServices::trigger(const command::FeedrateRequest& request, std_srvs::Trigger::Response& response) {
   const command::FeedrateAnswer answer = asked(request);
   response.success = static_cast<std::uint8_t>(answer.success);
-  response.message = answer.message;
+  response.message = forPeople(answer.message);
   return true;
 }
 

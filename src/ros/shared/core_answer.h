@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::ros_adapter {
 
 /// Far more than a core, and a controller, take that work. Meanwhile no other service of that thread is
@@ -34,7 +36,7 @@ template <class Response, class Answer>
 void fill(Response& response, const Answer& answer) {
   response.success = static_cast<std::uint8_t>(answer.success);
   response.error_id = answer.error_id;
-  response.message = answer.message;
+  response.message = forPeople(answer.message);
 }
 
 }  // namespace cobot_command::ros_adapter

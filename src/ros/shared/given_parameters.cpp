@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <ros/param.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::ros_adapter {
 
 namespace {
@@ -73,7 +75,7 @@ GivenParameters givenParameters(const ros::NodeHandle& node, const ros::NodeHand
 }
 
 ParameterError parameterError(const GivenParameters& given, const SettingFault& fault) {
-  return {fmt::format("parameter {}/{} {}", given.space, fault.setting, describe(fault))};
+  return {forPeople(fmt::format("parameter {}/{} {}", given.space, fault.setting, describe(fault)))};
 }
 
 std::vector<std::string> warningsOfUnknown(const GivenParameters& given, const SettingTable& table,
@@ -87,7 +89,7 @@ std::vector<std::string> warningsOfUnknown(const GivenParameters& given, const S
     const std::string hint =
         unknown.meant.empty() ? "README.md lists those that it has" : "did you mean " + unknown.meant + "?";
     warnings.push_back(fmt::format("parameter {}/{} is none of this node's, and not used: {}", given.space,
-                                   unknown.name, hint));
+                                   foreignText(unknown.name), hint));
   }
   return warnings;
 }

@@ -71,11 +71,11 @@ simulator::SetLoad loadOf(const SetLoad::Request& request) {
 }
 
 void logTraffic(const simulator::LogLine& line) {
-  ROS_INFO_STREAM_NAMED("traffic",
-                        fmt::format("{:.3f} {}", toSeconds(line.time.time_since_epoch()), line.text));
+  ROS_INFO_STREAM_NAMED(
+      "traffic", fmt::format("{:.3f} {}", toSeconds(line.time.time_since_epoch()), forPeople(line.text)));
 }
 void noteTraffic(const simulator::LogLine& line) {
-  ROS_DEBUG_STREAM_NAMED("traffic", line.text);
+  ROS_DEBUG_STREAM_NAMED("traffic", forPeople(line.text));
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ void SimulatedControllerNode::offer(const std::string& name, ToAction to_action)
     simulator::OperatorReply reply =
         action ? operate(*action) : simulator::OperatorReply{false, action.error()};
     response.success = reply.done;
-    response.message = std::move(reply.text);
+    response.message = forPeople(std::move(reply.text));
     return true;
   };
   services_.push_back(self_.advertiseService(name, serve));

@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/setting_kinds.h"
 #include "cobot_command/ros/shared/robot_parameters.h"
 
@@ -39,7 +40,7 @@ Result<SimulatorParameters, ParameterError> readSimulatorParameters(const ros::N
                                                                     const ros::NodeHandle& self) {
   auto parameters = readSimulatorParameters(givenParameters(node, self));
   if (!parameters) return parameters;
-  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(warning);
+  for (const std::string& warning : parameters->warnings) ROS_WARN_STREAM(forPeople(warning));
   return parameters;
 }
 

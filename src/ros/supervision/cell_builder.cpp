@@ -59,9 +59,9 @@ void CellBuilder::onGoal(Handle goal) {
   if (objection) {
     cobot_command::BuildCellResult result;
     result.error_id = supervisor_error::kCellNotBuilt;
-    result.error_description = *objection;
+    result.error_description = forPeople(*objection);
     result.remedy = "Send what is allowed; one build at a time";
-    return goal.setRejected(result, *objection);
+    return goal.setRejected(result, result.error_description);
   }
   goal.setAccepted();
   if (thread_.joinable()) thread_.join();  // of the build before, which is over
@@ -131,11 +131,11 @@ bool CellBuilder::runStages(const cobot_command::BuildCellGoal& goal, cell::Poli
 void CellBuilder::failed(const std::vector<std::string>& faults) {
   const std::lock_guard<std::mutex> lock(mutex_);
   result_.error_id = supervisor_error::kCellNotBuilt;
-  result_.error_description = faults.size() == 1
-                                  ? faults.front()
-                                  : fmt::format("{} (the first of {})", faults.front(), faults.size());
+  result_.error_description =
+      forPeople(faults.size() == 1 ? faults.front()
+                                   : fmt::format("{} (the first of {})", faults.front(), faults.size()));
   result_.remedy = feedback_.done < feedback_.stages ? kMendFile : kMendPlace;
-  result_.faults = faults;
+  for (const std::string& fault : faults) result_.faults.push_back(forPeople(fault));
 }
 
 void CellBuilder::follow() {

@@ -42,8 +42,8 @@ void PeopleServices::serve(OwnHandle& node, const char* name, Ask ask) {
     const Instant now = clock_();
     const cell::PersonsAnswer answered = ask(request, now);
     response.success = static_cast<std::uint8_t>(answered.success);
-    response.message = answered.message;
-    ROS_INFO_STREAM(name << ": " << answered.message);
+    response.message = forPeople(answered.message);
+    ROS_INFO_STREAM(name << ": " << forPeople(answered.message));
     settle_(now);
     return true;
   };

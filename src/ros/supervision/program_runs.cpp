@@ -69,10 +69,10 @@ void ProgramRuns::onGoal(Handle goal) {
   if (const auto fault = objectionTo(*goal.getGoal())) {
     cobot_command::RunCellResult result;
     result.error_id = fault->id;
-    result.error_description = fault->found;
+    result.error_description = forPeople(fault->found);
     result.remedy = fault->remedy;
     result.least_distance = kNotHeard;
-    return goal.setRejected(result, fault->found);
+    return goal.setRejected(result, result.error_description);
   }
   goal.setAccepted();
   begin(goal);
@@ -264,7 +264,7 @@ void ProgramRuns::endIfOver() {
   result_.makespan = ros::Duration(toSeconds(now_ - begun_));
   if (fault_) {
     result_.error_id = fault_->id;
-    result_.error_description = fault_->found;
+    result_.error_description = forPeople(fault_->found);
     result_.remedy = fault_->remedy;
   }
   Handle goal = *std::exchange(goal_, std::nullopt);

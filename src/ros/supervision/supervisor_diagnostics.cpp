@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::ros_adapter {
 namespace {
 
@@ -53,8 +55,9 @@ Duration Latencies::p99() const {
 }
 
 void describeMode(DiagnosticStatusWrapper& status, const CellView& view) {
-  status.summary(levelOf(view.status.mode), withText(toString(view.status.mode), view.status.diagnosis));
-  status.add("cell", view.status.cell);
+  status.summary(levelOf(view.status.mode),
+                 withText(toString(view.status.mode), forPeople(view.status.diagnosis)));
+  status.add("cell", forPeople(view.status.cell));
   status.add("hash", view.status.hash);
   status.add("policy", view.status.policy);
   status.add("epoch", view.status.epoch);
@@ -66,8 +69,8 @@ void describeRobots(DiagnosticStatusWrapper& status, const CellView& view) {
   for (const cell::RobotStatus& robot : view.status.robots) {
     const unsigned char level = levelOf(robot.state);
     if (level != DiagnosticStatus::OK) {
-      status.mergeSummary(level,
-                          fmt::format("{} is {}", robot.name, withText(toString(robot.state), robot.text)));
+      status.mergeSummary(
+          level, forPeople(fmt::format("{} is {}", robot.name, withText(toString(robot.state), robot.text))));
     }
     status.add(robot.name, fmt::format("{} at {}, last report {:.3f} s ago", toString(robot.state),
                                        robot.place, toSeconds(robot.report_age)));
@@ -83,10 +86,10 @@ void describeZones(DiagnosticStatusWrapper& status, const CellView& view) {
     status.add(zone.name, held);
     const bool is_long = zone.state != cell::ZoneState::Free && zone.since > view.wait_timeout;
     if (is_long && !zone.waiting.empty()) {
-      status.mergeSummary(DiagnosticStatus::WARN,
-                          fmt::format("{} is {}, and {} waits", zone.name, held, zone.waiting.front()));
+      status.mergeSummary(DiagnosticStatus::WARN, forPeople(fmt::format("{} is {}, and {} waits", zone.name,
+                                                                        held, zone.waiting.front())));
     } else if (zone.state == cell::ZoneState::Quarantined) {
-      status.mergeSummary(DiagnosticStatus::WARN, fmt::format("{} is {}", zone.name, held));
+      status.mergeSummary(DiagnosticStatus::WARN, forPeople(fmt::format("{} is {}", zone.name, held)));
     }
   }
 }
@@ -106,8 +109,9 @@ void describeReports(DiagnosticStatusWrapper& status, const CellView& view) {
     status.mergeSummary(DiagnosticStatus::ERROR, "some are for another supervisor");
   }
   if (!view.other.empty()) {
-    status.mergeSummary(DiagnosticStatus::ERROR,
-                        fmt::format("{} tells the state of this cell, too: stop one of them", view.other));
+    status.mergeSummary(
+        DiagnosticStatus::ERROR,
+        fmt::format("{} tells the state of this cell, too: stop one of them", foreignText(view.other)));
   }
   status.add("malformed", counts.malformed);
   status.add("of unknown robots", counts.unknown_robots);

@@ -86,7 +86,7 @@ void SupervisorNode::takeReport(const ReportEvent& event) {
 
 void SupervisorNode::takeState(const StateEvent& event) {
   if (event.getPublisherName() == ros::this_node::getName()) return;
-  ROS_ERROR_STREAM_THROTTLE(10, event.getPublisherName()
+  ROS_ERROR_STREAM_THROTTLE(10, foreignText(event.getPublisherName())
                                     << " tells the state of this cell, too: stop one of them");
   diagnostics_->heardOther(event.getPublisherName());
 }
@@ -107,14 +107,15 @@ void SupervisorNode::settle(Instant now) {
   cell::Supervision& core = supervisor_->core();
   core.tick(now);
   for (const cell::StopOrder& order : core.takeStopOrders()) {
-    ROS_WARN_STREAM(core.status(now).robots[order.robot].name << " is told to stop: " << order.why);
+    ROS_WARN_STREAM(core.status(now).robots[order.robot].name << " is told to stop: "
+                                                              << forPeople(order.why));
     contacts_[order.robot]->stop(now);
   }
   for (const auto& contact : contacts_) contact->settle(now);
   cell::CellStatus status = core.status(now);
   if (isMonitorLost(now)) runs_->lostMonitor();
   const std::string of_monitor = diagnosisOfMonitor(now);
-  if (!of_monitor.empty()) status.diagnosis += (status.diagnosis.empty() ? "" : "; ") + of_monitor;
+  if (!of_monitor.empty()) status.diagnosis += (status.diagnosis.empty() ? "" : "; ") + forPeople(of_monitor);
   const bool is_due = now >= told_at_ + supervisor_->artifact().parameters.report_period / 2;
   if (!told_ || is_due || !cell::areAlike(*told_, status)) tell(status, now);
 }
@@ -140,7 +141,7 @@ void SupervisorNode::tell(const cell::CellStatus& status, Instant now) {
   diagnostics_->take(status, supervisor_->core().counts());
   if (!told_ || told_->mode != status.mode) {
     ROS_INFO_STREAM("the cell is " << toString(status.mode) << (status.diagnosis.empty() ? "" : ": ")
-                                   << status.diagnosis);
+                                   << forPeople(status.diagnosis));
   }
   told_ = status;
 }

@@ -12,6 +12,7 @@
 #include "cobot_command/WriteFrame.h"
 #include "cobot_command/WriteLoad.h"
 #include "cobot_command/WriteTool.h"
+#include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -49,7 +50,7 @@ struct OfLoads {
 template <class Response>
 void fill(Response& response, const tables::Refusal& refusal) {
   response.error_id = refusal.error_id;
-  response.message = describe(refusal);
+  response.message = forPeople(describe(refusal));
 }
 
 int indexError(tables::Kind kind) {

@@ -129,7 +129,8 @@ class TableWriter::Desk {
     if (changed.revision() < kept_.revision()) return;
     const bool is_other = toFile(changed) != toFile(kept_);
     if (const auto why_not = is_other ? keep_(changed) : std::nullopt) {
-      ROS_ERROR_STREAM("the tables were changed, and ~tables_file does not have that: " << *why_not);
+      ROS_ERROR_STREAM(
+          "the tables were changed, and ~tables_file does not have that: " << forPeople(*why_not));
       return;
     }
     kept_ = changed;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/simulator/simulated_controller.h"
 
 namespace cobot_command::simulator {
@@ -21,7 +22,8 @@ class Outbox {
   void closeClient(Port port, ClientId client) { outputs_.emplace_back(CloseClient{port, client}); }
   void openPort(Port port) { outputs_.emplace_back(OpenPort{port}); }
   void closePort(Port port) { outputs_.emplace_back(ClosePort{port}); }
-  void log(std::string text) { outputs_.emplace_back(LogLine{now_, std::move(text)}); }
+  /// Whatever clients, operator and settings have put into it.
+  void log(std::string text) { outputs_.emplace_back(LogLine{now_, forPeople(std::move(text))}); }
 
   [[nodiscard]] std::vector<Output> take() { return std::exchange(outputs_, {}); }
 

@@ -31,9 +31,9 @@ class Checker {
   void check(const Statement& statement) {
     const auto error =
         std::visit([this](const auto& content) { return errorOf(content); }, statement.content);
-    if (error) findings_.errors.push_back({statement.line, *error});
-    for (std::string& warning : typing_.takeWarnings()) {
-      findings_.warnings.push_back({statement.line, std::move(warning)});
+    if (error) findings_.errors.push_back(faultOf(statement.line, *error));
+    for (const std::string& warning : typing_.takeWarnings()) {
+      findings_.warnings.push_back(faultOf(statement.line, warning));
     }
   }
 

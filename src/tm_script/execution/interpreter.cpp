@@ -31,7 +31,7 @@ void Interpreter::runNext() {
   if (!ends && ends.error().waits) {
     progress_ = Progress::Waiting;
   } else if (!ends) {
-    fault_ = Fault{line(), std::move(ends.error().reason)};
+    fault_ = faultOf(line(), ends.error().reason);
     progress_ = Progress::Failed;
   } else {
     answers_.clear();

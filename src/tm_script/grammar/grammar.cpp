@@ -8,6 +8,8 @@
 #include <boost/spirit/home/x3.hpp>
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace boost::spirit::x3 {
 
 /// In a fault, a parser with an action is called what the parser is called.
@@ -249,14 +251,9 @@ BOOST_SPIRIT_DEFINE(postfix, steps, prefix, flat_chain, flat_conditional, flat_a
 BOOST_SPIRIT_DEFINE(declaration)
 
 std::string found(std::string_view line, std::size_t at) {
-  const std::string_view rest = line.substr(at, 32);
-  if (rest.empty()) return "the end of the line";
-  std::string shown;
-  for (const char c : rest) {
-    shown += static_cast<unsigned char>(c) < 0x20 ? fmt::format("\\x{:02X}", static_cast<unsigned char>(c))
-                                                  : std::string(1, c);
-  }
-  return '"' + shown + '"';
+  constexpr std::size_t kLongest = 32;  // [bytes]
+  const std::string_view rest = line.substr(at);
+  return rest.empty() ? "the end of the line" : '"' + foreignText(rest, kLongest) + '"';
 }
 
 }  // namespace

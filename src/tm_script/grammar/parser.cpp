@@ -7,6 +7,8 @@
 #include "grammar/source_lines.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::tm_script {
 
 namespace {
@@ -30,6 +32,11 @@ std::string_view firstWord(std::string_view line) {
 
 }  // namespace
 
+Fault faultOf(int line, std::string_view reason) {
+  constexpr std::size_t kLongestReason = 1024;  // [bytes]; one lists all forms of a function
+  return {line, foreignText(reason, kLongestReason)};
+}
+
 bool isReservedWord(std::string_view word) {
   return isConstant(word) || isOfPrograms(word);
 }
@@ -40,16 +47,16 @@ ParsedScript parse(std::string_view text) {
   for (const SourceLine& line : source.lines) {
     const std::string_view word = firstWord(line.text);
     if (isOfPrograms(word)) {
-      script.faults.push_back(
-          {line.number,
-           fmt::format("\"{}\" belongs to the programs of TMflow 2; a script of the Listen node is made of "
-                       "declarations, assignments and calls",
-                       word)});
+      script.faults.push_back(faultOf(
+          line.number,
+          fmt::format("\"{}\" belongs to the programs of TMflow 2; a script of the Listen node is made of "
+                      "declarations, assignments and calls",
+                      word)));
       continue;
     }
     auto statement = parseLine(line.text);
     if (!statement) {
-      script.faults.push_back({line.number, std::move(statement.error())});
+      script.faults.push_back(faultOf(line.number, statement.error()));
     } else if (*statement) {
       (*statement)->line = line.number;
       script.statements.push_back(std::move(**statement));

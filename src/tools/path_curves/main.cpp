@@ -11,6 +11,7 @@
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/arm/forward_kinematics.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/path/path_planner.h"
 
@@ -134,7 +135,7 @@ int main(int argc, char** argv) {
   try {
     return tools::unlessOutputLost("path_curves", run(argc, argv));
   } catch (const std::exception& error) {
-    std::cerr << "path_curves: " << error.what() << '\n';
+    std::cerr << "path_curves: " << cobot_command::forPeople(error.what()) << '\n';
     return 1;
   }
 }

@@ -119,7 +119,7 @@ int printUrdf(const Arguments& arguments) {
   const bool has_blank = arguments.prefix.rfind(" -", 0) == 0;
   const auto renamed = arm::withPrefix(urdf, arguments.prefix.substr(has_blank ? 1 : 0));
   if (!renamed) {
-    std::cerr << "tm_arm: --prefix: " << renamed.error().message << '\n';
+    std::cerr << "tm_arm: --prefix: " << forPeople(renamed.error().message) << '\n';
     return kBadUsage;
   }
   std::cout << *renamed;
@@ -156,7 +156,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("urdf")) return printUrdf(arguments);
   const auto model = arm::ArmModel::named(arguments.model);
   if (!model) {
-    std::cerr << "tm_arm: " << model.error().message << '\n';
+    std::cerr << "tm_arm: " << forPeople(model.error().message) << '\n';
     return kBadUsage;
   }
   const auto& solve = app.got_subcommand("fk") ? tm_arm::forward : tm_arm::inverse;
@@ -169,7 +169,7 @@ int main(int argc, char** argv) {
   try {
     return tools::unlessOutputLost("tm_arm", run(argc, argv));
   } catch (const std::exception& error) {
-    std::cerr << "tm_arm: " << error.what() << '\n';
+    std::cerr << "tm_arm: " << cobot_command::forPeople(error.what()) << '\n';
     return kBadUsage;
   }
 }

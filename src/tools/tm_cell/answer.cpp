@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace cobot_command::tools {
 
 bool Answer::isYes() const {
@@ -29,8 +31,8 @@ int print(const Answer& answer, bool json) {
   for (const AnswerStage& stage : answer.stages) {
     std::cout << fmt::format("{:<11} {} ({:.3f} s)\n", stage.name, stage.faults.empty() ? "ok" : "FAILED",
                              stage.seconds);
-    for (const std::string& line : stage.report) std::cout << "  " << line << '\n';
-    for (const std::string& fault : stage.faults) std::cerr << "tm_cell: " << fault << '\n';
+    for (const std::string& line : stage.report) std::cout << "  " << forPeople(line) << '\n';
+    for (const std::string& fault : stage.faults) std::cerr << "tm_cell: " << forPeople(fault) << '\n';
   }
   return status;
 }

@@ -20,6 +20,8 @@
 #include "voxels_command.h"
 #include <CLI/CLI.hpp>
 
+#include "cobot_command/common/foreign_text.h"
+
 namespace {
 
 using namespace cobot_command::tools;
@@ -262,6 +264,6 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) try {
   return cobot_command::tools::unlessOutputLost("tm_cell", run(argc, argv));
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "tm_cell: %s\n", error.what());
+  std::fprintf(stderr, "tm_cell: %s\n", cobot_command::forPeople(error.what()).c_str());
   return cobot_command::tools::kNo;
 }

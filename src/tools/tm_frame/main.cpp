@@ -284,6 +284,6 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) try {
   return cobot_command::tools::unlessOutputLost("tm_frame", run(argc, argv));
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "tm_frame: %s\n", error.what());
+  std::fprintf(stderr, "tm_frame: %s\n", cobot_command::forPeople(error.what()).c_str());
   return kFaultFound;
 }

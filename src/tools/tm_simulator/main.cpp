@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #include "cobot_command/arm/arm_model.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/runtime/shared/end_signals.h"
 #include "cobot_command/runtime/simulation/simulator_runtime.h"
 #include "cobot_command/runtime/simulation/simulator_setup.h"
@@ -81,7 +82,7 @@ int serve(runtime::SimulatorSetup setup, arm::ArmModel arm, bool is_controlled) 
                                       std::move(observer));
   const auto ports = simulator.start();
   if (!ports) {
-    fmt::print(stderr, "tm_simulator: {}\n", ports.error().message);
+    fmt::print(stderr, "tm_simulator: {}\n", forPeople(ports.error().message));
     return ports.error().kind == runtime::SimulatorError::Kind::BadOption ? BadUsage : CannotServe;
   }
   printer.print(fmt::format("listening script={} status={}", ports->script, ports->status));
@@ -116,6 +117,6 @@ int main(int argc, char** argv) try {
                                           [&] { arm.emplace(armOf(table, options.setup)); });
   return end ? *end : serve(std::move(options.setup), std::move(*arm), options.control);
 } catch (const std::exception& error) {
-  fmt::print(stderr, "tm_simulator: {}\n", error.what());
+  fmt::print(stderr, "tm_simulator: {}\n", cobot_command::forPeople(error.what()));
   return CannotServe;
 }

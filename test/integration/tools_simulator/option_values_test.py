@@ -26,7 +26,7 @@ WORK = {
 }
 SUBCOMMANDS = {'tm_arm': ['fk', 'ik', 'urdf'], 'tm_frame': ['encode', 'decode']}
 
-VALUES = ['', 'banana', '2.5', '-1', '99999999999999999999999', 'nan', '1e999', '0x10', '\n', 'a\nb', '\x1b[2J', '\udcff',
+VALUES = ['', 'banana', '2.5', '-1', '99999999999999999999999', 'nan', '1e999', '0x10', '\n', 'a\nb', '\x1b[2J', '\udcff', bytes(range(1, 256)).decode(errors='surrogateescape'),
           '{}', '[1,2]', '[', '"', '=', '%s%n', '--', ',', ' ', 'x' * 5000]
 FLAG_VALUES = ['banana', '2', '-1', '99999999999999999999999', '-99999999999999999999999', 'nan', '', 'on', '{}', '\n', 'yes',
                'TRUE', '1e999', '0x10', '=']
@@ -91,6 +91,7 @@ class AnyValue(unittest.TestCase):
         if status == BAD_USAGE:
             self.assertTrue(any(name in err for name in option.names), err)
             self.assertEqual(out, '')
+            self.assertEqual([c for c in err if c != '\n' and (c == '\ufffd' or not c.isprintable())], [])
             self.assertNotRegex(err, 'stoll|what\\(\\)|terminate|At Most|Could not convert|\x1b')
         else:
             self.assertEqual(err, '')

@@ -7,6 +7,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import unittest
 
 PROGRAM = ''
@@ -19,6 +20,14 @@ def frame(header, data):
     for byte in body.encode():
         checksum ^= byte
     return ('$%s*%02X\r\n' % (body, checksum)).encode()
+
+
+def raw_frame(header, data):
+    body = header + b',%d,' % len(data) + data + b','
+    checksum = 0
+    for byte in body:
+        checksum ^= byte
+    return b'$' + body + b'*%02X\r\n' % checksum
 
 
 def run(*options):
@@ -123,6 +132,24 @@ class Serving(unittest.TestCase):
                 client.read_until(frame('TMSTA', '00,true,Listen1'))
             self.assertEqual(simulator.end(signal.SIGINT), 0)
             self.assertRegex(''.join(simulator.lines), 'in a Listen node')
+
+    def test_prints_no_byte_of_a_client_that_steers_the_terminal(self):
+        with Simulator('--log-traffic') as simulator:
+            printed = []
+            reader = threading.Thread(target=lambda: printed.extend(simulator.process.stdout))
+            reader.start()
+            for byte in range(256):
+                with Client(simulator.script) as client:
+                    client.socket.sendall(raw_frame(b'TMSCT', b'1,ChangeBase("A' + bytes([byte]) + b'[31mB")'))
+                    client.socket.sendall(raw_frame(b'TM' + bytes([byte]), b'1') + bytes([byte]) + b'\r\n')
+                    client.socket.shutdown(socket.SHUT_WR)
+                    client.read_to_the_end()
+            simulator.process.terminate()
+            reader.join(DEADLINE)
+            self.assertEqual(simulator.process.wait(DEADLINE), 0)
+        text = ''.join(printed)
+        self.assertIn(r'ChangeBase("A\x1B[31mB")', text)
+        self.assertEqual([c for c in text if c != '\n' and not c.isprintable()], [])
 
     def test_prints_nothing_else_when_not(self):
         with Simulator() as simulator:

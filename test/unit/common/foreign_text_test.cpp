@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "foreign_bytes.h"
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
@@ -56,6 +57,18 @@ RC_GTEST_PROP(EscapedProperty, isUtf8WithoutControlCharactersAndEscapedForGood, 
   RC_ASSERT(!hasControlCharacters(text));
   RC_ASSERT(escaped(text) == text);
   RC_ASSERT(text.size() <= 4 * bytes.size());
+}
+
+RC_GTEST_PROP(ForPeopleProperty, isWhatIsEscaped, ()) {
+  const Bytes bytes = *anyBytes();
+  RC_ASSERT(forPeople(bytes) == escaped(bytes));
+}
+
+TEST(ForPeople, doesNoHarmWhateverTheBytesAre) {
+  for (const std::string& bytes : test_support::foreignTexts()) {
+    EXPECT_THAT(forPeople(bytes), test_support::IsHarmless());
+    EXPECT_THAT(foreignText(bytes), test_support::IsHarmless());
+  }
 }
 
 TEST(Escaped, leavesTextAlone) {

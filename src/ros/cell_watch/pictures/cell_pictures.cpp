@@ -111,7 +111,8 @@ void CellPictures::show(const WatchView& view) {
   if (!are_found) return;
   auto found = found_claims_.get();
   if (!found) {
-    ROS_ERROR_STREAM("there are no claims to show: " << fmt::format("{}", fmt::join(found.error(), "; ")));
+    ROS_ERROR_STREAM(
+        "there are no claims to show: " << forPeople(fmt::format("{}", fmt::join(found.error(), "; "))));
     return;
   }
   claims_ = std::move(*found);

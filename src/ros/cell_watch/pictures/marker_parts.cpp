@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::ros_adapter {
@@ -61,7 +62,7 @@ Marker textAt(const std::string& name, std::size_t id, const Eigen::Vector3d& pl
   Marker text = markerOf(name, id, Marker::TEXT_VIEW_FACING, tint, stamp);
   text.scale.z = kLetter;
   text.pose.position = toPoint(place);
-  text.text = std::move(words);
+  text.text = forPeople(std::move(words));
   return text;
 }
 
