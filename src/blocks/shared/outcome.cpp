@@ -29,8 +29,8 @@ const ErrorEntry& entryOf(Block block, int id) {
   return entry != nullptr ? *entry : kUnlisted;
 }
 
-/// A script may be long, and warned of in every cycle.
-constexpr std::size_t kMostLines = 8;
+/// A script may be long, and another one of a cycle be warned of in each: more than that nobody reads.
+constexpr std::size_t kMostText = 2048;
 
 void keepFirst(std::string& known, const std::string& other) {
   if (known.empty()) known = other;
@@ -113,9 +113,10 @@ Outcome toRejection(Block block, const std::vector<Failure>& failures) {
 }
 
 void Remarks::add(const Remarks& other) {
-  for (const std::string& line : other.warned_lines) {
-    const bool is_known = std::find(warned_lines.begin(), warned_lines.end(), line) != warned_lines.end();
-    if (!is_known && warned_lines.size() < kMostLines) warned_lines.push_back(line);
+  for (const std::string& lines : other.warned_lines) {
+    const bool is_known = std::find(warned_lines.begin(), warned_lines.end(), lines) != warned_lines.end();
+    const bool has_room = warned_lines.empty() || textOfWarnings().size() + lines.size() <= kMostText;
+    if (!is_known && has_room) warned_lines.push_back(lines);
   }
   keepFirst(unplanned, other.unplanned);
   keepFirst(unseen, other.unseen);

@@ -22,7 +22,7 @@ enum class Ending {
 /// What people have to know of a goal that was carried out all the same. Each is a part of a sentence; empty:
 /// there is nothing to say.
 struct Remarks {
-  std::vector<std::string> warned_lines;  ///< of its scripts, as the controller has named them
+  std::vector<std::string> warned_lines;  ///< of each script those that the controller has named
   std::string unplanned;                  ///< why a motion was sent without a plan, and so unchecked
   std::string unseen;                     ///< why nobody has seen a motion at its end
   std::string pace;                       ///< by which project speed a motion was planned anew
