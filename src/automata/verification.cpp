@@ -79,6 +79,7 @@ class Verifier {
     runSupervised(fingerprint);
     checkWayHome();
     checkLargest();
+    checkUndo();
     return finish();
   }
 
@@ -213,6 +214,25 @@ class Verifier {
         if (!isRefused(edge) || !good[edge.to]) continue;
         fault("not maximally permissive: it refuses {} behind {}, though all could come home from there",
               nameOf(edge.event), wayTo(number));
+      }
+    }
+  }
+
+  /// What a robot booked and has done nothing with it can take back (M33): where the supervisor may be. Only
+  /// cells do that.
+  void checkUndo() {
+    if (holds_.empty()) return;
+    std::vector<bool> reached(model_.states().size(), false);
+    for (const Number number : order_) reached[number] = true;
+    for (EventIndex event = 0; event < model_.problem().events.size(); ++event) {
+      if (!model_.isBooking(event)) continue;
+      for (const Number number : order_) {
+        const auto before = model_.before(model_.states()[number].tuple, event);
+        if (!before) continue;
+        const auto at = model_.find(*before);
+        if (at && reached[*at]) continue;
+        fault("taken back, {} leads to where the supervisor never is, behind {}", nameOf(event),
+              wayTo(number));
       }
     }
   }

@@ -16,7 +16,8 @@ Model::Model(const Problem& problem)
     : problem_(problem),
       by_name_(problem.events.size()),
       users_(problem.events.size()),
-      next_(problem.automata.size()) {
+      next_(problem.automata.size()),
+      previous_(problem.automata.size()) {
   std::iota(by_name_.begin(), by_name_.end(), EventIndex{0});
   std::sort(by_name_.begin(), by_name_.end(), [&](EventIndex one, EventIndex other) {
     return problem.events[one].name < problem.events[other].name;
@@ -25,6 +26,9 @@ Model::Model(const Problem& problem)
     for (const EventIndex event : problem.automata[index].alphabet) users_[event].push_back(index);
     for (const Transition& transition : problem.automata[index].transitions) {
       next_[index][{transition.from, transition.event}] = transition.to;
+      const auto [at, is_new] =
+          previous_[index].try_emplace({transition.to, transition.event}, transition.from);
+      if (!is_new) at->second.reset();
     }
   }
 }
@@ -38,6 +42,28 @@ bool Model::explore(std::size_t max_states) {
     expand(number);
   }
   return true;
+}
+
+std::optional<std::uint32_t> Model::find(const Tuple& tuple) const {
+  const auto at = numbers_.find(bytesOf(tuple));
+  return at == numbers_.end() ? std::nullopt : std::optional(at->second);
+}
+
+std::optional<Tuple> Model::before(const Tuple& tuple, EventIndex event) const {
+  Tuple before = tuple;
+  for (const std::size_t index : users_[event]) {
+    const auto at = previous_[index].find({tuple[index], event});
+    if (at == previous_[index].end() || !at->second) return std::nullopt;
+    before[index] = *at->second;
+  }
+  return before;
+}
+
+bool Model::isBooking(EventIndex event) const {
+  return problem_.events[event].controllable &&
+         std::any_of(users_[event].begin(), users_[event].end(), [this](std::size_t index) {
+           return problem_.automata[index].kind == Automaton::Kind::Spec;
+         });
 }
 
 std::uint32_t Model::numberOf(const Tuple& tuple) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -36,6 +37,14 @@ class Model {
   [[nodiscard]] const std::vector<State>& states() const { return states_; }
   [[nodiscard]] const Problem& problem() const { return problem_; }
 
+  /// By number of what was explored; nothing: it is none of that.
+  [[nodiscard]] std::optional<std::uint32_t> find(const Tuple& tuple) const;
+  /// Before the event, which was the last thing that all of its automata did; nothing, where it was not, or
+  /// where one of them could have come from two states.
+  [[nodiscard]] std::optional<Tuple> before(const Tuple& tuple, EventIndex event) const;
+  /// Controllable, and a spec has it.
+  [[nodiscard]] bool isBooking(EventIndex event) const;
+
  private:
   void expand(std::uint32_t number);
   std::uint32_t numberOf(const Tuple& tuple);
@@ -44,6 +53,8 @@ class Model {
   std::vector<EventIndex> by_name_;
   std::vector<std::vector<std::size_t>> users_;  ///< by event: automata that have it
   std::vector<std::map<std::pair<StateIndex, EventIndex>, StateIndex>> next_;
+  /// Where such a transition comes from; nothing: from several states.
+  std::vector<std::map<std::pair<StateIndex, EventIndex>, std::optional<StateIndex>>> previous_;
   std::vector<State> states_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
 };

@@ -87,7 +87,7 @@ void CellTrial::startSupervisor() {
   assert(contents);
   journal_.resize(journal_.size() - contents->torn);
   supervision_ = std::make_unique<cell::Supervision>(
-      *cell::rulesOf(*artifact_, settings_.policy), artifact_->hash, settings_.seed + 1, contents->records,
+      *cell::rulesOf(*artifact_, settings_.policy), artifact_->digest, settings_.seed + 1, contents->records,
       cell::SupervisionSettings{artifact_->parameters.lease, artifact_->parameters.aging, turns_,
                                 settings_.most_records},
       std::move(ports));

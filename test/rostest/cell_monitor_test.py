@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The monitor of a cell beside robots and a mechanism that nothing else keeps apart. In real time, as it judges by the age of what it hears."""
-import json
+import hashlib
 import os
 import re
 import signal
@@ -37,6 +37,11 @@ def between(part):
 
 def cell_file(name):
     return os.path.join(rospkg.RosPack().get_path("cobot_command"), "config", "cells", f"{name}.yaml")
+
+
+def digest_of(artifact):
+    with open(artifact, "rb") as file:
+        return hashlib.sha256(file.readline()).hexdigest()
 
 
 def call(name, kind, *arguments):
@@ -77,9 +82,8 @@ class SupervisorOfThePallet:
     """Tells that the robot is at home and runs its program, twenty times a second."""
 
     def __init__(self, artifact):
-        with open(artifact, encoding="utf-8") as file:
-            robot = CellRobot(name="RA", state=CellRobot.READY, place="HOME")
-            self._state = CellState(hash=json.loads(file.readline())["hash"], instance=1, mode=CellState.RUNNING, robots=[robot])
+        robot = CellRobot(name="RA", state=CellRobot.READY, place="HOME")
+        self._state = CellState(hash=digest_of(artifact), instance=1, mode=CellState.RUNNING, robots=[robot])
         self._told = rospy.Publisher("/cell/state", CellState, queue_size=1)
         self._is_over = threading.Event()
         self._thread = threading.Thread(target=self._tell)
@@ -235,9 +239,7 @@ class CellMonitor(OutcomeTestCase):
         cubes = next(m for m in free if m.ns == "zones")
         self.assertEqual((cubes.type, cubes.header.frame_id), (Marker.CUBE_LIST, "world"))
         self.assertGreater(len(cubes.points), 100)
-        with open(self.artifact, encoding="utf-8") as file:
-            made = json.loads(file.readline())
-        state = CellState(hash=made["hash"], zones=[CellZone(name="Z1", state=CellZone.HELD, owner="RA", waiting=["RB"])])
+        state = CellState(hash=digest_of(self.artifact), zones=[CellZone(name="Z1", state=CellZone.HELD, owner="RA", waiting=["RB"])])
         supervisor = rospy.Publisher("/cell/state", CellState, queue_size=1, latch=True)
         supervisor.publish(state)
         held = zones.wait_for(lambda m: any(n.text == "Z1: RA" for n in m.markers), "the owner").markers

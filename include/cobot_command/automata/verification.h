@@ -32,7 +32,8 @@ struct VerificationCounts {
 
 struct Verification {
   /// Each a sentence with the events that lead there; empty: it is proved to be mutually exclusive,
-  /// controllable, non-blocking and maximally permissive, and to be the one with that fingerprint.
+  /// controllable, non-blocking and maximally permissive, and to be the one with that fingerprint; and, where
+  /// it is known what robots hold, not to be left by a booking that is taken back.
   std::vector<std::string> faults;
   VerificationCounts counts;
 };

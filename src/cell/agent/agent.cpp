@@ -118,7 +118,7 @@ Agent::Parts::Parts(std::shared_ptr<const Artifact> artifact, CellModel model, R
       robot_(robot),
       session_(session),
       walk_(model_, robot),
-      states_(program().name, session, artifact_->hash, artifact_->parameters.lease),
+      states_(program().name, session, artifact_->digest, artifact_->parameters.lease),
       where_(artifact_, robot, std::move(zones)),
       itinerary_(program()) {}
 

@@ -30,7 +30,7 @@ class MechanismAgent::Parts {
         user_(user),
         session_(session),
         walk_(model_, user),
-        states_(program().name, session, artifact_->hash, artifact_->parameters.lease) {}
+        states_(program().name, session, artifact_->digest, artifact_->parameters.lease) {}
 
   void measure(double position, bool moving, Instant now);
   void hear(const CellStatus& state, std::uint64_t number, Instant now);

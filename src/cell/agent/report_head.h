@@ -18,7 +18,7 @@ namespace cobot_command::cell {
                                         const ProgramWalk& walk) {
   RobotReport report;
   report.robot = name;
-  report.hash = artifact.hash;
+  report.hash = artifact.digest;
   report.session = session;
   report.instance = states.instance();
   report.events = walk.untold();

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "cobot-cell-artifact";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 /// Calls for each parameter that is a number of its own, by its name.
 template <class ParametersOrConst, class Visitor>
@@ -157,36 +157,52 @@ Artifact artifactFrom(const json& source) {
   return artifact;
 }
 
+CellText sourceFrom(const json& source) {
+  return {source.at("cell").get<std::string>(), source.at("files").get<std::map<std::string, std::string>>()};
+}
+
 }  // namespace
 
+json toJson(const Artifact& artifact) {
+  return {{"format", kFormat},
+          {"version", kVersion},
+          {"hash", artifact.hash},
+          {"parameters", written(artifact.parameters)},
+          {"program", toJson(artifact.program)},
+          {"zones", listOf(artifact.zones)},
+          {"robots", listOf(artifact.robots)},
+          {"mechanisms", listOf(artifact.mechanisms)},
+          {"policy", toString(artifact.policy)},
+          {"supervisors", listOf(artifact.supervisors)},
+          {"least_distance", artifact.least_distance}};
+}
+
 std::string toBytes(const Artifact& artifact) {
-  const json file = {{"format", kFormat},
-                     {"version", kVersion},
-                     {"hash", artifact.hash},
-                     {"parameters", written(artifact.parameters)},
-                     {"program", toJson(artifact.program)},
-                     {"zones", listOf(artifact.zones)},
-                     {"robots", listOf(artifact.robots)},
-                     {"mechanisms", listOf(artifact.mechanisms)},
-                     {"policy", toString(artifact.policy)},
-                     {"supervisors", listOf(artifact.supervisors)},
-                     {"least_distance", artifact.least_distance}};
-  const std::string text = file.dump() + "\n";
+  const json source = {{"cell", artifact.source.text}, {"files", artifact.source.files}};
+  const std::string text =
+      toJson(artifact).dump() + "\n" + source.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
   return text + sha256Hex(text) + "\n";
 }
 
+std::string digestOf(std::string_view bytes) {
+  return sha256Hex(bytes.substr(0, bytes.find('\n') + 1));
+}
+
 Result<Artifact, std::string> fromBytes(std::string_view bytes) {
-  const auto end = bytes.find('\n');
-  const bool has_checksum =
-      end != std::string_view::npos && bytes.substr(end + 1) == sha256Hex(bytes.substr(0, end + 1)) + "\n";
   if (bytes.empty() || bytes.front() != '{') {
     return refuse(std::string("it is no artifact, which tm_cell build makes of the file of a cell"));
   }
-  if (!has_checksum) {
+  // What is cut off by one byte has no last line.
+  const std::size_t checksum = bytes.size() < 2 ? 0 : bytes.rfind('\n', bytes.size() - 2) + 1;
+  if (checksum == 0 || bytes.substr(checksum) != sha256Hex(bytes.substr(0, checksum)) + "\n") {
     return refuse(std::string("the artifact is damaged: its checksum is wrong. Build it anew"));
   }
+  const std::size_t source = bytes.find('\n') + 1;
   try {
-    return artifactFrom(json::parse(bytes.substr(0, end)));
+    Artifact artifact = artifactFrom(json::parse(bytes.substr(0, source)));
+    artifact.source = sourceFrom(json::parse(bytes.substr(source, checksum - source)));
+    artifact.digest = digestOf(bytes);
+    return artifact;
   } catch (const json::exception& wrong) {
     return refuse(fmt::format("the artifact cannot be read: {}", wrong.what()));
   }

@@ -8,6 +8,9 @@
 
 namespace cobot_command::cell {
 
+/// All but its source, and what is said of it as a whole.
+[[nodiscard]] nlohmann::json toJson(const Artifact& artifact);
+
 [[nodiscard]] nlohmann::json toJson(const arm::JointVector& joints);
 [[nodiscard]] arm::JointVector jointsFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::json toJson(const arm::Pose& pose);

@@ -129,6 +129,7 @@ Artifact CellBuild::artifact() const {
   artifact.supervisors = supervisors_;
   artifact.least_distance = soundness_.least;
   for (RobotIndex robot = 0; robot < planned_.size(); ++robot) artifact.robots.push_back(robotOf(robot));
+  artifact.source = cell_.source;
   for (std::size_t index = 0; index < cell_.mechanisms.size(); ++index) {
     artifact.mechanisms.push_back(mechanismOf(cell_.mechanisms[index], planned_.size() + index));
   }

@@ -155,16 +155,23 @@ Result<Cell, std::vector<Fault>> parseCell(const std::string& text, const std::s
                                            const ReadFile& read_file) {
   FaultList faults(foreignText(name));
   Cell cell;
+  CellText source{text, {}};
+  const ReadFile read_and_keep = [&](const std::string& other) {
+    auto of_other = read_file(other);
+    if (of_other) source.files[other] = *of_other;
+    return of_other;
+  };
   checkText(text, faults);
   if (faults.isEmpty()) {
     faults.collect("", [&] {
       const YamlMap file(
           documentIn(text), "the file",
           {"cell", "parameters", "robots", "stations", "programs", "parts", "obstacles", "mechanisms"});
-      cell = CellReading(file, faults, read_file).read();
+      cell = CellReading(file, faults, read_and_keep).read();
     });
   }
   if (!faults.isEmpty()) return refuse(std::move(faults).all());
+  cell.source = std::move(source);
   return cell;
 }
 

@@ -48,7 +48,7 @@ void CarriedParts::hear(const cobot_command::CellState& state, const std::string
     if (source_ && now - source_->heard <= artifact_->parameters.lease) return;
     source_.reset();  // it is silent: the other one may take its place
   }
-  if (state.hash != artifact_->hash) return;
+  if (state.hash != artifact_->digest) return;
   const std::pair number(state.epoch, state.number);
   if (source_ && number <= source_->number) return;  // late, or doubled
   source_ = Source{publisher, state.instance, number, now};
@@ -56,7 +56,7 @@ void CarriedParts::hear(const cobot_command::CellState& state, const std::string
 }
 
 bool CarriedParts::isFromAnother(const cobot_command::CellState& state, const std::string& publisher) const {
-  if (state.hash != artifact_->hash) return true;
+  if (state.hash != artifact_->digest) return true;
   return source_ && (state.instance != source_->instance || publisher != source_->publisher);
 }
 

@@ -6,8 +6,8 @@
 #include "supervision/supervisor_errors.h"
 #include <fmt/format.h>
 
+#include "cobot_command/cell/artifact/artifact.h"
 #include "cobot_command/cell/artifact/cell_build.h"
-#include "cobot_command/cell/program/canonical.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
@@ -100,7 +100,6 @@ bool CellBuilder::runStages(const cobot_command::BuildCellGoal& goal, cell::Poli
     failed(cell.error());
     return false;
   }
-  const std::string hash = hashOf(*cell);
   cell::CellBuild build(*std::move(cell), policy, 1);
   for (const cell::BuildStage stage : cell::kBuildStages) {
     if (is_cancelled_) return false;
@@ -124,7 +123,7 @@ bool CellBuilder::runStages(const cobot_command::BuildCellGoal& goal, cell::Poli
       goal.artifact.empty() ? std::vector<std::string>() : runtime::writeFile(goal.artifact, build.bytes());
   if (!faults.empty()) failed(faults);
   const std::lock_guard<std::mutex> lock(mutex_);
-  result_.hash = hash;
+  result_.hash = cell::digestOf(build.bytes());
   return faults.empty();
 }
 

@@ -20,7 +20,7 @@ namespace cobot_command::ros_adapter {
 /// To be spun by one thread.
 class CellBuilder {
  public:
-  /// `hash`: of the artifact that the supervisor runs with.
+  /// `hash`: the digest of the artifact that the supervisor runs with.
   CellBuilder(const ros::NodeHandle& node, const ActionQueues& queues, std::string hash);
   ~CellBuilder();  ///< ends the build behind the stage that it is at
   CellBuilder(const CellBuilder&) = delete;

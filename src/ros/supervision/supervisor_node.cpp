@@ -46,7 +46,7 @@ SupervisorNode::SupervisorNode(const ros::NodeHandle& node, const ros::NodeHandl
                                              [this](Instant now) { settle(now); });
   const ActionQueues queues{spinner_, spinner_};
   runs_ = std::make_unique<ProgramRuns>(node, queues, namesOf(artifact), contacts_);
-  builder_ = std::make_unique<CellBuilder>(node, queues, artifact.hash);
+  builder_ = std::make_unique<CellBuilder>(node, queues, artifact.digest);
   diagnostics_ = std::make_unique<SupervisorDiagnostics>(node, self, artifact.parameters.wait_timeout);
   OwnHandle handle(node);
   handle.requireType("/diagnostics", "diagnostic_msgs/DiagnosticArray");

@@ -16,7 +16,7 @@ SettingTable settingsTable(SupervisorParameters& p) {
       {"journal", text(p.files.journal, orEmpty(path)),
        "what was granted is kept there over a restart; made where there is none; has to be given"},
       {"cell_file", text(p.files.cell_file, orEmpty(path)),
-       "the file of the cell: an artifact that is not made of it is refused; empty: not compared"},
+       "the file of the cell: an artifact that is not made of it is refused; empty: it is only verified"},
       {"policy",
        choice<Deciding>(p.policy, {{"artifact", Deciding::AsBuilt},
                                    {"supervisor", Deciding::Supervisor},

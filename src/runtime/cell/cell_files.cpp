@@ -6,7 +6,9 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "cobot_command/cell/program/canonical.h"
 #include "cobot_command/cell/program/cell_file.h"
 #include "cobot_command/common/foreign_text.h"
 
@@ -91,6 +93,19 @@ Result<cell::Artifact, std::vector<std::string>> readArtifact(const std::string&
   auto artifact = cell::fromBytes(*bytes);
   if (!artifact) return refuse(std::vector<std::string>{name + ": " + artifact.error()});
   return std::move(*artifact);
+}
+
+std::optional<std::string> objectionTo(const cell::Artifact& artifact, const std::string& artifact_file,
+                                       const std::string& cell_file) {
+  const auto cell = readCellFile(cell_file);
+  if (!cell) return fmt::format("{}", fmt::join(cell.error(), "; "));
+  const std::string hash = hashOf(*cell);
+  if (hash == artifact.hash) return std::nullopt;
+  return fmt::format(
+      "{} is not made of {}, whose hash is {}, and not {}: build it anew, by tm_cell build, for all nodes of "
+      "the cell",
+      foreignText(artifact_file), foreignText(cell_file), hash.substr(0, 8),
+      foreignText(artifact.hash.substr(0, 8)));
 }
 
 }  // namespace cobot_command::runtime

@@ -1,16 +1,18 @@
 #include "cobot_command/runtime/cell/cell_supervisor.h"
 
+#include <algorithm>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 #include "cell/journal_file.h"
 #include <Eigen/Core>
 #include <fmt/format.h>
 
+#include "cobot_command/cell/artifact/artifact_check.h"
 #include "cobot_command/cell/artifact/artifact_rules.h"
 #include "cobot_command/cell/artifact/artifact_schedule.h"
 #include "cobot_command/cell/artifact/place_fit.h"
-#include "cobot_command/cell/program/canonical.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/runtime/cell/any_id.h"
 #include "cobot_command/runtime/cell/cell_files.h"
@@ -20,17 +22,19 @@ namespace {
 
 constexpr auto kScheduleWithin = std::chrono::seconds(10);
 
-std::optional<std::string> objectionTo(const cell::Artifact& artifact, const SupervisorFiles& files) {
-  if (files.cell_file.empty()) return std::nullopt;
-  const auto cell = readCellFile(files.cell_file);
-  if (!cell) return fmt::format("{}", fmt::join(cell.error(), "; "));
-  const std::string hash = hashOf(*cell);
-  if (hash == artifact.hash) return std::nullopt;
+/// Why it must not be run: of another cell, or not what is made of its own.
+std::optional<std::string> faultOf(const cell::Artifact& artifact, const SupervisorFiles& files) {
+  if (!files.cell_file.empty()) {
+    if (auto objection = objectionTo(artifact, files.artifact, files.cell_file)) return objection;
+  }
+  const auto faults = cell::checkArtifact(artifact, std::max(1U, std::thread::hardware_concurrency())).faults;
+  if (faults.empty()) return std::nullopt;
+  const std::string more =
+      faults.size() == 1 ? std::string() : fmt::format(" (the first of {})", faults.size());
   return fmt::format(
-      "{} is not made of {}, whose hash is {}, and not {}: build it anew, by tm_cell build, for all nodes of "
-      "the cell",
-      foreignText(files.artifact), foreignText(files.cell_file), hash.substr(0, 8),
-      artifact.hash.substr(0, 8));
+      "{} is not what is made of its cell: {}{}. It was changed, or made by another version or on another "
+      "kind of machine: build it anew, by tm_cell build, for all nodes of the cell",
+      foreignText(files.artifact), faults.front(), more);
 }
 
 cell::Policy policyOf(const cell::Artifact& artifact, Deciding deciding) {
@@ -52,7 +56,7 @@ Result<std::unique_ptr<CellSupervisor>, std::string> CellSupervisor::open(const 
                                                                           Deciding deciding) {
   auto artifact = readArtifact(files.artifact);
   if (!artifact) return refuse(artifact.error().front());
-  if (auto objection = objectionTo(*artifact, files)) return refuse(*std::move(objection));
+  if (auto fault = faultOf(*artifact, files)) return refuse(*std::move(fault));
   auto rules = rulesOf(*artifact, policyOf(*artifact, deciding));
   if (!rules) return refuse(rules.error());
   auto turns = turnsFor(*artifact, rules->model(), deciding);
@@ -78,7 +82,7 @@ CellSupervisor::CellSupervisor(cell::Artifact artifact, cell::Rules rules, cell:
   settings.lease = artifact_.parameters.lease;
   settings.aging = artifact_.parameters.aging;
   settings.turns = std::move(turns);
-  core_ = std::make_unique<cell::Supervision>(std::move(rules), artifact_.hash, anyId(),
+  core_ = std::make_unique<cell::Supervision>(std::move(rules), artifact_.digest, anyId(),
                                               journal_->takeRecords(), std::move(settings), std::move(ports));
 }
 

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/cell/artifact/artifact_check.h"
 #include "cobot_command/cell/program/canonical.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
 namespace cobot_command::tools {
@@ -62,54 +64,26 @@ Answer buildCell(const BuildOptions& options, BuildStage last) {
   return answer;
 }
 
-namespace {
-
-/// Why the artifact is not what is made of that cell.
-std::vector<std::string> compared(const cell::Artifact& artifact, const std::string& artifact_file,
-                                  cell::Cell cell, const std::string& cell_file, unsigned threads) {
-  if (hashOf(cell) != artifact.hash) {
-    return {fmt::format("{} is not what the artifact was made of: its hash is {}. Build it anew", cell_file,
-                        hashOf(cell))};
-  }
-  cell::CellBuild build(std::move(cell), artifact.policy, threads);
-  for (const BuildStage stage : cell::kBuildStages) {
-    if (stage == BuildStage::Verify) break;  // that is done with the bytes of the file
-    auto faults = build.run(stage);
-    if (!faults.empty()) return faults;
-  }
-  const auto bytes = runtime::readFile(artifact_file);
-  if (bytes && *bytes == build.bytes()) return {};
-  return {
-      fmt::format("{} has the hash of {}, and is not what is made of it here: it was changed, or made by "
-                  "another version or on another kind of machine. Build it anew",
-                  artifact_file, cell_file)};
-}
-
-}  // namespace
-
 Answer verifyArtifact(const std::string& artifact_file, const std::string& cell_file, unsigned threads) {
-  const auto begin = Clock::now();
+  auto begin = Clock::now();
   const auto artifact = readArtifact(artifact_file);
   if (!artifact) return {{{"verify", secondsSince(begin), {}, artifact.error()}}};
-  AnswerStage stage{"verify", 0.0, {"hash " + artifact->hash}, {}};
+  Answer answer;
   if (!cell_file.empty()) {
-    auto cell = readCellFile(cell_file);
-    if (!cell) return {{{"check", secondsSince(begin), {}, cell.error()}}};
-    stage.faults = compared(*artifact, artifact_file, *std::move(cell), cell_file, threads);
-    if (stage.faults.empty()) stage.report.push_back("it is, byte by byte, what is made of " + cell_file);
+    const auto objection = runtime::objectionTo(*artifact, artifact_file, cell_file);
+    answer.stages.push_back({"compare", secondsSince(begin), {cell_file}, {}});
+    if (objection) answer.stages.back().faults.push_back(*objection);
+    begin = Clock::now();
   }
-  const auto model = cell::modelOf(artifact->program);
-  if (!model) return {{{"verify", secondsSince(begin), {}, model.error()}}};
-  for (const auto& part : verifyParts(*model, artifact->supervisors,
-                                      static_cast<std::size_t>(artifact->parameters.max_states))) {
-    stage.faults.insert(stage.faults.end(), part.faults.begin(), part.faults.end());
-    stage.report.push_back(
-        fmt::format("{} states of plants and specs, {} dead; {} reached, {} refused by zones, {} beyond",
-                    part.counts.plant_and_spec, part.counts.dead, part.counts.states,
-                    part.counts.refused_by_spec, part.counts.refused_beyond_spec));
+  auto check = cell::checkArtifact(*artifact, threads);
+  for (std::string& fault : check.faults) fault = foreignText(artifact_file) + ": " + fault;
+  if (!check.faults.empty()) {
+    check.faults.push_back(foreignText(artifact_file) +
+                           " was changed, or made by another version or on another kind of machine. Build it "
+                           "anew");
   }
-  stage.seconds = secondsSince(begin);
-  return {{std::move(stage)}};
+  answer.stages.push_back({"verify", secondsSince(begin), std::move(check.report), std::move(check.faults)});
+  return answer;
 }
 
 }  // namespace cobot_command::tools

@@ -88,7 +88,7 @@ TEST(ARobotWhoseNodeIsStartedAnewInAZone, keepsItUntilAPersonHasRecoveredIt) {
   ASSERT_TRUE(rig.goesInto(0, 0));
   cell::RobotReport late;
   late.robot = "RA";
-  late.hash = rig.artifact->hash;
+  late.hash = rig.artifact->digest;
   late.session = rig.of(0).session;
   late.number = 1000000;
   rig.robot(0).restart(77);
@@ -123,7 +123,7 @@ TEST(ASecondNodeOfARobot, isNotListenedTo) {
   ASSERT_TRUE(rig.goesInto(0, 0));
   cell::RobotReport second;
   second.robot = "RA";
-  second.hash = rig.artifact->hash;
+  second.hash = rig.artifact->digest;
   second.session = 99;
   std::uint64_t told = 0;
   EXPECT_TRUE(rig.passUntil([&] {

@@ -57,6 +57,24 @@ TEST(Verification, countsWhatTheSynthesisCounts) {
   EXPECT_EQ(counts.refused_beyond_spec, 3U);
 }
 
+TEST(Verification, namesABookingThatCannotBeTakenBack) {
+  // B may do b only while A has Z, and A never gives it back: without A's booking nobody is where both are.
+  Problem problem;
+  problem.name = "one way";
+  problem.events = {{"A_b_Z", true}, {"B_b", true}};
+  const auto plant = Automaton::Kind::Plant;
+  problem.automata = {{"A", plant, {0}, {"home", "there"}, 0, {0, 1}, {{0, 0, 1}}},
+                      {"B", plant, {1}, {"home", "there"}, 0, {0, 1}, {{0, 1, 1}}},
+                      {"Z", Automaton::Kind::Spec, {0, 1}, {"free", "A"}, 0, {0, 1}, {{0, 0, 1}, {1, 1, 1}}}};
+  const Made supervisor = made(problem);
+  const Holds holds = {{{}, {0}}, {{}, {}}, {}};
+  EXPECT_THAT(verify(supervisor.supervisor, supervisor.fingerprint).faults, IsEmpty())
+      << "of what is no cell, nobody takes anything back";
+  EXPECT_THAT(
+      verify(supervisor.supervisor, supervisor.fingerprint, holds).faults,
+      Contains(HasSubstr("taken back, A_b_Z leads to where the supervisor never is, behind A_b_Z B_b")));
+}
+
 TEST(Verification, namesTheBlockingOfAMissingFrontierState) {
   Made supervisor = made(ring(3));
   supervisor.supervisor.frontier.clear();

@@ -18,7 +18,7 @@ using Kind = NumberedEvent::Kind;
 /// Positions in metres: at home 0, in the zone from 0.5 on, and at 1 IN.
 std::shared_ptr<const Artifact> palletArtifact() {
   auto artifact = std::make_shared<Artifact>();
-  artifact->hash = "abc";
+  artifact->digest = "abc";
   artifact->program = test_support::pallet();
   artifact->robots.resize(1);
   ArtifactMechanism& made = artifact->mechanisms.emplace_back();

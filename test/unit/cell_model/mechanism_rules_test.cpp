@@ -34,6 +34,9 @@ class Cell {
       state_ = std::move(decision.next);
     }
   }
+  [[nodiscard]] bool undoes(const std::string& name) const {
+    return rules_.undone(state_, eventOf(name)).has_value();
+  }
   [[nodiscard]] Tuple behind(const std::string& name) const {
     return rules_.decide(state_, eventOf(name)).next;
   }
@@ -92,6 +95,17 @@ TEST(AMechanismThatEntersByItself, isVerifiedAndKeepsItsWayHome) {
     ASSERT_TRUE(parts) << parts.error();
     for (const auto& found : verifyParts(*model, *parts, max_states)) EXPECT_THAT(found.faults, IsEmpty());
   }
+}
+
+TEST(AMechanismThatEntersByItself, takesNoBookingBackAsItAskedForNone) {
+  Cell cell(pallet());
+  cell.make({"PALLET_g_IN"});
+  EXPECT_TRUE(cell.undoes("PALLET_g_IN")) << "it was let go, and has not begun";
+  cell.make({"PALLET_b_Z"});
+  EXPECT_FALSE(cell.undoes("PALLET_b_Z"));
+  Cell robot(pallet());
+  robot.make({"RA_g_T1", "RA_b_Z"});
+  EXPECT_TRUE(robot.undoes("RA_b_Z")) << "that of the others is withdrawn as ever";
 }
 
 TEST(AMechanismThatEntersByItself, isHeldBackAlsoWhereTheModelIsCompressed) {

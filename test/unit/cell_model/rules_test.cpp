@@ -15,6 +15,7 @@ using test_support::book;
 using test_support::handover;
 using test_support::headOn;
 using test_support::iris;
+using test_support::pallet;
 using test_support::release;
 using test_support::thereAndBack;
 using testing::ElementsAre;
@@ -168,6 +169,7 @@ TEST(UndoOfABooking, staysInsideOfTheSupervisor) {
   EXPECT_EQ(undoesOf(rulesOf(headOn())), 14U);
   EXPECT_EQ(undoesOf(rulesOf(iris())), 144U);
   EXPECT_EQ(undoesOf(rulesOf(iris(4))), 1264U);
+  EXPECT_EQ(undoesOf(rulesOf(pallet())), 2U) << "of the robot alone: the pallet asks for nothing";
 }
 
 TEST(Supervisors, areRefusedWithTheWayIntoAConflictThatCannotBeRefused) {

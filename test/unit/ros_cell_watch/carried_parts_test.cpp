@@ -87,7 +87,7 @@ class PartsOfThePallet : public ::testing::Test {
  protected:
   CellState state(const std::string& place) {
     CellState state;
-    state.hash = pallet()->hash;
+    state.hash = pallet()->digest;
     state.instance = 7;
     state.epoch = 1;
     state.number = ++number;
@@ -248,7 +248,7 @@ TEST_F(PartsOfThePallet, areThoseOfBothPlacesWhereTheStateIsAheadOfTheJoints) {
   const LastRelease last = lastRelease(artifact);
   parts = *CarriedParts::of(artifact);
   CellState ahead = state(last.place.name);
-  ahead.hash = artifact->hash;
+  ahead.hash = artifact->digest;
   hear(ahead, at(1));
   parts.measured("RA", onTheWayBack(last.piece + 1, artifact), at(1));
   ASSERT_TRUE(isKnown(at(1))) << last.place.name;

@@ -17,6 +17,7 @@
 #include "cobot_command/cell/claims/claims.h"
 #include "cobot_command/cell/model/cell_program.h"
 #include "cobot_command/cell/model/supervisors.h"
+#include "cobot_command/cell/program/cell.h"
 #include "cobot_command/cell/zones/holds.h"
 #include "cobot_command/cell/zones/zones.h"
 #include "cobot_command/common/result.h"
@@ -110,10 +111,18 @@ struct Artifact {
   Policy policy = Policy::Supervisor;
   std::vector<PartSupervisor> supervisors;
   double least_distance = 0.0;  ///< of the soundness check [m]
+  CellText source;              ///< what all of this is made of
+  /// Of all of this but `source`: by that the nodes of a cell know that they have the same artifact. Of one
+  /// that was read; empty before it is written.
+  std::string digest;
 };
 
-/// The same bytes for the same artifact, on any locale. The last line is a checksum of all before it.
+/// Three lines: what was made, what it was made of, and a checksum of both. The same bytes for the same
+/// artifact, on any locale.
 [[nodiscard]] std::string toBytes(const Artifact& artifact);
+
+/// That of Artifact, of the bytes of one: SHA-256 of the first line.
+[[nodiscard]] std::string digestOf(std::string_view bytes);
 
 /// A fault is a sentence: it is damaged, or of another version.
 [[nodiscard]] Result<Artifact, std::string> fromBytes(std::string_view bytes);

@@ -44,6 +44,8 @@ class CellBuild {
   [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
   [[nodiscard]] const std::vector<RobotClaim>& claims() const { return claims_; }
   [[nodiscard]] const CellModel& model() const { return model_; }
+  /// All that was made so far. Precondition: all stages up to Instrument were done.
+  [[nodiscard]] Artifact artifact() const;
   /// Precondition: all stages up to Synthesize were done.
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
@@ -54,7 +56,6 @@ class CellBuild {
   [[nodiscard]] std::vector<std::string> split();
   [[nodiscard]] std::vector<std::string> synthesize();
   [[nodiscard]] std::vector<std::string> verify();
-  [[nodiscard]] Artifact artifact() const;
   [[nodiscard]] ArtifactRobot robotOf(RobotIndex robot) const;
   [[nodiscard]] ArtifactPath pathOf(RobotIndex robot, std::size_t index) const;
   /// `user`: of the program, behind the robots.

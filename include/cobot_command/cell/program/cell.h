@@ -6,6 +6,7 @@
 // file; paths, steps and shapes in that of the file.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -127,6 +128,12 @@ struct Mechanism {
   Place place;
 };
 
+/// What a cell was read from: its file, and those that it names, by their names in it.
+struct CellText {
+  std::string text;
+  std::map<std::string, std::string> files;
+};
+
 struct Cell {
   std::string name;
   Parameters parameters;
@@ -134,6 +141,7 @@ struct Cell {
   std::vector<Part> parts;
   std::vector<Obstacle> obstacles;
   std::vector<Mechanism> mechanisms;
+  CellText source;  ///< no part of what a cell means: not hashed
 };
 
 /// The thing of that name in such a list; nullptr: there is none.

@@ -77,7 +77,7 @@ struct ZoneStatus {
 
 struct CellStatus {
   std::string cell;
-  std::string hash;
+  std::string hash;            ///< the digest of the artifact
   std::uint64_t instance = 0;  ///< drawn with the journal
   std::uint64_t epoch = 0;     ///< one more with each start
   std::uint64_t events = 0;    ///< carried out since the journal began

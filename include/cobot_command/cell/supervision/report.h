@@ -44,7 +44,7 @@ enum class RobotCondition : std::uint8_t {
 
 struct RobotReport {
   std::string robot;
-  std::string hash;            ///< of its artifact
+  std::string hash;            ///< the digest of its artifact
   std::uint64_t session = 0;   ///< drawn at the start of the robot's node
   std::uint64_t instance = 0;  ///< of the supervisor that it knows; 0: none yet
   std::uint64_t number = 0;    ///< of reports of the session: an older one behind a newer tells nothing

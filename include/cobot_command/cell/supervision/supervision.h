@@ -64,8 +64,8 @@ struct SupervisionCounts {
 
 class Supervision {
  public:
-  /// `records`: of the journal; empty: it is new. `instance` is that of a new journal. The first record is
-  /// appended at once.
+  /// `hash`: the digest of the artifact. `records`: of the journal; empty: it is new. `instance` is that of a
+  /// new journal. The first record is appended at once.
   Supervision(Rules rules, std::string hash, std::uint64_t instance,
               const std::vector<journal::Record>& records, SupervisionSettings settings,
               SupervisionPorts ports);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,9 @@ inline constexpr std::size_t kLongestFile = std::size_t{1} << 30;  // [bytes]
 /// With the files that it names beside it; or all that is wrong.
 [[nodiscard]] Result<cell::Cell, std::vector<std::string>> readCellFile(const std::string& name);
 [[nodiscard]] Result<cell::Artifact, std::vector<std::string>> readArtifact(const std::string& name);
+/// Why the artifact is of another cell than that of the file, or what is wrong with that; a sentence.
+[[nodiscard]] std::optional<std::string> objectionTo(const cell::Artifact& artifact,
+                                                     const std::string& artifact_file,
+                                                     const std::string& cell_file);
 
 }  // namespace cobot_command::runtime

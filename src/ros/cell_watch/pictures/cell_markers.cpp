@@ -142,7 +142,7 @@ VoxelHull hullOf(const cell::VoxelSet& voxels, double edge) {
 
 CellScene sceneOf(const cell::Artifact& artifact) {
   CellScene scene;
-  scene.hash = artifact.hash;
+  scene.hash = artifact.digest;
   for (std::size_t user = 0; user < artifact.program.robots.size(); ++user) {
     CellScene::Robot robot{artifact.program.robots[user].name, std::nullopt};
     if (user < artifact.robots.size()) robot.base = artifact.robots[user].base.translation();

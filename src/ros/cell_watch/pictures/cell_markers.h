@@ -33,7 +33,7 @@ struct CellScene {
     std::string name;
     VoxelHull hull;
   };
-  std::string hash;           ///< of the artifact
+  std::string hash;           ///< the digest of the artifact
   std::vector<Robot> robots;  ///< and then mechanisms, in the order of their colours
   std::vector<Zone> zones;
 };
