@@ -14,7 +14,7 @@ namespace cobot_command::cell::monitor {
 class MechanismTrack : public Track {
  public:
   MechanismTrack(std::string name, MechanismBodies mechanism)
-      : name_(std::move(name)), mechanism_(std::move(mechanism)) {}
+      : Track({}), name_(std::move(name)), mechanism_(std::move(mechanism)) {}
 
   /// As Monitor::takePosition(). Nobody tells its speed: it is what it did since the data before.
   Taken take(double position, Duration age, Instant now, Duration most);

@@ -27,8 +27,10 @@ std::string wrongIn(const MonitorSettings& settings) {
     return fmt::format("Distances are exact within {} m, but that has to be at least the margin, {} m.",
                        settings.exact_within, settings.margin);
   }
-  if (settings.stale_after <= Duration::zero() || settings.period <= Duration::zero()) {
-    return "A time of the monitor is none; the age of stale data and the period have to be above 0.";
+  if (settings.stale_after <= Duration::zero() || settings.period <= Duration::zero() ||
+      settings.prompt <= Duration::zero()) {
+    return "A time of the monitor is none; the ages of stale and of prompt data, and the period, have to be "
+           "above 0.";
   }
   return "";
 }
@@ -92,6 +94,10 @@ void Monitor::takePosition(const std::string& mechanism, double position, Durati
 
 bool Monitor::setCarried(const std::string& robot, const std::optional<Carried>& parts) {
   return parts_->setCarried(robot, parts);
+}
+
+bool Monitor::setPermit(const std::string& mover, const std::optional<Permit>& permit) {
+  return parts_->setPermit(mover, permit);
 }
 
 void Monitor::tick(Instant now) {

@@ -1,6 +1,7 @@
 #include "monitor/monitor_parts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ Monitor::Parts::Parts(std::vector<WatchedRobot> robots, const std::vector<Watche
       stop_distance_(settings.stop_distance.value_or(settings.margin / 2)),
       alarm_(settings.mode) {
   for (WatchedRobot& robot : robots) {
-    auto track = std::make_unique<RobotTrack>(robot.bodies, std::move(robot.may_carry));
+    auto track = std::make_unique<RobotTrack>(robot.bodies, std::move(robot.may_carry), robot.most_speeds);
     robots_[robot.name] = track.get();
     movers_.push_back({robot.name, std::move(track)});
   }
@@ -98,14 +99,20 @@ bool Monitor::Parts::setCarried(const std::string& robot, const std::optional<Ca
   return true;
 }
 
+bool Monitor::Parts::setPermit(const std::string& mover, const std::optional<Permit>& permit) {
+  const auto found =
+      std::find_if(movers_.begin(), movers_.end(), [&](const Mover& one) { return one.name == mover; });
+  if (found == movers_.end()) return false;
+  found->permit = permit;
+  return true;
+}
+
 void Monitor::Parts::tick(Instant now) {
   bool one_moves = false;
   for (Mover& mover : movers_) {
     if (!mover.track->heard()) continue;
     judgeAge(mover, now);
-    // What is older says nothing of one that moved, which stops all anyway, and one that stood would in the
-    // end be anywhere by the last digits of its speeds.
-    mover.track->grow(std::min(mover.track->age(now), settings_.stale_after));
+    grow(mover, now);
     one_moves = one_moves || (!mover.silent && mover.track->moves(settings_.standing_speed));
   }
   for (PairWatch& pair : pairs_) judge(pair, now);
@@ -121,10 +128,43 @@ void Monitor::Parts::judgeAge(Mover& mover, Instant now) {
   if (mover.silent && !was_silent) alarm_.raise(staleSentence(mover), now);
 }
 
+void Monitor::Parts::grow(Mover& mover, Instant now) {
+  // What is older says nothing of one that moved, which stops all anyway, and one that stood would in the end
+  // be anywhere by the last digits of its speeds.
+  mover.track->grow(std::min(mover.track->age(now), settings_.stale_after));
+}
+
+void Monitor::Parts::growPromptly(Mover& mover, Instant now) {
+  mover.track->grow(std::min(mover.track->age(now), settings_.prompt), mover.permit->most_speeds);
+}
+
+bool Monitor::Parts::areKeptApart(const PairWatch& pair) const {
+  const auto& first = movers_[pair.first].permit;
+  if (!first) return false;
+  if (pair.second >= movers_.size()) return true;  // an obstacle
+  const auto& second = movers_[pair.second].permit;
+  if (!second) return false;
+  std::vector<std::size_t> both;
+  std::set_intersection(first->holds.begin(), first->holds.end(), second->holds.begin(), second->holds.end(),
+                        std::back_inserter(both));
+  return both.empty();
+}
+
+void Monitor::Parts::boundByPermits(PairWatch& pair, Instant now) {
+  std::vector<Mover*> movers{&movers_[pair.first]};
+  if (pair.second < movers_.size()) movers.push_back(&movers_[pair.second]);
+  for (Mover* mover : movers) growPromptly(*mover, now);
+  const monitor::Gap prompt =
+      gapBetween(setOf(pair.first), setOf(pair.second), settings_.exact_within, pair.gap);
+  for (Mover* mover : movers) grow(*mover, now);
+  pair.gap.lowest = std::max(pair.gap.lowest, std::min(prompt.lowest, settings_.margin));
+}
+
 void Monitor::Parts::judge(PairWatch& pair, Instant now) {
   pair.known = isHeard(pair.first) && isHeard(pair.second);
   if (!pair.known) return;
   pair.gap = gapBetween(setOf(pair.first), setOf(pair.second), settings_.exact_within, pair.gap);
+  if (pair.gap.lowest < settings_.margin && areKeptApart(pair)) boundByPermits(pair, now);
   // At once, as what one carries may change before anybody asks.
   pair.bodies = bodiesOf(pair);
   if (pair.gap.distance < pair.least) pair.keepLeast(now);

@@ -29,6 +29,7 @@ class Monitor::Parts {
             const std::optional<arm::JointVector>& velocities, Duration age, Instant now);
   void takePosition(const std::string& mechanism, double position, Duration age, Instant now);
   bool setCarried(const std::string& robot, const std::optional<Carried>& parts);
+  bool setPermit(const std::string& mover, const std::optional<Permit>& permit);
   void tick(Instant now);
   ResetAnswer reset(Instant now);
 
@@ -45,6 +46,7 @@ class Monitor::Parts {
     std::string name;
     std::unique_ptr<monitor::Track> track;
     bool silent = false;  ///< it moved, and its data is stale
+    std::optional<Permit> permit = std::nullopt;
   };
   struct Obstacle {
     std::string name;
@@ -55,6 +57,13 @@ class Monitor::Parts {
   void count(monitor::Track::Taken taken, Instant now);
   void judgeAge(Mover& mover, Instant now);
   void judge(monitor::PairWatch& pair, Instant now);
+  /// By all that it may have done since it was measured.
+  void grow(Mover& mover, Instant now);
+  /// The same within `prompt` alone, as fast as it may be.
+  void growPromptly(Mover& mover, Instant now);
+  [[nodiscard]] bool areKeptApart(const monitor::PairWatch& pair) const;
+  /// Precondition: they are. Takes back what is uncertain only as the data is older than `prompt`.
+  void boundByPermits(monitor::PairWatch& pair, Instant now);
   void begin(monitor::PairWatch& pair, Instant now);
   void end(monitor::PairWatch& pair, Instant now);
 

@@ -23,8 +23,9 @@ double squaredDistanceToAxis(const Eigen::Vector3d& point, const arm::JointAxis&
 
 }  // namespace
 
-RobotTrack::RobotTrack(const RobotBodies& bare, std::vector<FlangeCapsules> may_carry)
-    : bare_(bare), may_carry_(std::move(may_carry)), robot_(bare_.carrying(may_carry_)) {}
+RobotTrack::RobotTrack(const RobotBodies& bare, std::vector<FlangeCapsules> may_carry,
+                       const std::vector<double>& most_speeds)
+    : Track(most_speeds), bare_(bare), may_carry_(std::move(may_carry)), robot_(bare_.carrying(may_carry_)) {}
 
 Track::Taken RobotTrack::take(const arm::JointVector& joints,
                               const std::optional<arm::JointVector>& velocities, Duration age, Instant now,

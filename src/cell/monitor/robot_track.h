@@ -16,7 +16,8 @@ namespace cobot_command::cell::monitor {
 
 class RobotTrack : public Track {
  public:
-  RobotTrack(const RobotBodies& bare, std::vector<FlangeCapsules> may_carry);
+  RobotTrack(const RobotBodies& bare, std::vector<FlangeCapsules> may_carry,
+             const std::vector<double>& most_speeds);
 
   /// As Monitor::take(). The speed of a joint is that of Track::note().
   Taken take(const arm::JointVector& joints, const std::optional<arm::JointVector>& velocities, Duration age,

@@ -10,6 +10,14 @@ constexpr Duration kMostAge = std::chrono::hours(1);
 /// the network.
 constexpr Duration kLeastApart = std::chrono::milliseconds(5);
 
+Track::Axes atMost(Track::Axes speeds, const std::vector<double>& most) {
+  for (Eigen::Index axis = 0; axis < speeds.size(); ++axis) {
+    const auto index = static_cast<std::size_t>(axis);
+    if (index < most.size()) speeds[axis] = std::min(speeds[axis], most[index]);
+  }
+  return speeds;
+}
+
 }  // namespace
 
 Track::Taken Track::note(const Axes& values, const std::optional<Axes>& speeds, Duration age, Instant now,
@@ -36,11 +44,14 @@ void Track::derive(const Axes& values, Instant measured, Duration most) {
   // What it did meanwhile says little of what it does now, when it was not heard for long.
   derived_known_ = reference_ && apart <= most;
   derived_.setZero(values.size());
-  if (derived_known_) derived_ = (values - reference_->values).cwiseAbs() / toSeconds(apart);
+  if (derived_known_) {
+    derived_ = atMost((values - reference_->values).cwiseAbs() / toSeconds(apart), most_speeds_);
+  }
   reference_ = Reference{measured, values};
 }
 
-void Track::grow(Duration age) {
+void Track::grow(Duration age, const std::vector<double>& most_speeds) {
+  growing_ = atMost(speeds_, most_speeds);
   set_.most_growth = 0;
   for (std::size_t i = 0; i < set_.capsules.size(); ++i) {
     set_.growth[i] = displacement(i, toSeconds(age));

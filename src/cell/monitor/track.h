@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "monitor/body_set.h"
 #include <Eigen/Core>
@@ -20,13 +22,15 @@ class Track {
   using Axes =
       Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, static_cast<int>(arm::kJointCount), 1>;
 
-  Track() = default;
+  /// By axis, how fast it can be at most; of those behind the end nobody knows.
+  explicit Track(std::vector<double> most_speeds) : most_speeds_(std::move(most_speeds)) {}
   virtual ~Track() = default;
   Track(const Track&) = delete;
   Track& operator=(const Track&) = delete;
 
-  /// Lets the bodies grow by what they may have moved since they were measured, at the speeds of then.
-  void grow(Duration age);
+  /// Lets the bodies grow by what they may have moved since they were measured, at the speeds of then; of an
+  /// axis for which there is one, at no more than that.
+  void grow(Duration age, const std::vector<double>& most_speeds = {});
 
   [[nodiscard]] bool heard() const { return measured_.has_value(); }
   [[nodiscard]] Instant measured() const { return *measured_; }
@@ -40,13 +44,14 @@ class Track {
 
  protected:
   /// Where the axes are, `age` before `now`; how fast is the greater one of what is told and of what they did
-  /// since data that is older by more than some noise, and by no more than `most`. Precondition: the numbers
-  /// are such as the thing can have.
+  /// since data that is older by more than some noise, and by no more than `most`, as far as they can: two
+  /// that come at once after a pause look as if they had been measured at once. Precondition: the numbers are
+  /// such as the thing can have.
   [[nodiscard]] Taken note(const Axes& values, const std::optional<Axes>& speeds, Duration age, Instant now,
                            Duration most);
   [[nodiscard]] const Axes& values() const { return values_; }
-  /// None is negative.
-  [[nodiscard]] double speed(std::size_t axis) const { return speeds_[static_cast<Eigen::Index>(axis)]; }
+  /// With which the bodies grow; none is negative.
+  [[nodiscard]] double speed(std::size_t axis) const { return growing_[static_cast<Eigen::Index>(axis)]; }
   [[nodiscard]] BodySet& bodies() { return set_; }
 
  private:
@@ -56,9 +61,11 @@ class Track {
   [[nodiscard]] virtual double displacement(std::size_t body, double seconds) const = 0;
   void derive(const Axes& values, Instant measured, Duration most);
 
+  std::vector<double> most_speeds_;
   std::optional<Instant> measured_;
   Axes values_;
   Axes speeds_;
+  Axes growing_;  ///< those, as far as they count
   bool speeds_known_ = false;
   Axes derived_;
   bool derived_known_ = false;

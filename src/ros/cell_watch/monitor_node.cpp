@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cell_watch/base_frames.h"
-#include "cell_watch/carried_parts.h"
+#include "cell_watch/believed_places.h"
 #include "cell_watch/distance_messages.h"
 #include "cell_watch/pictures/cell_pictures.h"
 #include "cell_watch/watch.h"
@@ -45,7 +45,7 @@ class MonitorNode::Impl {
     cell::Cell cell;
     cell::Monitor monitor;
     MoverNamespaces namespaces;
-    std::optional<CarriedParts> carried;
+    std::optional<BelievedPlaces> carried;
     std::optional<CellScene> scene;
   };
   [[nodiscard]] static Result<Made, Faults> make(const MonitorParameters& parameters);
@@ -108,10 +108,10 @@ Result<MonitorNode::Impl::Made, Faults> MonitorNode::Impl::make(const MonitorPar
   if (!namespaces) return refuse(Faults{namespaces.error()});
   auto artifact = artifactOf(parameters.artifact, *cell);
   if (!artifact) return refuse(artifact.error());
-  std::optional<CarriedParts> carried;
+  std::optional<BelievedPlaces> carried;
   std::optional<CellScene> scene;
   if (*artifact) {
-    auto parts = CarriedParts::of(*artifact);
+    auto parts = BelievedPlaces::of(*artifact);
     if (!parts) return refuse(parts.error());
     carried = std::move(*parts);
     scene = sceneOf(**artifact);

@@ -42,11 +42,11 @@ std::string topicOf(const MoverNamespaces::Mover& mover) {
 }  // namespace
 
 Watch::Watch(const ros::NodeHandle& node, cell::Monitor monitor, MoverNamespaces namespaces,
-             std::optional<CarriedParts> carried, PrefixTold prefix_told)
+             std::optional<BelievedPlaces> places, PrefixTold prefix_told)
     : node_(node),
       monitor_(std::move(monitor)),
       namespaces_(std::move(namespaces)),
-      carried_(std::move(carried)),
+      places_(std::move(places)),
       beliefs_(namespaces_.movers().size()),
       prefix_told_(std::move(prefix_told)),
       is_prefix_told_(namespaces_.movers().size()),
@@ -66,7 +66,7 @@ void Watch::start() {
     listenTo(mover);
   }
   reports_ = node_.subscribe("reports", kReports, &Watch::hear, this);
-  if (carried_) {
+  if (places_) {
     states_ = node_.subscribe("state", kStates, &Watch::hearState, this, ros::TransportHints().tcpNoDelay());
   }
   reset_ = node_.advertiseService("reset_monitor", &Watch::reset, this);
@@ -123,7 +123,7 @@ void Watch::take(std::size_t robot, const sensor_msgs::JointState& message) {
     namespaces_.heard(robot, now);
     // By the arrival here: what others write into a stamp is theirs.
     monitor_.take(name, reading->joints, reading->velocities, Duration(0), now);
-    if (carried_) carried_->measured(name, reading->joints, now);
+    if (places_) places_->measured(name, reading->joints, now);
     believe(robot, now);
     if (!is_prefix_told_[robot]) {
       is_prefix_told_[robot] = true;
@@ -137,9 +137,12 @@ void Watch::take(std::size_t robot, const sensor_msgs::JointState& message) {
 
 void Watch::takePosition(std::size_t mechanism, double position) {
   const Instant now = steadyNow();
+  const std::string& name = namespaces_.movers()[mechanism].name;
   // What is no position leaves it unheard, as joints that are none do.
   if (std::isfinite(position)) namespaces_.heard(mechanism, now);
-  monitor_.takePosition(namespaces_.movers()[mechanism].name, position, Duration(0), now);
+  monitor_.takePosition(name, position, Duration(0), now);
+  if (places_) places_->measured(name, position * arm::JointVector::Unit(0), now);
+  believe(mechanism, now);
   advance(now);
 }
 
@@ -157,21 +160,24 @@ void Watch::hear(const ros::MessageEvent<cobot_command::CellReport const>& event
 
 void Watch::hearState(const ros::MessageEvent<cobot_command::CellState const>& event) {
   const Instant now = steadyNow();
-  carried_->hear(*event.getConstMessage(), event.getPublisherName(), now);
+  places_->hear(*event.getConstMessage(), event.getPublisherName(), now);
   for (std::size_t mover = 0; mover < beliefs_.size(); ++mover) believe(mover, now);
   advance(now);
 }
 
-void Watch::believe(std::size_t robot, Instant now) {
-  const std::string& name = namespaces_.movers()[robot].name;
-  if (!carried_ || !carried_->mayCarry(name)) return;
-  auto belief = carried_->beliefOf(name, now);
-  const bool is_known = belief && monitor_.setCarried(name, belief->parts);
-  if (!is_known) {
-    belief.reset();
-    monitor_.setCarried(name, std::nullopt);
+void Watch::believe(std::size_t mover, Instant now) {
+  if (!places_) return;
+  const std::string& name = namespaces_.movers()[mover].name;
+  auto belief = places_->beliefOf(name, now);
+  if (places_->mayCarry(name)) {
+    const bool is_known = belief && monitor_.setCarried(name, belief->parts);
+    if (!is_known) {
+      belief.reset();
+      monitor_.setCarried(name, std::nullopt);
+    }
   }
-  beliefs_[robot] = std::move(belief);
+  monitor_.setPermit(name, belief ? std::optional(belief->permit) : std::nullopt);
+  beliefs_[mover] = std::move(belief);
 }
 
 void Watch::forget(Instant now) {
@@ -246,7 +252,7 @@ void Watch::tell(Instant now) {
 }
 
 std::string Watch::carriedBy(std::size_t mover) const {
-  if (!carried_ || !carried_->mayCarry(namespaces_.movers()[mover].name)) return "";
+  if (!places_ || !places_->mayCarry(namespaces_.movers()[mover].name)) return "";
   if (!beliefs_[mover]) return "all that it may carry, as nobody can tell";
   const cell::Carried& parts = beliefs_[mover]->parts;
   return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));

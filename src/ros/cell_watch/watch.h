@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cell_watch/carried_parts.h"
+#include "cell_watch/believed_places.h"
 #include "cell_watch/mover_namespaces.h"
 #include "cell_watch/pictures/watch_view.h"
 #include "cell_watch/stop_line.h"
@@ -35,9 +35,10 @@ class Watch {
   /// Of a robot that is heard for the first time, the prefix of its names. On the watch's thread.
   using PrefixTold = std::function<void(std::size_t robot, const std::string& prefix)>;
 
-  /// Topics and services are relative to `node`. Without `carried` all robots carry all that they may.
+  /// Topics and services are relative to `node`. Without `places` all robots carry all that they may,
+  /// and may go anywhere.
   Watch(const ros::NodeHandle& node, cell::Monitor monitor, MoverNamespaces namespaces,
-        std::optional<CarriedParts> carried, PrefixTold prefix_told);
+        std::optional<BelievedPlaces> places, PrefixTold prefix_told);
   ~Watch();  ///< stop()
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
@@ -54,8 +55,8 @@ class Watch {
   void takePosition(std::size_t mechanism, double position);
   void hear(const ros::MessageEvent<cobot_command::CellReport const>& event);
   void hearState(const ros::MessageEvent<cobot_command::CellState const>& event);
-  /// Has the monitor take the robot for carrying what it carries by what is known now.
-  void believe(std::size_t robot, Instant now);
+  /// Has the monitor take it for carrying what it carries, and doing what it may do, by what is known now.
+  void believe(std::size_t mover, Instant now);
   /// What is too old to be relied on is believed no longer.
   void forget(Instant now);
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -72,9 +73,9 @@ class Watch {
   ros::CallbackQueue queue_;
   cell::Monitor monitor_;
   MoverNamespaces namespaces_;
-  std::optional<CarriedParts> carried_;
-  std::vector<std::optional<CarriedParts::Belief>>
-      beliefs_;  ///< by mover; nothing: it carries all that it may
+  std::optional<BelievedPlaces> places_;
+  std::vector<std::optional<BelievedPlaces::Belief>>
+      beliefs_;  ///< by mover; nothing: it carries all that it may, and may go anywhere
   PrefixTold prefix_told_;
   std::vector<bool> is_prefix_told_;
   std::vector<std::unique_ptr<StopLine>> stop_lines_;

@@ -23,6 +23,15 @@ cell::Carried attachedBy(const cell::Robot& robot) {
   return attached;
 }
 
+/// Some more than its ratings, as measured ones are not smooth.
+std::vector<double> mostSpeedsOf(const arm::ArmModel& arm) {
+  constexpr double kOfRated = 1.1;
+  std::vector<double> most;
+  most.reserve(arm.limits().size());
+  for (const arm::JointLimit& limit : arm.limits()) most.push_back(kOfRated * limit.max_velocity);
+  return most;
+}
+
 Result<std::vector<cell::WatchedMechanism>, std::string> watchedMechanisms(const cell::Cell& cell) {
   std::vector<cell::WatchedMechanism> mechanisms;
   for (const cell::Mechanism& mechanism : cell.mechanisms) {
@@ -53,7 +62,8 @@ Result<std::vector<cell::WatchedRobot>, std::string> watchedRobots(const cell::C
     auto bodies = cell::RobotBodies::fromUrdf(arm::ArmModel::urdfOf(robot.model), robot.base, robot.tool,
                                               cell.parameters.body_cell);
     if (!bodies) return refuse(fmt::format("robots.{}: {}", robot.name, bodies.error().message));
-    robots.push_back({robot.name, std::move(*bodies), parts->bodiesOf(attachedBy(robot))});
+    robots.push_back({robot.name, std::move(*bodies), parts->bodiesOf(attachedBy(robot)),
+                      mostSpeedsOf(*arm::ArmModel::named(robot.model))});
   }
   return robots;
 }

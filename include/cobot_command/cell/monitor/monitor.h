@@ -5,9 +5,10 @@
 // stops them by ordinary commands. It finds faults of the cell's programs, its supervisor and its data; it
 // protects no people, and nothing that a risk assessment would count.
 //
-// It knows nothing of zones, claims or the supervisor, so that their faults are not its own. Pure: an event
-// and the time in, what to do out. One thread owns it. All instants are of that thread's clock; no stamp of a
-// message, and so no jump of another clock, matters.
+// It knows nothing of zones, claims or the supervisor, so that their faults are not its own: what it is told
+// of permits takes back a part of what old data is uncertain by, and nothing of what was measured. Pure: an
+// event and the time in, what to do out. One thread owns it. All instants are of that thread's clock; no
+// stamp of a message, and so no jump of another clock, matters.
 #pragma once
 
 #include <memory>
@@ -32,6 +33,9 @@ struct WatchedRobot {
   /// All that it may ever carry. As long as nobody has told what it does carry, it is taken to carry all of
   /// it: that can only make distances less.
   std::vector<FlangeCapsules> may_carry;
+  /// By joint, how fast its arm is at most [rad/s]: what seems to be faster was heard late. Empty: nobody
+  /// knows.
+  std::vector<double> most_speeds = {};
 };
 
 struct WatchedMechanism {
@@ -54,8 +58,18 @@ struct MonitorSettings {
   Duration stale_after = std::chrono::milliseconds(500);
   /// A robot stands when no joint is faster [rad/s], a mechanism when its axis is not [m/s or rad/s].
   double standing_speed = 0.005;
+  /// What data of that age may hide counts, whatever is permitted; see Monitor::setPermit().
+  Duration prompt = std::chrono::milliseconds(50);
   double exact_within = 1.0;                        ///< farther pairs are told by a lower bound [m]
   Duration period = std::chrono::milliseconds(20);  ///< between two looks, while there is something to see
+};
+
+/// What a robot or mechanism may do by its program, from where it was measured.
+struct Permit {
+  /// Numbers of what it holds there, and nobody else may at the same time; ascending. The program was proved
+  /// to keep those who do not hold the same at least the margin apart, and all from obstacles.
+  std::vector<std::size_t> holds;
+  std::vector<double> most_speeds;  ///< by axis [rad/s, or m/s]; empty: nobody knows
 };
 
 /// Why there is no monitor: what was found, what is allowed.
@@ -88,6 +102,11 @@ class Monitor {
   /// From now on the robot carries just these of what it may carry; nothing: nobody can tell, so all of it.
   /// False, and nothing changes, when there is no such robot or part.
   bool setCarried(const std::string& robot, const std::optional<Carried>& parts);
+  /// Nothing: nobody can tell, so it may go anywhere. Of two that may do what they do at the same time, and
+  /// of one and an obstacle, data that is older than `prompt` makes the distance uncertain by no more than
+  /// down to the margin; but by what they may have moved within `prompt` it does. What is measured to be
+  /// closer counts as ever. False, and nothing changes, when there is no such robot or mechanism.
+  bool setPermit(const std::string& mover, const std::optional<Permit>& permit);
   /// Looks at all pairs.
   void tick(Instant now);
   /// Looks at all pairs, and ends the latch; refused while what it was for lasts, or anything else that stops

@@ -1,6 +1,6 @@
-// When the monitor takes a robot for carrying less than all that it may carry, and when no longer
-// (doc/cell.md).
-#include "cell_watch/carried_parts.h"
+// When the monitor takes a robot for carrying less than all that it may carry, and for being kept from others
+// by what it holds, and when no longer (doc/cell.md).
+#include "cell_watch/believed_places.h"
 
 #include <algorithm>
 
@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "cobot_command/cell/artifact/cell_build.h"
+#include "cobot_command/common/units.h"
 #include "cobot_command/runtime/cell/cell_files.h"
 
 namespace cobot_command::ros_adapter {
@@ -106,7 +107,7 @@ class PartsOfThePallet : public ::testing::Test {
   }
   [[nodiscard]] bool isKnown(Instant now) const { return parts.beliefOf("RA", now).has_value(); }
 
-  CarriedParts parts = *CarriedParts::of(pallet());
+  BelievedPlaces parts = *BelievedPlaces::of(pallet());
   std::uint64_t number = 0;
 };
 
@@ -126,7 +127,7 @@ TEST_F(PartsOfThePallet, areNotKnownBeforeStateAndJointsWereHeard) {
   EXPECT_FALSE(isKnown(at(1)));
   parts.measured("RA", kHome, at(1));
   EXPECT_FALSE(isKnown(at(1)));
-  parts = *CarriedParts::of(pallet());
+  parts = *BelievedPlaces::of(pallet());
   hear(state("HOME"), at(1));
   EXPECT_FALSE(isKnown(at(1)));
   EXPECT_FALSE(parts.beliefOf("RB", at(1)));
@@ -211,7 +212,7 @@ TEST_F(PartsOfThePallet, areNotKnownWhileAnotherOneTellsStatesToo) {
   for (const auto& [other, publisher] :
        {std::pair(of_another, kSupervisor), std::pair(of_other_cell, kSupervisor),
         std::pair(state("HOME"), "/forger")}) {
-    parts = *CarriedParts::of(pallet());
+    parts = *BelievedPlaces::of(pallet());
     beAtHome(at(1));
     parts.hear(other, publisher, at(1.1));
     EXPECT_FALSE(isKnown(at(1.1)));
@@ -246,7 +247,7 @@ TEST_F(PartsOfThePallet, areKnownWhereTheStateIsAheadOfTheJointsByOneEvent) {
 TEST_F(PartsOfThePallet, areThoseOfBothPlacesWhereTheStateIsAheadOfTheJoints) {
   const Artifact artifact = palletWithTheSheetLeftThere();
   const LastRelease last = lastRelease(artifact);
-  parts = *CarriedParts::of(artifact);
+  parts = *BelievedPlaces::of(artifact);
   CellState ahead = state(last.place.name);
   ahead.hash = artifact->digest;
   hear(ahead, at(1));
@@ -256,6 +257,51 @@ TEST_F(PartsOfThePallet, areThoseOfBothPlacesWhereTheStateIsAheadOfTheJoints) {
   parts.measured("RA", onTheWayBack(last.piece - 3, artifact), at(1));
   ASSERT_TRUE(isKnown(at(1))) << last.place.name;
   EXPECT_THAT(parts.beliefOf("RA", at(1))->parts, ElementsAre("sheet"));
+}
+
+class PermitsOfThePallet : public PartsOfThePallet {
+ protected:
+  void hearBoth(const std::string& robot, const std::string& mechanism) {
+    CellState both = state(robot);
+    both.robots.push_back(both.robots[0]);
+    both.robots[1].name = "PALLET";
+    both.robots[1].place = mechanism;
+    hear(both, at(1));
+  }
+  [[nodiscard]] std::optional<cell::Permit> permitOf(const std::string& mover) const {
+    const auto belief = parts.beliefOf(mover, at(1));
+    return belief ? std::optional(belief->permit) : std::nullopt;
+  }
+};
+
+TEST_F(PermitsOfThePallet, haveWhatIsHeldThere) {
+  hearBoth("T1", "OUT");
+  parts.measured("RA", joints("T1"), at(1));
+  parts.measured("PALLET", arm::JointVector::Zero(), at(1));
+  ASSERT_TRUE(permitOf("RA"));
+  EXPECT_THAT(permitOf("RA")->holds, ElementsAre(0));
+  ASSERT_TRUE(permitOf("PALLET"));
+  EXPECT_THAT(permitOf("PALLET")->holds, IsEmpty());
+}
+
+TEST_F(PermitsOfThePallet, haveSpeedsThatNoMotionOfTheProgramPasses) {
+  hearBoth("HOME", "OUT");
+  parts.measured("RA", kHome, at(1));
+  parts.measured("PALLET", arm::JointVector::Zero(), at(1));
+  const std::vector<double> most = permitOf("RA")->most_speeds;
+  ASSERT_EQ(most.size(), 6U);
+  // J2 turns by 75 degrees, the farthest of all; J1 not at all.
+  const Duration duration = pallet()->robots[0].paths[0].duration;
+  EXPECT_GT(most[1], degToRad(75.0) / toSeconds(duration));
+  EXPECT_LT(most[1], degToRad(120.0));
+  EXPECT_EQ(most[0], 0.0);
+  EXPECT_THAT(permitOf("PALLET")->most_speeds, IsEmpty()) << "nobody knows";
+}
+
+TEST_F(PermitsOfThePallet, areNotKnownOfAMechanismThatIsElsewhere) {
+  hearBoth("HOME", "OUT");
+  parts.measured("PALLET", 0.02 * arm::JointVector::Unit(0), at(1));
+  EXPECT_FALSE(permitOf("PALLET"));
 }
 
 }  // namespace
