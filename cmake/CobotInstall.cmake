@@ -19,7 +19,7 @@ else()
   set(headers ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
   set(share ${CATKIN_PACKAGE_SHARE_DESTINATION})
   set(package ${CATKIN_PACKAGE_SHARE_DESTINATION}/cmake)
-  catkin_install_python(PROGRAMS examples/exchange_configuration.py examples/interrupt.py examples/jog.py examples/load_path.py examples/pick_and_place.py examples/run_cell.py examples/simulated_mechanism.py examples/tour.py recorder/flight_record.py recorder/flight_replay.py recorder/flight_report.py rviz/fleet_rviz.py DESTINATION ${programs})
+  catkin_install_python(PROGRAMS examples/exchange_configuration.py examples/interrupt.py examples/jog.py examples/load_path.py examples/pick_and_place.py examples/run_cell.py examples/simulated_mechanism.py examples/tour.py launch/cell_movers.py recorder/flight_record.py recorder/flight_replay.py recorder/flight_report.py rviz/fleet_rviz.py DESTINATION ${programs})
   # The programs look for their modules beside themselves.
   install(DIRECTORY recorder/flight DESTINATION ${programs} FILES_MATCHING PATTERN *.py)
   install(DIRECTORY config launch rviz DESTINATION ${share})

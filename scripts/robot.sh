@@ -19,9 +19,7 @@ start_cell() {
   export ROS_MASTER_URI="http://localhost:$(free_port)" ROS_HOSTNAME=localhost
   log=$(mktemp)
   say "Starting master, simulated controllers, command nodes, supervisor and monitor (log: $log)"
-  roslaunch -p "${ROS_MASTER_URI##*:}" cobot_command cell.launch cell_file:="$cell" artifact:="$artifact" \
-    robots:="$("$build/devel/lib/cobot_command/tm_cell" ask "$artifact" robots)" \
-    mechanisms:="$("$build/devel/lib/cobot_command/tm_cell" ask "$artifact" mechanisms)" "$@" >"$log" 2>&1 &
+  roslaunch -p "${ROS_MASTER_URI##*:}" cobot_command cell.launch cell_file:="$cell" artifact:="$artifact" "$@" >"$log" 2>&1 &
   launch=$!
   trap end_robot EXIT
 }
