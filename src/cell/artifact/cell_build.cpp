@@ -84,8 +84,9 @@ Faults CellBuild::findZonesAndHolds() {
 }
 
 Faults CellBuild::split() {
-  if (cell_.parameters.split == Split::Never) return {};
-  auto split = splitCell(cell_, threads_);
+  auto split = splitCell(
+      {std::move(cell_), {}, std::move(planned_), std::move(claims_), std::move(zones_), std::move(held_)},
+      threads_);
   if (!split) return split.error();
   cell_ = std::move(split->cell);
   planned_ = std::move(split->planned);
@@ -128,8 +129,8 @@ Artifact CellBuild::artifact() const {
   artifact.policy = policy_;
   artifact.supervisors = supervisors_;
   artifact.least_distance = soundness_.least;
-  for (RobotIndex robot = 0; robot < planned_.size(); ++robot) artifact.robots.push_back(robotOf(robot));
   artifact.source = cell_.source;
+  for (RobotIndex robot = 0; robot < planned_.size(); ++robot) artifact.robots.push_back(robotOf(robot));
   for (std::size_t index = 0; index < cell_.mechanisms.size(); ++index) {
     artifact.mechanisms.push_back(mechanismOf(cell_.mechanisms[index], planned_.size() + index));
   }

@@ -3,10 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "claims/sweep.h"
-
 #include "cobot_command/cell/claims/cell_bodies.h"
-#include "cobot_command/cell/sweep/capsule_claim.h"
 
 namespace cobot_command::cell {
 namespace {
@@ -18,7 +15,7 @@ class MechanismSweep {
         mechanism_(mechanism),
         bodies_(std::make_shared<const MechanismBodies>(std::move(bodies))) {}
 
-  [[nodiscard]] RobotClaim claim() const {
+  [[nodiscard]] RobotClaim pieces() const {
     RobotClaim claim;
     claim.name = mechanism_.name;
     for (const MechanismPosition& station : stationsOf(mechanism_)) {
@@ -29,10 +26,6 @@ class MechanismSweep {
       PathClaim& of_path = claim.paths.emplace_back();
       claimMotion(find(mechanism_.positions, path.from)->value, to, of_path.pieces);
       of_path.pieces.push_back(piece(Piece::Kind::Rest, to, to));
-    }
-    for (const Piece& rest : claim.stations) claim.all |= rest.claim;
-    for (const PathClaim& path : claim.paths) {
-      for (const Piece& one : path.pieces) claim.all |= one.claim;
     }
     return claim;
   }
@@ -50,19 +43,11 @@ class MechanismSweep {
     claimMotion(middle, to, pieces);
   }
 
-  /// `tracking` is of measured joints, and a mechanism has none: what it may be beside its axis is
-  /// `body_tolerance`.
   [[nodiscard]] Piece piece(Piece::Kind kind, double from, double to) const {
     Piece piece;
     piece.kind = kind;
     piece.posture = AxisPosture{from, to, bodies_};
     piece.displacement = bodies_->largestDisplacement(halfOf(from, to));
-    const Capsules capsules = piece.capsulesAtCentre();
-    for (std::size_t body = 0; body < capsules.size(); ++body) {
-      Capsule grown = capsules[body];
-      grown.radius += bodies_->displacementBound(body, halfOf(from, to)) + clearanceOf(parameters_);
-      claimCapsule(piece.claim, grown, parameters_.voxel);
-    }
     return piece;
   }
 
@@ -75,10 +60,10 @@ class MechanismSweep {
 
 }  // namespace
 
-Result<RobotClaim, std::string> claimMechanism(const Parameters& parameters, const Mechanism& mechanism) {
+Result<RobotClaim, std::string> piecesOfMechanism(const Parameters& parameters, const Mechanism& mechanism) {
   auto bodies = mechanismBodiesOf(parameters, mechanism);
   if (!bodies) return refuse(bodies.error().message);
-  return MechanismSweep(parameters, mechanism, std::move(*bodies)).claim();
+  return MechanismSweep(parameters, mechanism, std::move(*bodies)).pieces();
 }
 
 }  // namespace cobot_command::cell

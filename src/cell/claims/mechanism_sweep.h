@@ -1,4 +1,4 @@
-// The pieces of one mechanism's program.
+// The pieces of one mechanism's program, without what they claim.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace cobot_command::cell {
 
 /// A fault is a sentence: its shapes cannot be made of capsules.
-[[nodiscard]] Result<RobotClaim, std::string> claimMechanism(const Parameters& parameters,
-                                                             const Mechanism& mechanism);
+[[nodiscard]] Result<RobotClaim, std::string> piecesOfMechanism(const Parameters& parameters,
+                                                                const Mechanism& mechanism);
 
 }  // namespace cobot_command::cell

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cobot_command/cell/sweep/displacement.h"
-#include "cobot_command/cell/sweep/robot_claim.h"
 
 namespace cobot_command::cell {
 namespace {
@@ -26,22 +25,20 @@ Interval secondHalf(const Interval& time) {
 
 }  // namespace
 
-RobotClaim Sweep::claim() {
+RobotClaim Sweep::pieces() {
   RobotClaim claim;
   claim.name = planned_.name;
   for (const PlannedStation& station : planned_.stations) {
     claim.stations.push_back(
         rest(station.joints, {Piece::Kind::Rest, 0, 0, bodies_.carrying(station.carried)}));
-    claim.all |= claim.stations.back().claim;
   }
   for (std::size_t path = 0; path < planned_.paths.size(); ++path) {
-    claim.paths.push_back(claimPath(path));
-    for (const Piece& piece : claim.paths.back().pieces) claim.all |= piece.claim;
+    claim.paths.push_back(piecesOf(path));
   }
   return claim;
 }
 
-PathClaim Sweep::claimPath(std::size_t index) {
+PathClaim Sweep::piecesOf(std::size_t index) {
   const PlannedPath& path = planned_.paths[index];
   path_ = &robot_.program[index];
   pieces_.clear();
@@ -130,7 +127,7 @@ Piece Sweep::rest(const arm::JointVector& joints, const Made& made) const {
   piece.kind = made.kind;
   piece.frame = made.frame;
   piece.motion = made.motion;
-  finish(piece, {motion::JointRange::of(joints), made.bodies}, made.bodies->at(joints));
+  piece.posture = ArmPosture{motion::JointRange::of(joints), made.bodies};
   return piece;
 }
 
@@ -145,15 +142,9 @@ bool Sweep::add(const motion::JointRange& range, const Made& made, Interval time
   piece.from = time.from;
   piece.to = time.to;
   piece.displacement = displacement;
-  finish(piece, {range, made.bodies}, placed);
+  piece.posture = ArmPosture{range, made.bodies};
   pieces_.push_back(std::move(piece));
   return true;
-}
-
-void Sweep::finish(Piece& piece, ArmPosture posture, const PlacedRobot& placed) const {
-  const arm::JointVector half_widths = (0.5 * posture.range.widths()).array() + parameters_.tracking;
-  claimRobot(piece.claim, *posture.bodies, placed, half_widths, clearanceOf(parameters_), parameters_.voxel);
-  piece.posture = std::move(posture);
 }
 
 void Sweep::fault(std::size_t frame, const motion::Unbounded& unbounded) {

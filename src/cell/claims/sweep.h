@@ -1,4 +1,4 @@
-// The pieces of one robot's programs.
+// The pieces of one robot's programs, without what they claim.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,13 @@
 
 namespace cobot_command::cell {
 
-/// What a claim is grown by besides what its bodies move [m].
-[[nodiscard]] double clearanceOf(const Parameters& parameters);
-
 class Sweep {
  public:
   Sweep(const Cell& cell, const Robot& robot, const PlannedRobot& planned, BodiesOfRobot bodies)
       : parameters_(cell.parameters), robot_(robot), planned_(planned), bodies_(std::move(bodies)) {}
 
-  [[nodiscard]] RobotClaim claim();
-  [[nodiscard]] PathClaim claimPath(std::size_t path);
+  [[nodiscard]] RobotClaim pieces();
+  [[nodiscard]] PathClaim piecesOf(std::size_t path);
   [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
 
  private:
@@ -43,7 +40,6 @@ class Sweep {
   [[nodiscard]] Piece rest(const arm::JointVector& joints, const Made& made) const;
   /// False: a body moves too far.
   bool add(const motion::JointRange& range, const Made& made, motion::Interval time, bool at_any_rate);
-  void finish(Piece& piece, ArmPosture posture, const PlacedRobot& placed) const;
   void fault(std::size_t frame, const motion::Unbounded& unbounded);
 
   const Parameters& parameters_;

@@ -1,5 +1,6 @@
 #include "cobot_command/cell/splitting/split_cell.h"
 
+#include <optional>
 #include <utility>
 
 #include "splitting/path_cuts.h"
@@ -12,7 +13,7 @@ constexpr int kMostRounds = 8;
 
 class Splitter {
  public:
-  explicit Splitter(SplitCell stages) : given_(stages), stages_(std::move(stages)) {
+  explicit Splitter(SplitCell stages) : stages_(std::move(stages)) {
     for (RobotIndex robot = 0; robot < stages_.planned.size(); ++robot) {
       for (std::size_t path = 0; path < stages_.planned[robot].paths.size(); ++path) {
         paths_.emplace_back(stages_, robot, path);
@@ -20,13 +21,14 @@ class Splitter {
     }
   }
 
-  SplitCell split() {
+  /// Nothing: there is no cell that can be held.
+  std::optional<SplitCell> split() {
     for (int round = 0; round < kMostRounds; ++round) {
       const bool is_last = round + 1 == kMostRounds;
       bool changed = false;
       for (PathCuts& path : paths_) changed = path.cut(stages_) || changed;
       if (!changed) break;
-      if (!settle(is_last)) return std::move(given_);
+      if (!settle(is_last)) return std::nullopt;
     }
     for (const PathCuts& path : paths_) path.report(stages_);
     return std::move(stages_);
@@ -48,7 +50,6 @@ class Splitter {
     }
   }
 
-  SplitCell given_;
   SplitCell stages_;
   std::vector<PathCuts> paths_;
 };
@@ -57,8 +58,16 @@ class Splitter {
 
 Result<SplitCell, std::vector<std::string>> splitCell(const Cell& cell, unsigned threads) {
   auto stages = stagesOf(cell, threads);
-  if (!stages || cell.parameters.split == Split::Never) return stages;
-  return Splitter(std::move(*stages)).split();
+  if (!stages) return stages;
+  return splitCell(std::move(*stages), threads);
+}
+
+Result<SplitCell, std::vector<std::string>> splitCell(SplitCell whole, unsigned threads) {
+  if (whole.cell.parameters.split == Split::Never) return whole;
+  const Cell given = whole.cell;
+  auto split = Splitter(std::move(whole)).split();
+  if (split) return *std::move(split);
+  return stagesOf(given, threads);
 }
 
 }  // namespace cobot_command::cell

@@ -12,6 +12,7 @@ namespace cobot_command::test_support {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -83,6 +84,16 @@ TEST_F(TmCellRefuses, moreZonesThanAllowed) {
   const Outcome outcome = buildOf(
       "handover",
       {{kParameters, "parameters: {voxel: 20, step_bound: 10, margin: 20, zone_size: 50, zone_overlap: 1}"}});
+TEST_F(TmCellRefuses, claimsThatWouldTakeTooMuchMemoryBeforeTheyAreMade) {
+  const Outcome outcome =
+      buildOf("handover", {{kParameters, "parameters: {voxel: 5, step_bound: 1, margin: 20}"}});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.output, ContainsRegex("parameters make claims of [0-9]+ MiB: [0-9]+ pieces with "
+                                            "step_bound 1 mm, in voxels of 5 mm; allowed: 1024 MiB"));
+  EXPECT_THAT(outcome.output, ContainsRegex("step_bound [0-9]+ mm or voxel [0-9]+ mm would do"));
+  EXPECT_FALSE(isBuilt());
+}
+
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("at most max_zones = 256 are allowed"));
   EXPECT_FALSE(isBuilt());

@@ -72,9 +72,12 @@ struct RobotClaim {
   [[nodiscard]] std::size_t pieces() const;
 };
 
+/// More is refused before it is taken [bytes].
+inline constexpr std::size_t kMostClaimMemory = std::size_t{1} << 30;
+
 /// Of all robots of a cell, and then of its mechanisms, in its order; side by side on `threads` threads, with
 /// the same result. Faults: a motion of which nothing can be proved (UNBOUNDED), bodies that cannot be made
-/// of capsules.
+/// of capsules, claims that would take more than kMostClaimMemory by a sample of them.
 [[nodiscard]] Result<std::vector<RobotClaim>, std::vector<Fault>> claimCell(
     const Cell& cell, const std::vector<PlannedRobot>& robots, unsigned threads = 1);
 

@@ -53,5 +53,7 @@ struct SplitCell {
 /// The same cell, the same result, on any number of threads. Faults, each a sentence: those of the stages for
 /// the cell as it is given.
 [[nodiscard]] Result<SplitCell, std::vector<std::string>> splitCell(const Cell& cell, unsigned threads = 1);
+/// The same of a cell of which all is made already but for its cuts. Claims are large: they are not copied.
+[[nodiscard]] Result<SplitCell, std::vector<std::string>> splitCell(SplitCell whole, unsigned threads);
 
 }  // namespace cobot_command::cell
