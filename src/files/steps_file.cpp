@@ -15,7 +15,8 @@ const std::array<YamlNames, 3> kPostures = {YamlNames{{"RIGHTY", 0}, {"LEFTY", 1
 blocks::MoveAbsoluteGoal toMove(const YamlMap& step) {
   blocks::MoveAbsoluteGoal move;
   move.movement_command = step.named("movement_command", movementNames());
-  move.data_format = step.named("data_format", absoluteFormatNames());
+  move.data_format =
+      toAbsoluteFormat(step, move.movement_command, "moves relative to the tool have no place in this file");
   move.target = toSix(step, "target_position");
   takeMotion(step, move);
   takePosture(step, move);
@@ -64,6 +65,32 @@ const YamlNames& absoluteFormatNames() {
                                 {"CAP", static_cast<int>(AbsoluteFormat::Cap)},
                                 {"CAR", static_cast<int>(AbsoluteFormat::Car)}};
   return kNames;
+}
+
+int toFormat(const YamlMap& step, int movement, const YamlNames& all) {
+  const YAML::Node node = step.required("data_format");
+  YamlNames taken;
+  for (const auto& format : all) {
+    if (node.IsScalar() && node.Scalar() == format.first) return format.second;
+    const std::string name = format.first;
+    const bool is_taken = movement == static_cast<int>(blocks::Movement::Line)
+                              ? name != "JPP"
+                              : name == "JPP" || name == "CPP" || name == "TPP";
+    if (is_taken) taken.push_back(format);
+  }
+  return toNamed(node, "data_format", taken);
+}
+
+int toAbsoluteFormat(const YamlMap& step, int movement, const std::string& of_tool) {
+  const YAML::Node node = step.required("data_format");
+  for (const char* name : {"TPP", "TPR", "TAP", "TAR"}) {
+    if (!node.IsScalar() || node.Scalar() != name) continue;
+    throw YamlFault(node.Mark(),
+                    fmt::format("data_format is {}, which is relative to the tool: {}", name, of_tool),
+                    {"data_format", fmt::format("is {}, which is relative to the tool", name),
+                     "JPP, CPP, CPR, CAP or CAR", of_tool});
+  }
+  return toFormat(step, movement, absoluteFormatNames());
 }
 
 blocks::SixValues toSix(const YamlMap& map, const char* key) {

@@ -25,6 +25,11 @@ struct FileStep {
 // Pieces of a step; they throw a YamlFault.
 [[nodiscard]] const YamlNames& movementNames();  ///< "PTP" and so on, with their numbers of blocks::Movement
 [[nodiscard]] const YamlNames& absoluteFormatNames();  ///< those of blocks::AbsoluteFormat
+/// data_format of a move to a pose or to joints. One that is none is told what the movement takes, and one
+/// that is relative to the tool, `of_tool`: where such moves belong.
+[[nodiscard]] int toAbsoluteFormat(const YamlMap& step, int movement, const std::string& of_tool);
+/// That of any move: one of `all`; what is none of them is told those among them that the movement takes.
+[[nodiscard]] int toFormat(const YamlMap& step, int movement, const YamlNames& all);
 /// Six finite numbers.
 [[nodiscard]] blocks::SixValues toSix(const YamlMap& map, const char* key);
 /// robot_pose, where there is one.

@@ -52,7 +52,8 @@ blocks::SixValues jointsIn(const YamlMap& map, const char* key, const Robot& rob
 void moveAbsolute(const YamlMap& map, const Robot& robot, Step& step) {
   blocks::MoveAbsoluteGoal goal;
   goal.movement_command = map.named("movement_command", files::movementNames());
-  goal.data_format = map.named("data_format", files::absoluteFormatNames());
+  goal.data_format =
+      files::toAbsoluteFormat(map, goal.movement_command, "write block: move_relative beside it");
   const bool has_joints = goal.data_format == static_cast<int>(blocks::AbsoluteFormat::Jpp);
   goal.target =
       has_joints ? jointsIn(map, "target_position", robot) : poseIn(map, "target_position", robot, step);
@@ -64,7 +65,7 @@ void moveAbsolute(const YamlMap& map, const Robot& robot, Step& step) {
 void moveRelative(const YamlMap& map, const Robot& /*robot*/, Step& step) {
   blocks::MoveRelativeGoal goal;
   goal.movement_command = map.named("movement_command", files::movementNames());
-  goal.data_format = map.named("data_format", kRelativeFormats);
+  goal.data_format = files::toFormat(map, goal.movement_command, kRelativeFormats);
   goal.target = files::toSix(map, "target_position");
   files::takeMotion(map, goal);
   step.goal = goal;

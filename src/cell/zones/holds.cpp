@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "zones/approach.h"
 #include "zones/path_holds.h"
 #include <fmt/format.h>
 
@@ -60,6 +61,17 @@ struct Course {
   std::vector<Way> ways;
 };
 
+CourseNames namesOf(const Course& course) {
+  CourseNames names{course.name, course.stations, {}, {}};
+  for (const Course::Way& way : course.ways) {
+    names.paths.push_back(way.name);
+    std::vector<std::size_t>& steps = names.steps.emplace_back();
+    if (way.planned == nullptr) continue;
+    for (const PlannedFrame& frame : way.planned->frames) steps.push_back(frame.step);
+  }
+  return names;
+}
+
 Course courseOf(const Robot& robot, const PlannedRobot& planned) {
   Course course{planned.name, {}, planned.home, robot.holds, {}};
   for (const PlannedStation& station : planned.stations) course.stations.push_back(station.name);
@@ -86,9 +98,16 @@ Course courseOf(const Mechanism& mechanism) {
 
 class Holder {
  public:
-  Holder(const Cell& cell, const Course& course, RobotIndex robot, const std::vector<RobotClaim>& claims,
-         const std::vector<Zone>& zones, std::vector<std::string>& faults)
-      : cell_(cell), course_(course), claims_(claims), claim_(claims[robot]), zones_(zones), faults_(faults) {
+  Holder(const Cell& cell, const std::vector<Course>& courses, RobotIndex robot,
+         const std::vector<RobotClaim>& claims, const std::vector<Zone>& zones,
+         std::vector<std::string>& faults)
+      : cell_(cell),
+        courses_(courses),
+        course_(courses[robot]),
+        claims_(claims),
+        claim_(claims[robot]),
+        zones_(zones),
+        faults_(faults) {
     // A zone of others is nothing to it, wherever it may be: what keeps it apart from each of them is a zone
     // of its own.
     for (ZoneIndex zone = 0; zone < zones.size(); ++zone) {
@@ -129,9 +148,9 @@ class Holder {
     for (const ZoneIndex zone : at_home) {
       faults_.push_back(fmt::format(
           "{} is in {} at its home {}, which {} share ({}): choose another home, or let it hold the "
-          "zone from the start (holds: true)",
+          "zone from the start (holds: true); {}",
           course_.name, zones_[zone].name, course_.stations[course_.home], usersOf(zone),
-          boxOf(zones_[zone], cell_.parameters.voxel)));
+          boxOf(zones_[zone], cell_.parameters.voxel), othersIn(zone)));
     }
   }
 
@@ -169,9 +188,21 @@ class Holder {
       if (leaves) continue;
       faults_.push_back(fmt::format(
           "{} never leaves {}, which {} share ({}): with this margin, its base or its program keeps "
-          "it inside all the time",
-          course_.name, zones_[zone].name, usersOf(zone), boxOf(zones_[zone], cell_.parameters.voxel)));
+          "it inside all the time; at its home {}",
+          course_.name, zones_[zone].name, usersOf(zone), boxOf(zones_[zone], cell_.parameters.voxel),
+          othersIn(zone)));
     }
+  }
+
+  /// How near they come to its home.
+  [[nodiscard]] std::string othersIn(ZoneIndex zone) const {
+    std::vector<std::string> others;
+    for (const RobotIndex user : zones_[zone].users) {
+      if (&claims_[user] == &claim_) continue;
+      others.push_back(nearestApproach(claim_.stations[course_.home], claims_[user], namesOf(courses_[user]),
+                                       cell_.parameters));
+    }
+    return fmt::format("{}", fmt::join(others, "; "));
   }
 
   [[nodiscard]] std::string usersOf(ZoneIndex zone) const {
@@ -181,6 +212,7 @@ class Holder {
   }
 
   const Cell& cell_;
+  const std::vector<Course>& courses_;
   const Course& course_;
   const std::vector<RobotClaim>& claims_;
   const RobotClaim& claim_;
@@ -205,7 +237,7 @@ Result<HeldCell, std::vector<std::string>> holdZones(const Cell& cell,
   }
   for (const Mechanism& mechanism : cell.mechanisms) courses.push_back(courseOf(mechanism));
   for (RobotIndex robot = 0; robot < courses.size(); ++robot) {
-    Holder holder(cell, courses[robot], robot, claims, zones, faults);
+    Holder holder(cell, courses, robot, claims, zones, faults);
     holder.find();
     held.robots.push_back(std::move(holder.held));
     held.program.robots.push_back(std::move(holder.program));

@@ -167,9 +167,12 @@ class Check {
 
   void tellFaults() {
     for (const auto& [names, least] : faulty_) {
-      found_.faults.push_back(fmt::format(
-          "{}; {}: {:.1f} mm may be left between them{}, and no zone keeps them apart (margin {:.1f} mm)",
-          names.first, names.second, mToMm(least.left), least.bodies, mToMm(cell_.parameters.margin)));
+      found_.faults.push_back(
+          fmt::format("{}; {}: {:.1f} mm may be left between them{}, and no zone keeps them apart (margin "
+                      "{:.1f} mm): {:.1f} "
+                      "mm more are needed",
+                      names.first, names.second, mToMm(least.left), least.bodies,
+                      mToMm(cell_.parameters.margin), mToMm(cell_.parameters.margin - least.left)));
     }
     if (found_.faults.size() <= kFaultsShown) return;
     const std::size_t more = found_.faults.size() - kFaultsShown;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,16 +28,61 @@ void cutTo(std::int32_t most, VoxelSet voxels, std::vector<VoxelSet>& pieces) {
   cutTo(most, std::move(upper), pieces);
 }
 
+/// With fewer voxels, what two share is a crumb of the grid: no zone of its own where another one is near.
+constexpr std::size_t kCrumb = 8;
+/// So many voxels between their boxes.
+constexpr std::int32_t kNear = 4;
+
+/// Along the axis along which they are farthest from each other; negative where their boxes meet.
+std::int32_t gapBetween(const VoxelBounds& one, const VoxelBounds& other) {
+  std::int32_t gap = std::numeric_limits<std::int32_t>::min();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    gap = std::max({gap, one.lower[axis] - other.upper[axis] - 1, other.lower[axis] - one.upper[axis] - 1});
+  }
+  return gap;
+}
+
+bool fitTogether(const VoxelBounds& one, const VoxelBounds& other, std::int32_t most) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int32_t upper = std::max(one.upper[axis], other.upper[axis]);
+    if (upper - std::min(one.lower[axis], other.lower[axis]) >= most) return false;
+  }
+  return true;
+}
+
+/// Puts the crumbs among what two robots share to what is nearest to them.
+void gatherCrumbs(std::vector<VoxelSet>& parts, std::int32_t most) {
+  for (std::size_t crumb = 0; crumb < parts.size();) {
+    std::size_t nearest = parts.size();
+    std::int32_t gap = kNear + 1;
+    for (std::size_t other = 0; parts[crumb].count() < kCrumb && other < parts.size(); ++other) {
+      const auto bounds = std::make_pair(*parts[crumb].bounds(), *parts[other].bounds());
+      if (other == crumb || !fitTogether(bounds.first, bounds.second, most)) continue;
+      if (gapBetween(bounds.first, bounds.second) >= gap) continue;
+      gap = gapBetween(bounds.first, bounds.second);
+      nearest = other;
+    }
+    if (nearest == parts.size()) {
+      ++crumb;
+      continue;
+    }
+    parts[nearest] |= parts[crumb];
+    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(crumb));
+    crumb = 0;
+  }
+}
+
 std::vector<Zone> sharedByPairs(const std::vector<RobotClaim>& claims, const Parameters& parameters) {
   const auto most = std::max(1, static_cast<std::int32_t>(parameters.zone_size / parameters.voxel + 1e-9));
   std::vector<Zone> zones;
   for (RobotIndex one = 0; one < claims.size(); ++one) {
     for (RobotIndex other = one + 1; other < claims.size(); ++other) {
+      std::vector<VoxelSet> pieces;
       for (VoxelSet& part : (claims[one].all & claims[other].all).components()) {
-        std::vector<VoxelSet> pieces;
         cutTo(most, std::move(part), pieces);
-        for (VoxelSet& piece : pieces) zones.push_back({"", {one, other}, std::move(piece)});
       }
+      gatherCrumbs(pieces, most);
+      for (VoxelSet& piece : pieces) zones.push_back({"", {one, other}, std::move(piece)});
     }
   }
   return zones;

@@ -60,6 +60,11 @@ Answer askArtifact(const AskOptions& options) {
   std::vector<std::string> users;
   for (const cell::RobotProgram& user : artifact->program.robots) users.push_back(user.name);
   const auto first_mechanism = users.begin() + static_cast<std::ptrdiff_t>(artifact->robots.size());
+  const bool is_of_all = options.what == "robots" || options.what == "mechanisms" || options.what == "speed";
+  if (is_of_all && !options.robot.empty()) {
+    return wrong("ask", fmt::format("\"{}\" is one word too many: {} is asked of the whole cell",
+                                    foreignText(options.robot, kQuoteLimit), options.what));
+  }
   if (options.what == "robots") {
     return said(fmt::format("{}", fmt::join(users.begin(), first_mechanism, " ")));
   }

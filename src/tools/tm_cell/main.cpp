@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../command_line.h"
+#include "../whole_number.h"
 #include "../written_output.h"
 #include "answer.h"
 #include "ask_command.h"
@@ -28,6 +29,8 @@ using namespace cobot_command::tools;
 using cobot_command::cell::BuildStage;
 
 constexpr const char* kFile = "FILE";  // as help names what is one
+/// Room for the numbers that are made of it by counting on.
+constexpr std::int64_t kMostSeed = 999999999;
 
 /// Beside a range, which a NaN is neither below nor above.
 CLI::Validator isNumber() {
@@ -122,7 +125,7 @@ class Commands {
         ->check(CLI::IsMember({"supervisor", "safe_order"}));
     given_.build.threads = std::max(1U, std::thread::hardware_concurrency());
     command->add_option("--threads", given_.build.threads, "Robots are swept side by side on so many")
-        ->check(CLI::Range(1, 64));
+        ->transform(isWhole(1, 64));
     return command;
   }
 
@@ -179,8 +182,9 @@ class Commands {
         ->add_option("--policy", given_.policy,
                      "supervisor, safe_order, schedule; or, to see what goes wrong without: mutex, none")
         ->check(CLI::IsMember({"supervisor", "safe_order", "schedule", "mutex", "none"}));
-    simulate->add_option("--cycles", options.cycles, "Of each robot")->check(CLI::Range(1, 1000000));
-    simulate->add_option("--seed", options.seed, "The same gives the same run");
+    simulate->add_option("--cycles", options.cycles, "Of each robot")->transform(isWhole(1, 1000000));
+    simulate->add_option("--seed", options.seed, "The same gives the same run")
+        ->transform(isWhole(0, kMostSeed));
     simulate->add_flag("--random", options.is_random, "Project speeds, pauses, and delays of messages");
     simulate->add_option("--loss", options.loss, "So many of the messages are lost, in %")
         ->check(CLI::Range(0.0, 90.0))

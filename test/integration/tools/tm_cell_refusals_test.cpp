@@ -58,6 +58,9 @@ TEST_F(TmCellRefuses, aMarginSoLargeThatHomeIsInsideAZone) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("RA is in Z1 at its home HOME, which RA and RB share"));
   EXPECT_THAT(outcome.output, HasSubstr("choose another home"));
+  EXPECT_THAT(outcome.output,
+              ContainsRegex("RB on T1, step 1, comes as near as [0-9.]+ mm to it: [0-9.]+ mm more "
+                            "between them are enough"));
   EXPECT_FALSE(isBuilt());
   EXPECT_EQ(buildOf("handover", {}).exit_code, 0) << "it is the margin";
 }
@@ -66,6 +69,7 @@ TEST_F(TmCellRefuses, aBaseInsideTheClaimOfAnother) {
   const Outcome outcome = buildOf("handover", {{"base: [720, -122.3", "base: [-100, 122.3"}});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("RB never leaves Z"));
+  EXPECT_THAT(outcome.output, ContainsRegex("at its home RA .*comes as near as -?[0-9.]+ mm to it"));
   EXPECT_FALSE(isBuilt());
 }
 
@@ -80,10 +84,6 @@ TEST_F(TmCellRefuses, aRobotThatNeverLeavesThoughItsHomeMayBeThere) {
   EXPECT_FALSE(isBuilt());
 }
 
-TEST_F(TmCellRefuses, moreZonesThanAllowed) {
-  const Outcome outcome = buildOf(
-      "handover",
-      {{kParameters, "parameters: {voxel: 20, step_bound: 10, margin: 20, zone_size: 50, zone_overlap: 1}"}});
 TEST_F(TmCellRefuses, claimsThatWouldTakeTooMuchMemoryBeforeTheyAreMade) {
   const Outcome outcome =
       buildOf("handover", {{kParameters, "parameters: {voxel: 5, step_bound: 1, margin: 20}"}});
@@ -94,6 +94,10 @@ TEST_F(TmCellRefuses, claimsThatWouldTakeTooMuchMemoryBeforeTheyAreMade) {
   EXPECT_FALSE(isBuilt());
 }
 
+TEST_F(TmCellRefuses, moreZonesThanAllowed) {
+  const Outcome outcome = buildOf(
+      "handover",
+      {{kParameters, "parameters: {voxel: 20, step_bound: 10, margin: 20, zone_size: 50, zone_overlap: 1}"}});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("at most max_zones = 256 are allowed"));
   EXPECT_FALSE(isBuilt());

@@ -39,8 +39,7 @@ TEST_F(TmCell, refusesAnArtifactThatWasChanged) {
   ASSERT_NE(at, std::string::npos);
   text.replace(at, line.size(), R"(PTP(\"JPP\",1,45)");
   std::ofstream(artifact) << text << sha256Hex(text) << "\n";
-  EXPECT_EQ(tmCell("verify " + artifact).exit_code, 0) << "that proves the supervisors";
-  const Outcome verified = tmCell("verify " + artifact + " --cell " + cellFile("handover"));
+  const Outcome verified = tmCell("verify " + artifact);
   EXPECT_EQ(verified.exit_code, 1);
   EXPECT_THAT(verified.output, HasSubstr("/lines/0 is"));
   EXPECT_THAT(verified.output, HasSubstr("Build it anew"));
@@ -228,9 +227,26 @@ TEST_F(TmCell, tellsLaunchFilesWhatTheyWantToKnowOfAnArtifact) {
   EXPECT_EQ(tmCell("ask " + artifact + " home RA").output, "[0, -30, 120, 0, 90, 0]\n");
   EXPECT_EQ(tmCell("ask " + artifact + " home PALLET").output, "0\n");
   EXPECT_EQ(tmCell("ask " + artifact + " places RA").output, "HOME T1 FETCH> FETCH>1 BRING> BRING>1\n");
+  const Outcome one_more = tmCell("ask " + artifact + " robots RA");
+  EXPECT_EQ(one_more.exit_code, 1);
+  EXPECT_THAT(one_more.output, HasSubstr("\"RA\" is one word too many: robots is asked of the whole cell"));
   const Outcome none = tmCell("ask " + artifact + " model PALLET");
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_THAT(none.output, HasSubstr("there is no \"PALLET\" with a model: the artifact has RA"));
+}
+
+TEST_F(TmCell, readsWholeNumbersAsPeopleWriteThem) {
+  const std::string artifact = built("handover");
+  const Outcome ten = tmCell("simulate " + artifact + " --quiet --cycles 010");
+  EXPECT_EQ(ten.exit_code, 0) << ten.output;
+  EXPECT_THAT(ten.output, HasSubstr("RA: 10 cycles")) << "and not 8";
+  for (const char* option : {"--seed 99999999999999999999", "--seed 18446744073709551615", "--seed -1",
+                             "--cycles 0x10", "--cycles 1.5", "--cycles 1000001", "--cycles ''"}) {
+    const Outcome outcome = tmCell("simulate " + artifact + " --quiet " + option);
+    EXPECT_EQ(outcome.exit_code, 2) << option;
+    EXPECT_THAT(outcome.output, HasSubstr("is no whole number from")) << option;
+  }
+  EXPECT_EQ(tmCell("simulate " + artifact + " --quiet --seed 999999999").exit_code, 0);
 }
 
 TEST_F(TmCell, showsThatMutualExclusionAloneBlocksAndThatNothingAtAllCollides) {

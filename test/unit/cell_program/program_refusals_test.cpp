@@ -125,6 +125,20 @@ TEST(CellFaults, tellWhatTheBlockOfAStepRefuses) {
                 kFull);
 }
 
+TEST(CellFaults, adviseAFormatThatTheMovementTakes) {
+  const auto faultOf = [](const std::string& movement, const std::string& format) {
+    return faultsWith("movement_command: PTP, data_format: JPP",
+                      "movement_command: " + movement + ", data_format: " + format);
+  };
+  const std::string of_tool = faultOf("LINE", "TPP");
+  EXPECT_THAT(of_tool, HasSubstr("data_format is TPP, which is relative to the tool"));
+  EXPECT_THAT(of_tool, HasSubstr("write block: move_relative beside it"));
+  EXPECT_THAT(of_tool, Not(HasSubstr("write JPP")));
+  const std::string of_line = faultOf("LINE", "JPR");
+  EXPECT_THAT(of_line, HasSubstr("allowed: CPP, CPR, CAP, CAR; write CPR")) << "no JPP, which no line takes";
+  EXPECT_THAT(faultOf("PTP", "JPX"), HasSubstr("allowed: JPP, CPP; write JPP"));
+}
+
 TEST(CellFaults, tellOfAPathThatDoesNotEndAtItsStation) {
   EXPECT_THAT(faultsWith("target_position: HOME", "target_position: [0, -30, 120, 0, 90, 0.0001]"),
               HasSubstr("programs.RA[1].steps[0].target_position is 0.0001 deg of J6 away from station HOME, "

@@ -46,5 +46,14 @@ TEST(StepsFile, isRefusedWithFileLineAndColumn) {
   EXPECT_THAT(describe(steps.error()), Not(HasSubstr("FLY"))) << "what a goal names may be any file";
 }
 
+TEST(StepsFile, saysThatFormatsOfTheToolHaveNoPlaceInIt) {
+  const auto steps = readSteps(
+      "steps:\n  - {movement_command: LINE, data_format: TPP, target_position: [0, 0, 0, 0, 0, 0]}\n",
+      "steps.yaml");
+  ASSERT_FALSE(steps);
+  EXPECT_EQ(steps.error().finding.found, "is TPP, which is relative to the tool");
+  EXPECT_THAT(steps.error().finding.advice, HasSubstr("have no place in this file"));
+}
+
 }  // namespace
 }  // namespace cobot_command::files
