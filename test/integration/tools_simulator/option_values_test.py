@@ -63,7 +63,8 @@ def options(program):
         status, text, _ = run(program, *words, '--help')
         assert status == ENDED, text
         for line in text.splitlines():
-            named = re.match(r'  (-[^ ]*)( [A-Z]\S*)?(  |$)', line + '  ')
+            # Defaults stand behind the type as TEXT=0, 0, 90, and since CLI11 2.4 as TEXT [0, 0, 90].
+            named = re.match(r'  (-[^ ]*)( [A-Z].*?)?(  |$)', line + '  ')
             names = re.findall(r'--[a-z][a-z-]*', named.group(1)) if named else []
             found.update({name: (named.group(2) is None, words, names) for name in names})
     return [Option(name, *rest) for name, rest in sorted(found.items())]
