@@ -40,5 +40,9 @@ function(cobot_use_precompiled target name)
     target_precompile_headers(${target} REUSE_FROM ${name})
     # For ccache, which looks into what the preprocessor makes of a source.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    # clang may read the list of headers once more, beside what is precompiled of it: always where ccache asks the
+    # preprocessor alone, and with ccache's relative paths on Debian 13. It has to find them then, though all are known.
+    target_include_directories(${target} SYSTEM
+                               PRIVATE "$<$<CXX_COMPILER_ID:Clang>:$<TARGET_PROPERTY:${name},INCLUDE_DIRECTORIES>>")
   endif()
 endfunction()
