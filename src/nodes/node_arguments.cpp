@@ -43,7 +43,7 @@ std::optional<int> answerArguments(int argc, const char* const* argv, const Node
     }
   }
   if (const auto fault = faultInNames(argc, argv, ofProcess)) {
-    fmt::print(stderr, "{}: {}\n", node.name, *fault);
+    fmt::print(stderr, "{}: {}\n", node.name, forPeople(*fault));
     return 2;
   }
   return std::nullopt;

@@ -8,6 +8,7 @@
 #include "cobot_command/common/path_settings.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/common/units.h"
+#include "cobot_command/common/velocity_modes.h"
 
 namespace cobot_command::link {
 
@@ -27,17 +28,6 @@ struct OpenFailure {
   };
   Kind kind = Kind::Other;
   std::string message;  ///< the system's own words
-};
-
-/// In which modes the controller may be given velocities: in none, unless somebody asks for it by name. It
-/// keeps a velocity when this computer falls silent: that of the TCP until its own watch ends it, that of
-/// joints for good.
-struct VelocityModes {
-  /// In what the controller takes a velocity of the TCP (SetContinueVLine), which its sources do not agree
-  /// on.
-  enum class Line { Off, Millimetres, Metres };
-  Line line = Line::Off;  ///< ContinueVLine: in mm/s and deg/s, or in m/s and rad/s
-  bool joints = false;    ///< ContinueVJog
 };
 
 /// Deadlines and periods; each is injectable and has a range that the setter of parameters checks.

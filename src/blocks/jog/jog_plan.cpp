@@ -254,11 +254,10 @@ Result<std::shared_ptr<const JogPlan>, Failure> planJog(const JogGoal& goal, con
   plan->of_joints = goal.mode == static_cast<int>(JogMode::Axes);
   plan->percent = percentOf(goal.speed);
   plan->start = *scene.start->joints;
-  const link::VelocityModes::Line line = scene.velocities.line;
-  const bool is_permitted =
-      plan->of_joints ? scene.velocities.joints : line != link::VelocityModes::Line::Off;
+  const VelocityModes::Line line = scene.velocities.line;
+  const bool is_permitted = plan->of_joints ? scene.velocities.joints : line != VelocityModes::Line::Off;
   plan->by_velocity = is_permitted && !scene.is_velocity_refused;
-  plan->is_in_metres = line == link::VelocityModes::Line::Metres;
+  plan->is_in_metres = line == VelocityModes::Line::Metres;
   plan->stop_time = scene.jog_stop_time;
   const bool has_frames = scene.start->base && scene.start->tcp;
   if (!plan->of_joints && !has_frames) {

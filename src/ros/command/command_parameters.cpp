@@ -155,7 +155,7 @@ SettingTable pathTable(link::LinkSettings& l) {
 }
 
 SettingTable jogTable(link::LinkSettings& l) {
-  using Line = link::VelocityModes::Line;
+  using Line = VelocityModes::Line;
   const Words<Line> units{{"off", Line::Off}, {"mm", Line::Millimetres}, {"m", Line::Metres}};
   return {
       {"velocity_line", choice(l.velocities.line, units),

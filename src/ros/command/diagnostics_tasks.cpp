@@ -124,9 +124,10 @@ void describeRobot(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
   } else if (!robot.project_running.value_or(true)) {
     status.summary(DiagnosticStatus::WARN, "no project is running; start it at the robot");
   } else if (const auto missing = link::missingForReady(robot); !missing.empty()) {
-    status.summary(DiagnosticStatus::WARN,
-                   fmt::format("ready to move as far as the status stream shows, which does not have {}: {}",
-                               link::describe(missing), link::remedyForMissingItems()));
+    status.summary(
+        DiagnosticStatus::WARN,
+        forPeople(fmt::format("ready to move as far as the status stream shows, which does not have {}: {}",
+                              link::describe(missing), link::remedyForMissingItems())));
   } else {
     status.summary(DiagnosticStatus::OK, "ready to move");
   }

@@ -54,8 +54,9 @@ std::optional<GoalIntake::Ended> GoalIntake::place(IncomingGoal& incoming, Readi
   const blocks::Block block = blockOf(reading.goal);
   const bool is_cancelled =
       incoming_is_cancelled_ || (incoming.is_cancelled != nullptr && incoming.is_cancelled());
-  if (is_cancelled)
+  if (is_cancelled) {
     return Ended{block, incoming.id, blocks::commandAborted("cancelled before its turn came")};
+  }
   const bool complete = reading.has_frames && reading.has_file;
   const bool falls = command::fallsWithOthers(reading.goal);
   const bool is_full = waiting_.size() >= command::kMostWaiting;

@@ -31,7 +31,7 @@ inline simulator::Settings withVelocities(bool licence, simulator::Settings sett
 /// They were asked for by name.
 inline link::LinkSettings velocitiesPermitted() {
   link::LinkSettings settings;
-  settings.velocities = {link::VelocityModes::Line::Millimetres, true};
+  settings.velocities = {VelocityModes::Line::Millimetres, true};
   return settings;
 }
 

@@ -60,7 +60,7 @@ TEST(JogMeansTest, areVelocitiesForJointsOrForTheTcpAsEachWasAskedFor) {
 
 TEST(JogMeansTest, areVelocitiesOfTheTcpInTheUnitThatWasAskedFor) {
   link::LinkSettings in_metres;
-  in_metres.velocities.line = link::VelocityModes::Line::Metres;
+  in_metres.velocities.line = VelocityModes::Line::Metres;
   JogCell metres(true, {}, {}, in_metres);
   JogCell millimetres(true);
   for (JogCell* cell : {&metres, &millimetres}) {

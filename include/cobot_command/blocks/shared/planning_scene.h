@@ -11,7 +11,7 @@
 #include "cobot_command/blocks/shared/detail.h"
 #include "cobot_command/common/path_settings.h"
 #include "cobot_command/common/time.h"
-#include "cobot_command/link/connection.h"
+#include "cobot_command/common/velocity_modes.h"
 #include "cobot_command/path/driven_path.h"
 #include "cobot_command/planning/script_planner.h"
 #include "cobot_command/tables/data_tables.h"
@@ -34,10 +34,10 @@ struct PlanningScene {
   PathSettings path = {};  ///< how paths are loaded
   std::shared_ptr<const path::DrivenPath> driven = {};  ///< of the last path; nullptr: none is known
   double feedrate = 1.0;                                ///< of paths
-  double speed_share = 1.0;             ///< of the speeds that moves give, (0, 1]: the speed override
-  bool is_pvt_refused = false;          ///< the controller has refused to enter one
-  bool is_velocity_refused = false;     ///< the controller has refused to take velocities
-  link::VelocityModes velocities = {};  ///< that may be used
+  double speed_share = 1.0;          ///< of the speeds that moves give, (0, 1]: the speed override
+  bool is_pvt_refused = false;       ///< the controller has refused to enter one
+  bool is_velocity_refused = false;  ///< the controller has refused to take velocities
+  VelocityModes velocities = {};     ///< that may be used
   Duration jog_stop_time = std::chrono::milliseconds(200);  ///< that it needs to bring the arm to rest
   double angle_tolerance = 0.0017453;          ///< within this of a target a joint is there [rad]
   std::shared_ptr<ProgramGuide> program = {};  ///< of the robot in its cell; nullptr: it is in none

@@ -18,9 +18,9 @@ struct Zone {
 };
 
 /// What is in the claims of two robots, in parts that hang together; those longer than `zone_size` are cut in
-/// the middle, those of a few voxels put to what is near, and those of different users that share `zone_overlap` of the smaller one are united. Numbered
-/// by the names of their users, then by their lowest voxels. A fault is a sentence: there are more than
-/// `max_zones`.
+/// the middle, those of a few voxels put to what is near, and those of different users that share
+/// `zone_overlap` of the smaller one are united. Numbered by the names of their users, then by their lowest
+/// voxels. A fault is a sentence: there are more than `max_zones`.
 [[nodiscard]] Result<std::vector<Zone>, std::string> findZones(const std::vector<RobotClaim>& claims,
                                                                const Parameters& parameters);
 
