@@ -127,7 +127,7 @@ std::optional<std::string> readFrom(const std::string& file) {
 }
 
 int cannotRead(const std::string& fault) {
-  std::cerr << "tm_frame: " << forPeople(fault) << '\n';
+  std::cerr << "tm_frame: " << cobot_command::forPeople(fault) << '\n';
   return kBadUsage;
 }
 
