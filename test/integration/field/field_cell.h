@@ -18,7 +18,7 @@ inline blocks::MoveAbsoluteGoal turnTo(double j1, double speed_percent = 50) {
   return moveJoints({j1, 0, 90, 0, 90, 0}, speed_percent);
 }
 
-inline const blocks::Outcome& endOf(CoreAndRobot& cell, const blocks::Goal& goal) {
+inline blocks::Outcome endOf(CoreAndRobot& cell, const blocks::Goal& goal) {
   return cell.endOf(cell.submit(goal));
 }
 
