@@ -37,7 +37,7 @@ TEST(SpeedNoise, ofARobotThatMovesIsSaidByWhatGoesUnplanned) {
   CoreAndRobot cell;
   cell.connect();
   blocks::RunScriptGoal other;  // of which this layer does not know where it ends
-  other.script = "if (IO[\"ControlBox\"].DI[0] == 0)\r\n{\r\nPTP(\"JPP\",30,0,90,0,90,0,10,200,0,false)\r\n}";
+  other.script = "PTP(\"JPP\",30,0,90,0,90,0,10 + IO[\"ControlBox\"].DI[0],200,0,false)";
   const blocks::Outcome& before = endOf(cell, other);
   EXPECT_EQ(before.ending, blocks::Ending::Done) << before.error_description;
   EXPECT_THAT(before.error_description, HasSubstr("its lines say more than the command layer can read"));
