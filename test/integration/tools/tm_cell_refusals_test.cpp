@@ -85,8 +85,8 @@ TEST_F(TmCellRefuses, aRobotThatNeverLeavesThoughItsHomeMayBeThere) {
 }
 
 TEST_F(TmCellRefuses, claimsThatWouldTakeTooMuchMemoryBeforeTheyAreMade) {
-  const Outcome outcome =
-      buildOf("handover", {{kParameters, "parameters: {voxel: 5, step_bound: 1, margin: 20}"}});
+  const Outcome outcome = buildOf(
+      "handover", {{kParameters, "parameters: {voxel: 5, step_bound: 1, margin: 200, body_tolerance: 50}"}});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, ContainsRegex("parameters make claims of [0-9]+ MiB: [0-9]+ pieces with "
                                             "step_bound 1 mm, in voxels of 5 mm; allowed: 1024 MiB"));
