@@ -29,7 +29,10 @@ using Start = planning::ScriptPlanner::Start;
 
 Outcome checkSequence(const CheckSequenceGoal& goal, const std::optional<arm::ArmModel>& arm,
                       const std::optional<Start>& start) {
-  return plan(goal, {arm ? &*arm : nullptr, start, {}});
+  PlanningScene scene;
+  scene.arm = arm ? &*arm : nullptr;
+  scene.start = start;
+  return plan(goal, scene);
 }
 
 Start at(const SixValues& joints_deg) {

@@ -6,8 +6,8 @@
 namespace cobot_command::cell {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 void insertBox(VoxelSet& voxels, const Voxel& lower, const Voxel& upper) {
   for (auto x = lower[0]; x <= upper[0]; ++x) {
