@@ -162,7 +162,7 @@ TEST(PickAndPlaceFile, aValueOfTheWrongTypeIsAnError) {
 TEST(PickAndPlaceFile, anEnumerationIsGivenByName) {
   EXPECT_THAT(errorOf(fileWith("movement_command: 1")),
               AllOf(HasSubstr("movement_command is something else"), HasSubstr("LINE, PTP")));
-  EXPECT_THAT(errorOf(fileWith("data_format: cpp")), HasSubstr("JPP, CPP, CPR, CAP, CAR"));
+  EXPECT_THAT(errorOf(fileWith("data_format: cpp")), HasSubstr("one of: CPP, CPR, CAP, CAR")) << "of a line";
   EXPECT_THAT(errorOf(fileWith("robot_pose: [ABOVE, ABOVE, FLIP]")),
               AllOf(HasSubstr("robot_pose[0] is something else"), HasSubstr("RIGHTY, LEFTY")));
 }
