@@ -5,24 +5,28 @@ import os
 import subprocess
 import sys
 
+import roslib.packages
 import rospy
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("artifact", help="what tm_cell build has made of the cell's file")
-    parser.add_argument("--tm-cell", default="tm_cell", help="the program")
     parser.add_argument("--time-scale", default="1.0", help="how many times faster than real time the controllers run")
     arguments = parser.parse_args(rospy.myargv()[1:])
-    names = {what: ask(arguments, what) for what in ("robots", "mechanisms")}
+    names = {what: ask(arguments.artifact, what) for what in ("robots", "mechanisms")}
     # In the place of this one, so that whoever ends this one ends that.
     os.execvp("roslaunch", ["roslaunch", "--disable-title", "--no-summary", "cobot_command", "cell_movers.launch",
                             f"artifact:={arguments.artifact}", f"time_scale:={arguments.time_scale}",
                             *(f"{what}:={told}" for what, told in names.items() if told)])
 
 
-def ask(arguments, what):
-    answer = subprocess.run([arguments.tm_cell, "ask", arguments.artifact, what], stdout=subprocess.PIPE, text=True, check=False)
+def ask(artifact, what):
+    """In whichever space it is: roslaunch finds nodes there, too."""
+    programs = roslib.packages.find_node("cobot_command", "tm_cell")
+    if not programs:
+        sys.exit("cell_movers.py: tm_cell is not there: build the package")
+    answer = subprocess.run([programs[0], "ask", artifact, what], stdout=subprocess.PIPE, text=True, check=False)
     if answer.returncode != 0:
         sys.exit(1)  # tm_cell has said why
     return answer.stdout.strip()
