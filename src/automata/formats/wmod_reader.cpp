@@ -210,7 +210,7 @@ class Reader {
 Result<Problem, std::string> problemFromWmod(std::string_view text) {
   tinyxml2::XMLDocument document;
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    return refuse(fmt::format("this is no XML: {}", document.ErrorStr()));
+    return refuse(forPeople(fmt::format("this is no XML: {}", document.ErrorStr())));
   }
   const auto* module = document.FirstChildElement("Module");
   if (module == nullptr) return refuse(std::string("this is no module of WATERS: it has no <Module>"));
