@@ -73,10 +73,13 @@ ros::NodeHandle servedBy(ServingThread& thread, const ros::NodeHandle& node) {
   return served;
 }
 
-/// Those of tf2, which listens from the first goal on that names a frame, and of the diagnostics.
-void requireLibraryTopics(const OwnHandle& node) {
-  for (const char* tf : {"/tf", "/tf_static"}) node.requireType(tf, "tf2_msgs/TFMessage");
-  node.requireType("/diagnostics", "diagnostic_msgs/DiagnosticArray");
+/// Those of tf2, which listens from the first goal on that names a frame, and of the diagnostics. Returns the
+/// handle, for what the libraries make with it at once.
+const ros::NodeHandle& requireLibraryTopics(const ros::NodeHandle& node) {
+  const OwnHandle own(node);
+  for (const char* tf : {"/tf", "/tf_static"}) own.requireType(tf, "tf2_msgs/TFMessage");
+  own.requireType("/diagnostics", "diagnostic_msgs/DiagnosticArray");
+  return node;
 }
 
 }  // namespace
@@ -95,7 +98,8 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       arm_(std::make_unique<ArmOfNow>(parameters.arm)),
       publisher_(node, jointNames(parameters.prefix), parameters.prefix),
       paths_(std::make_unique<PathPublisher>(node, parameters.prefix + "base")),
-      diagnostics_(node, self, parameters.diagnostic_period, parameters.link.status_port != 0),
+      diagnostics_(requireLibraryTopics(node), self, parameters.diagnostic_period,
+                   parameters.link.status_port != 0),
       frames_(parameters.prefix + "base", parameters.tf_from_start),
       intake_([this](const std_msgs::Header& header) { return frames_.find(header); },
               [this] { return frames_.patience(); }, fileSource(), intakeCore(), parameters.world_frame) {
@@ -112,7 +116,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       },
       false, false);
   makeServices(node, parameters);
-  requireLibraryTopics(node);
+  requireLibraryTopics(node);  // and of what was made since
   startCore(node, std::move(parameters));
 }
 
