@@ -68,7 +68,7 @@ TEST(ForeignText, ofFramesIsLoggedWithoutHarm) {
   const ClientId client = robot.connect();
   for (const std::string& text : foreignTexts()) {
     robot.send(client, text + "\r\n");
-    robot.send(client, protocol::encodeFrame("TM" + text, "1,x"));
+    robot.send(client, "$TM" + text + ",3,1,x,*00\r\n");  // the header of our own frames has letters alone
     robot.send(client, protocol::encodeFrame("TMSCT", text));
     robot.send(client, protocol::encodeFrame("TMSCT", text + ",QueueTag(1)"));
     robot.send(client, protocol::encodeFrame("TMSTA", text));
