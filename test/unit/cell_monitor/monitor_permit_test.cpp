@@ -7,7 +7,9 @@ namespace cobot_command::cell {
 namespace {
 
 /// As fast as a program on the way to T1 may be [rad/s].
-const arm::JointVector kFast = kT1 - kHome;
+arm::JointVector fast() {
+  return kT1 - kHome;
+}
 
 std::vector<double> speedsOf(const arm::JointVector& speeds) {
   std::vector<double> all;
@@ -18,13 +20,13 @@ std::vector<double> speedsOf(const arm::JointVector& speeds) {
 /// The left one moves towards the right one, which stands at T1; both were measured `age` before the look.
 class OldData : public ::testing::Test {
  protected:
-  void look(double distance, double age, const arm::JointVector& speed = kFast) {
+  void look(double distance, double age, const arm::JointVector& speed = fast()) {
     monitor.take("left", leftAt(distance), speed, Duration(0), at(1));
     monitor.take("right", kT1, kStanding, Duration(0), at(1));
     monitor.tick(at(1 + age));
   }
   void permit(const std::vector<std::size_t>& left, const std::vector<std::size_t>& right,
-              const arm::JointVector& most = kFast) {
+              const arm::JointVector& most = fast()) {
     EXPECT_TRUE(monitor.setPermit("left", Permit{left, speedsOf(most)}));
     EXPECT_TRUE(monitor.setPermit("right", Permit{right, speedsOf(most)}));
   }
@@ -49,7 +51,7 @@ TEST_F(OldData, isUncertainDownToTheMarginWhereWhatBothHoldKeepsThemApart) {
 }
 
 TEST_F(OldData, isThatOfOneThatMayBeAnywhereUnlessBothArePermitted) {
-  monitor.setPermit("left", Permit{{0}, speedsOf(kFast)});
+  monitor.setPermit("left", Permit{{0}, speedsOf(fast())});
   look(0.1286, 0.3);
   EXPECT_TRUE(isStopped());
 }
@@ -91,7 +93,7 @@ TEST_F(OldData, thatIsStaleStopsAllWhateverIsPermitted) {
 TEST_F(OldData, showsNoSpeedThatTheProgramDoesNotHave) {
   permit({0}, {1});
   const arm::JointVector end = leftAt(0.1286);
-  monitor.take("left", end - 0.3 * kFast, kStanding, Duration(0), at(1));
+  monitor.take("left", end - 0.3 * fast(), kStanding, Duration(0), at(1));
   monitor.take("left", end, kStanding, Duration(0), at(1.01));
   monitor.take("right", kT1, kStanding, Duration(0), at(1.01));
   monitor.tick(at(1.04));
@@ -108,7 +110,7 @@ TEST_F(OldData, showsNoSpeedThatTheArmDoesNotHave) {
     watch.tick(at(1.02));
     return watch.status().pairs.front().uncertainty;
   };
-  EXPECT_LT(uncertaintyOf(speedsOf(kFast)), 0.02);
+  EXPECT_LT(uncertaintyOf(speedsOf(fast())), 0.02);
   EXPECT_GT(uncertaintyOf({}), 0.2);
 }
 
@@ -116,8 +118,8 @@ TEST(OldDataBesideAnObstacle, isUncertainDownToTheMarginWhereItsProgramIsKnown) 
   const auto isStopped = [](bool is_permitted) {
     const WatchedObstacle post{"post", {{{0, 0, -2}, {0, 0, 2}, 0.05}}};
     Monitor watch = monitorOf({{"left", leftBodies(), {}}}, {}, {post});
-    if (is_permitted) watch.setPermit("left", Permit{{}, speedsOf(kFast)});
-    watch.take("left", kHome, 3 * kFast, Duration(0), at(1));
+    if (is_permitted) watch.setPermit("left", Permit{{}, speedsOf(fast())});
+    watch.take("left", kHome, 3 * fast(), Duration(0), at(1));
     watch.tick(at(1.4));
     return !only<StopAll>(watch.takeActions()).empty();
   };

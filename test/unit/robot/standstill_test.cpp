@@ -49,6 +49,40 @@ TEST(Standstill, isToldByTheJointAnglesWhereTheSpeedsAreNoise) {
   EXPECT_EQ(robot.moving(), true);
 }
 
+/// A motion that begins, or ends, is slow: a stop that is over while the arm still creeps is no stop.
+TEST(Standstill, endsAtOnceWithASpeedThatThisArmNeverHadAtRest) {
+  Robot quiet;
+  quiet.frame(0, 0.0);
+  quiet.frame(0.001, 0.2);
+  EXPECT_EQ(quiet.moving(), true);
+  quiet.frame(0.002, 0.15);
+  EXPECT_EQ(quiet.moving(), true);
+  quiet.frame(0.002, 0.02);
+  EXPECT_EQ(quiet.moving(), false);
+
+  Robot noisy;
+  for (int i = 0; i < 22; ++i) noisy.frame(0.01 * (i % 2), 0.4);
+  ASSERT_EQ(noisy.moving(), false);
+  noisy.frame(0, 0.5);
+  EXPECT_EQ(noisy.moving(), false);
+  noisy.frame(0.01, 0.7);
+  EXPECT_EQ(noisy.moving(), true);
+}
+
+TEST(Standstill, learnsOfMoreNoiseByTheJointAngles) {
+  Robot robot;
+  robot.frame(0, 0.0);
+  for (int i = 0; i < 20; ++i) {
+    robot.frame(0.01 * (i % 2), 0.4);
+    EXPECT_EQ(robot.moving(), true);
+  }
+  robot.frame(0, 0.4);
+  EXPECT_EQ(robot.moving(), false);
+  robot.frame(0, 0.02);
+  robot.frame(0, 0.5);
+  EXPECT_EQ(robot.moving(), false) << "known by now";
+}
+
 TEST(Standstill, isToldByTheJointSpeedsAloneWhereThereAreNoAngles) {
   Robot robot;
   link::RobotStatus status;
