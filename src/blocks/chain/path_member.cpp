@@ -36,6 +36,11 @@ bool PathMember::isNews(const PathPlace& place, Instant now) {
   return true;
 }
 
+bool SentPiece::isMarked(std::size_t point) const {
+  const auto& marked = piece->marked;
+  return point + 1 == behind() || std::find(marked.begin(), marked.end(), point - first) != marked.end();
+}
+
 bool SentPieces::has(CommandKey key) const {
   return std::any_of(pieces_.begin(), pieces_.end(),
                      [key](const SentPiece& sent) { return sent.key == key; });

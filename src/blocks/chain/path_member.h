@@ -41,6 +41,8 @@ struct SentPiece {
   LoadedPiecePtr piece;
   std::size_t first = 0;  ///< of its points
   [[nodiscard]] std::size_t behind() const { return first + piece->plan.points().size(); }
+  /// A tag tells that this point of it is done.
+  [[nodiscard]] bool isMarked(std::size_t point) const;
 };
 
 /// What is at the controller, in its order, and what was taken back from there.

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "cobot_command/path/driven_path.h"
+
 namespace cobot_command::blocks {
 namespace {
 
@@ -52,11 +54,19 @@ void PathFollower::see(const arm::JointVector& joints, Instant now) {
   const Duration until = std::min(clock + (is_steady ? kInFront : kInHold), piece_->plan.duration());
   seen_ = from < until ? nearest(joints, from, until) : from;
   source_ = ProgressSource::Stream;
+  if (isThere(joints)) shown_ = seen_;
   if (!has_clock_) setClock(now);
   if (picks_up_until_ && now >= *picks_up_until_) {
     picks_up_until_.reset();
     setClock(now);
   }
+}
+
+/// Where the clock has gone on without the arm, the nearest place is far from it.
+bool PathFollower::isThere(const arm::JointVector& joints) const {
+  const motion::JointState there = piece_->plan.at(*seen_);
+  const double within_a_step = there.velocity.cwiseAbs().maxCoeff() * toSeconds(kStep);
+  return (there.position - joints).cwiseAbs().maxCoeff() <= path::DrivenPath::kSamePlace + within_a_step;
 }
 
 void PathFollower::catchUp(const arm::JointVector& joints, Instant now) {

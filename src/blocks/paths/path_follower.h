@@ -32,6 +32,8 @@ class PathFollower {
   /// Since the piece began, by its plan; never less than before, nor more than the piece takes.
   [[nodiscard]] Duration time(Instant now) const;
   [[nodiscard]] path::PathPlan::Place placeAt(Duration time) const { return piece_->plan.placeAt(time); }
+  /// So far the stream has certainly shown the arm on its way; nothing: it has not yet.
+  [[nodiscard]] std::optional<Duration> shown() const { return shown_; }
   [[nodiscard]] ProgressSource source() const { return source_; }
   /// What is left by the clock.
   [[nodiscard]] Duration remaining(Instant now) const;
@@ -41,6 +43,8 @@ class PathFollower {
  private:
   /// The clock goes on from where the arm was seen.
   void setClock(Instant now);
+  /// It was seen at `seen_`.
+  [[nodiscard]] bool isThere(const arm::JointVector& joints) const;
   /// While it begins.
   void catchUp(const arm::JointVector& joints, Instant now);
   [[nodiscard]] Duration nearest(const arm::JointVector& joints, Duration from, Duration until) const;
@@ -50,7 +54,8 @@ class PathFollower {
   PlanClock clock_;
   std::optional<Instant> picks_up_until_;  ///< its speed, behind a hold
   bool has_clock_ = true;
-  std::optional<Duration> seen_;  ///< by the stream, or by a mark
+  std::optional<Duration> seen_;   ///< by the stream, or by a mark
+  std::optional<Duration> shown_;  ///< by the stream alone
   ProgressSource source_ = ProgressSource::Plan;
 };
 

@@ -32,6 +32,42 @@ std::string textOfGate(const path::TrackingObjects& objects, const path::Trackin
   return fmt::format("waits for {}", fmt::join(texts, " and "));
 }
 
+/// What the first goal that waits at its gate waits for; empty: none does.
+std::string gateText(const PathChain& chain, const PathChain::Place& place,
+                     const path::TrackingObjects& objects) {
+  const PathChain::Member* const at_gate = chain.firstAtGate();
+  if (at_gate == nullptr || !chain.placeOf(*at_gate, place).waits_for_tracking) return "";
+  return fmt::format("behind load_path {}, which {}", at_gate->loaded->method_id,
+                     textOfGate(objects, at_gate->loaded->tracking));
+}
+
+/// Of a goal whose points do not move the robot yet, and that nothing holds back but its place in the chain.
+std::string textOfPlace(const PathChain& chain, const PathChain::Member& member, const PathPlace& place,
+                        const std::string& at_gate) {
+  if (!member.passed_gate && !at_gate.empty()) return at_gate;
+  if (chain.sent().empty()) return "waits for a goal that it may blend into";
+  const bool has_a_place = place.pending_path_points < static_cast<int>(member.count());
+  return has_a_place ? "loaded behind what is under way" : "waits for a place behind what is under way";
+}
+
+/// The points up to there are of goals whose ends have no tag, as a PVT has few, and were shown to be passed.
+std::size_t untaggedEnds(const PathChain& chain, std::size_t shown) {
+  std::size_t points = 0;
+  for (const PathChain::Member& member : chain.members()) {
+    if (member.behind() > shown || chain.sent().front().isMarked(member.behind() - 1)) break;
+    points = member.behind();
+  }
+  return points;
+}
+
+void tellControls(PathStatus& status, const PathChain& chain, const PathChain::Place& place,
+                  const path::PathControls& controls) {
+  status.feedrate = kPercent * controls.asked();
+  status.feedrate_effective = kPercent * controls.effective(running(chain));
+  const PathChain::Member* const at_gate = chain.firstAtGate();
+  status.gate_waits = at_gate != nullptr && chain.placeOf(*at_gate, place).waits_for_tracking;
+}
+
 }  // namespace
 
 PathGoals::PathGoals(RunReports& reports, GoalId first, const PathReport& planned)
@@ -106,6 +142,10 @@ std::optional<PathStand> PathGoals::pieceEnded(Instant now) {
 bool PathGoals::done(std::size_t points, Instant now) {
   progress_.done(points);
   follow(now);
+  return endUpTo(points, now);
+}
+
+bool PathGoals::endUpTo(std::size_t points, Instant now) {
   while (chain_.members().front().behind() <= points) {
     if (chain_.members().size() == 1) return true;
     const Member& first = chain_.members().front();
@@ -146,6 +186,9 @@ void PathGoals::robotChanged(const robot::RobotWatch& robot, Instant now) {
   if (robot.joints()) progress_.see(*robot.joints(), now);
   if (progress_.isUnderWay()) piece_end_ = now + progress_.remaining(now);
   follow(now);
+  const bool is_over = endUpTo(untaggedEnds(chain_, progress_.shown()), now);
+  assert(!is_over);
+  static_cast<void>(is_over);
 }
 
 void PathGoals::use(const path::PathControls& controls, Instant now) {
@@ -203,7 +246,7 @@ void PathGoals::tellPhase(Progress& progress, const Member& member, const PathPl
     progress.text = textOfGate(controls_.tracking, member.loaded->tracking);
   } else {
     progress.phase = std::min(phase_, Phase::Queued);
-    progress.text = "loaded behind what is under way";
+    progress.text = textOfPlace(chain_, member, place, gateText(chain_, place_, controls_.tracking));
   }
 }
 
@@ -224,22 +267,15 @@ void PathGoals::tellStatus(Instant now) {
   if (!status_clock_.takeDue(now)) return;
   follow(now);
   PathStatus status = statusOf(chain_, place_, progress_, now);
-  tellControls(status);
+  tellControls(status, chain_, place_, controls_);
   reports_.tellEveryone(Detail(status));
 }
 
 void PathGoals::endStatus() {
   if (!status_clock_.end()) return;
   PathStatus status;
-  tellControls(status);
+  tellControls(status, chain_, place_, controls_);
   reports_.tellEveryone(Detail(status));
-}
-
-void PathGoals::tellControls(PathStatus& status) const {
-  status.feedrate = kPercent * controls_.asked();
-  status.feedrate_effective = kPercent * controls_.effective(running(chain_));
-  const Member* const at_gate = chain_.firstAtGate();
-  status.gate_waits = at_gate != nullptr && chain_.placeOf(*at_gate, place_).waits_for_tracking;
 }
 
 // --- What is known.
@@ -249,7 +285,7 @@ std::optional<Failure> PathGoals::deviation() const {
   const double most = member.loaded->max_deviation;
   if (most <= 0 || progress_.offThePath() <= most) return std::nullopt;
   return Failure{own_error::kPathDeviates,
-                 fmt::format("the moved frame is {:.2f} mm off its path, and {:.2f} mm is allowed",
+                 fmt::format("the moved frame is {:.6g} mm off its path, and {:.6g} mm is allowed",
                              progress_.offThePath() * 1000, most * 1000),
                  ""};
 }

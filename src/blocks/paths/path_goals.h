@@ -85,8 +85,9 @@ class PathGoals final : public GoalChain {
   void dropFrom(std::size_t member, const std::string& why, Instant now);
   void holdProgress(Instant now);
   void follow(Instant now);
+  /// Of goals in front of that point, which are done. True: see done().
+  [[nodiscard]] bool endUpTo(std::size_t points, Instant now);
   void tell(Instant now);
-  void tellControls(PathStatus& status) const;
   void tellPhase(Progress& progress, const Member& member, const PathPlace& place) const;
   [[nodiscard]] Progress progressOf(const Member& member, const PathPlace& place) const;
 

@@ -60,6 +60,11 @@ PathChain::Place PathProgress::placeAt(Instant now) {
   return {done_, done_ + (is_ahead && place.blends ? 2 : 1)};
 }
 
+std::size_t PathProgress::shown() const {
+  const auto time = follower_ ? follower_->shown() : std::nullopt;
+  return time ? first_ + follower_->placeAt(*time).point : 0;
+}
+
 std::optional<PathProgress::Motion> PathProgress::motion(Instant now) const {
   if (!follower_) return std::nullopt;
   return Motion{piece_, first_, follower_->time(now), is_held_ ? 0.0 : rate_};

@@ -37,6 +37,8 @@ class PathProgress {
   /// By all that is known until now. Points are not done by it that no tag has told of, at the end of a
   /// piece.
   [[nodiscard]] PathChain::Place placeAt(Instant now);
+  /// The points in front of that one are done by what the stream has certainly shown.
+  [[nodiscard]] std::size_t shown() const;
   /// Of the way of the active point, 0..1.
   [[nodiscard]] double share() const { return share_; }
   /// Nothing: none is under way.

@@ -170,6 +170,30 @@ TEST_F(LoadPathChains, endEachGoalWhenItsOwnLastPointIsDone) {
   expectDone(second);
 }
 
+/// A PVT has seven tags.
+TEST_F(LoadPathChains, endEachOfTenGoalsWhenItsPointIsPassed) {
+  std::vector<GoalId> ids;
+  for (int i = 0; i < 10; ++i) ids.push_back(cell.submit(section(tenPoints(), i, 1)));
+  double before = 0;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    expectDone(ids[i]);
+    const double turned = radToDeg(cell.robot().joints[0]);
+    EXPECT_GT(turned, before) << i << " ended with the one in front of it";
+    EXPECT_NEAR(turned, 3 * (i + 1.0), 2) << i;
+    before = turned;
+  }
+  EXPECT_EQ(cell.scripts().size(), 1U);
+}
+
+TEST_F(LoadPathChains, leaveThoseDoneThatWerePassedInFrontOfAStop) {
+  std::vector<GoalId> ids;
+  for (int i = 0; i < 10; ++i) ids.push_back(cell.submit(section(tenPoints(), i, 1)));
+  ASSERT_TRUE(cell.passUntil([&] { return radToDeg(cell.robot().joints[0]) > 26; }));
+  cell.cancel(ids.back());
+  for (std::size_t i = 0; i < 8; ++i) expectDone(ids[i]);
+  EXPECT_EQ(cell.endOf(ids.back()).ending, Ending::CommandAborted);
+}
+
 TEST_F(LoadPathChains, refuseAGoalThatCannotGoOnFromTheOneInFront) {
   const GoalId first = cell.submit(turns(2, false));
   LoadPathGoal goal = turns(2, false);
