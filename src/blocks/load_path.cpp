@@ -7,6 +7,7 @@
 #include "shared/parameter_checks.h"
 #include <fmt/format.h>
 
+#include "cobot_command/arm/any_arm.h"
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/blocks/list/goal.h"
 #include "cobot_command/blocks/shared/error_catalogue.h"
@@ -113,7 +114,27 @@ std::optional<PathRefusal> checkWithoutTransform(const LoadPathGoal& goal) {
   return std::nullopt;
 }
 
-Failure cannotPlan(const LoadPathGoal& goal, const PlanningScene& scene) {
+bool knowsStart(const PlanningScene& scene) {
+  return !scene.chain.isNone() || (scene.start && scene.start->joints);
+}
+
+/// A pose, or an increment of joints that nobody knows, is no place to send a robot to.
+std::optional<std::string> faultOfTargets(const LoadPathGoal& goal, bool knows_start) {
+  for (int index = goal.start_index; isLoaded(goal, index); ++index) {
+    const PathPoint& point = goal.path[static_cast<std::size_t>(index)];
+    if (!is(point.target_type, path::TargetType::Joint)) {
+      return fmt::format("point {}: its target is a pose", index);
+    }
+    const bool is_first = index == goal.start_index;
+    if (is_first && !knows_start && is(point.move_type, path::MoveType::Incremental)) {
+      return fmt::format("point {}: its target is INCREMENTAL", index);
+    }
+  }
+  return std::nullopt;
+}
+
+/// Without model or start: why it cannot go out as motions of a script.
+std::optional<Failure> checkUnplanned(const LoadPathGoal& goal, const PlanningScene& scene) {
   const bool has_model = scene.arm != nullptr;
   const std::string missing = !has_model                  ? "no model of the arm"
                               : scene.why_unknown.empty() ? "it is not known where the arm stands"
@@ -122,11 +143,25 @@ Failure cannotPlan(const LoadPathGoal& goal, const PlanningScene& scene) {
     refusal->found = fmt::format("{}, and {}", missing, refusal->found);
     return toFailure(goal, *refusal);
   }
-  if (is(goal.execution, Execution::Pvt) && !goal.check_only) {
-    return {own_error::kPvtUnavailable, missing, ""};
+  const int error_id = has_model ? own_error::kStartUnknown : own_error::kNoModel;
+  if (goal.check_only) return Failure{error_id, has_model ? scene.why_unknown : "", ""};
+  if (is(goal.execution, Execution::Pvt)) return Failure{own_error::kPvtUnavailable, missing, ""};
+  if (auto found = faultOfTargets(goal, knowsStart(scene))) return Failure{error_id, *std::move(found), ""};
+  return std::nullopt;
+}
+
+/// As if the arm stood on its first target: where nothing is known of it, no way there is planned.
+PlanningScene unplanned(const LoadPathGoal& goal, PlanningScene scene) {
+  if (scene.arm == nullptr) scene.arm = &arm::anyArm();
+  if (!scene.start) scene.start.emplace();
+  if (!scene.start->joints) {
+    arm::ControllerJoints first;
+    const auto& joints = goal.path[static_cast<std::size_t>(goal.start_index)].joints;
+    std::copy_n(joints.begin(), first.size(), first.begin());
+    scene.start->joints = arm::toJointVector(first);
   }
-  if (!has_model) return {own_error::kNoModel, "", ""};
-  return {own_error::kStartUnknown, scene.why_unknown, ""};
+  scene.is_pvt_refused = true;
+  return scene;
 }
 
 path::PathPreview previewOf(const LoadedPath& loaded) {
@@ -147,7 +182,9 @@ Failure refused(const LoadPathGoal& goal, PathRefusal refusal, const PlanningSce
   if (refusal.error_id == path::path_error::kWorldUnknown && !goal.world_fault.empty()) {
     refusal.found += "; " + goal.world_fault;
   }
-  if (refusal.index < 0) return toFailure(goal, refusal);
+  const bool knows_arm = scene.arm != &arm::anyArm();
+  if (!knows_arm) refusal.where.reset();
+  if (refusal.index < 0 || !knows_arm) return toFailure(goal, refusal);
   const auto in_front = loadInFront(goal, refusal, scene);
   path::PathPreview preview;
   std::vector<StepReport> points = blameAlone(goal, refusal);
@@ -159,7 +196,15 @@ Failure refused(const LoadPathGoal& goal, PathRefusal refusal, const PlanningSce
   return toFailure(refusal, std::move(points), std::make_shared<const path::PathPreview>(std::move(preview)));
 }
 
-const char* reasonOf(const LoadPathGoal& goal, Execution chosen) {
+std::string reasonOf(const LoadPathGoal& goal, Execution chosen, const PlanningScene& scene) {
+  if (scene.arm == nullptr) {
+    return "no model of the arm is known: its speeds are shares of those of the fastest arms, so that no "
+           "other is "
+           "faster than asked, and planned_duration is of such an arm";
+  }
+  if (!knowsStart(scene)) {
+    return "it is not known where the arm stands: planned_duration is without the way to the first point";
+  }
   if (!is(goal.execution, Execution::Auto)) return "it was asked for";
   return chosen == Execution::Pvt ? "model and place of the arm are known, and a PVT says all of a path"
                                   : "the controller has refused to enter a PVT";
@@ -231,19 +276,21 @@ tables::Use usesOf(const LoadPathGoal& goal) {
 
 Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
   constexpr Block kThis = kBlock<LoadPathGoal>;
-  const bool is_known =
-      scene.arm != nullptr && (!scene.chain.isNone() || (scene.start && scene.start->joints));
-  if (!is_known) return toRejection(kThis, {cannotPlan(goal, scene)});
-  const auto loaded = loadPath(goal, scene);
-  if (!loaded) return toRejection(kThis, {refused(goal, loaded.error(), scene)});
+  const bool is_known = scene.arm != nullptr && knowsStart(scene);
+  if (!is_known) {
+    if (auto failure = checkUnplanned(goal, scene)) return toRejection(kThis, {*std::move(failure)});
+  }
+  const PlanningScene used = is_known ? scene : unplanned(goal, scene);
+  const auto loaded = loadPath(goal, used);
+  if (!loaded) return toRejection(kThis, {refused(goal, loaded.error(), used)});
   PathReport report;
   report.points = (*loaded)->report;
   report.blends_lost = lostBlends(**loaded);
   report.execution = (*loaded)->execution;
-  report.execution_reason = reasonOf(goal, (*loaded)->execution);
+  report.execution_reason = reasonOf(goal, (*loaded)->execution, scene);
   report.approximations = (*loaded)->approximations;
   if (goal.check_only) report.joint_path = wholeJointPath((*loaded)->plan);
-  report.preview = std::make_shared<const path::PathPreview>(previewOf(**loaded));
+  if ((*loaded)->knows_arm) report.preview = std::make_shared<const path::PathPreview>(previewOf(**loaded));
   report.loaded = *loaded;
   Outcome outcome;
   outcome.planned = (*loaded)->planned;

@@ -148,6 +148,15 @@ class PointWriter {
     return 0;
   }
 
+  /// Of the rated speed, such that no joint is faster than asked: the arm may come from anywhere [%].
+  [[nodiscard]] int percentFromAnywhere() const {
+    const auto& limits = scene_.arm.limits();
+    const auto fastest = std::max_element(
+        limits.begin(), limits.end(),
+        [](const auto& one, const auto& other) { return one.max_velocity < other.max_velocity; });
+    return static_cast<int>(std::clamp(100.0 * degToRad(speed()) / fastest->max_velocity, 1.0, 100.0));
+  }
+
   [[nodiscard]] script::ScriptCommand ptp() {
     const arm::JointVector from = point_.motion->at(Duration::zero()).position;
     const arm::JointVector way = point_.motion->end().position - from;
@@ -157,9 +166,10 @@ class PointWriter {
       share = std::max(share, joint / scene_.arm.limits()[i].max_velocity);
     }
     const double longest = way.cwiseAbs().maxCoeff();
-    const double percent = longest > 0.0 ? 100.0 * degToRad(speed()) * share / longest : 1.0;
+    const double percent = 100.0 * degToRad(speed()) * share / longest;
     script::Ptp ptp;
-    ptp.options = options(whole(percent, 100, "% of the rated speed"), blendShare());
+    ptp.options = options(longest > 0.0 ? whole(percent, 100, "% of the rated speed") : percentFromAnywhere(),
+                          blendShare());
     ptp.format.target = script::DataFormat::Target::Joint;
     if (is(point_.point.target_type, TargetType::Cartesian)) {
       ptp.format.target = script::DataFormat::Target::Cartesian;

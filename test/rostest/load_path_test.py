@@ -196,15 +196,18 @@ class LoadPath(MotionTestCase):
         self.robot.robot_status.wait_for(lambda s: s.mode == RobotStatus.MODE_MANUAL, "the manual mode")
         self.assert_rejected(self.robot.run(path(path_to_joints(*HOME))), 1006)
 
-    def test_is_refused_without_a_model_of_the_arm(self):
+    def test_sends_joint_targets_by_ptp_without_a_model_of_the_arm(self):
         connect = self.robot.send(self.robot.connect_goal(), "unmodelled/")
         Latest("unmodelled/command_status", CommandStatus).wait_for(
             lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a ready link")
         increment = above(0, move_type=PathPoint.INCREMENTAL)
-        for goal, error_id in ((path(path_to_joints(*HOME)), 0x209), (path(path_to_joints(*HOME), above(10)), 1021),
+        for goal, error_id in ((path(path_to_joints(*HOME), check_only=True), 0x209), (path(path_to_joints(*HOME), above(10)), 1021),
                                (path(increment), 1019), (path(path_to_joints(*HOME), execution=LoadPathGoal.PVT), 0x272)):
             with self.subTest(error_id=error_id):
                 self.assert_rejected(self.robot.run(goal, "unmodelled/"), error_id)
+        result = self.assert_done(self.robot.run(path(path_to_joints(*HOME), allow_approximation=True), "unmodelled/"))
+        self.assertEqual(result.execution, LoadPathGoal.SCRIPT)
+        self.assertIn("no model", result.execution_reason)
         connect.cancel()
         self.assert_done(connect.finish())
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cobot_command/arm/any_arm.h"
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/units.h"
 #include "cobot_command/path/path_pieces.h"
@@ -236,6 +237,7 @@ Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   loaded->settings = scene.path;
   report(*loaded);
   auto refusal = loadPieces(std::move(planner), loaded->frames, *loaded);
+  loaded->knows_arm = scene.arm != &arm::anyArm();
   if (refusal) return refuse(*std::move(refusal));
   return LoadedPathPtr(std::move(loaded));
 }

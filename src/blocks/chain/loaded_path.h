@@ -71,6 +71,7 @@ struct LoadedPath {
   double max_deviation = 0;            ///< [m]; 0: any
   bool allow_approximation = false;
   std::vector<StepReport> report;  ///< of each point
+  bool knows_arm = true;           ///< else it is planned for any (arm::anyArm)
   PathSettings settings;
 };
 

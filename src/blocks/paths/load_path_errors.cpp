@@ -72,16 +72,16 @@ void addPoints(ErrorTable& table) {
       .row(kMoveType, "Move type invalid", kCorrectThePoint, "move_type is neither 0 nor 1")
       .row(kTargetType, "Target point type invalid", kCorrectThePoint, "target_point_type is not 0, 1 or 2")
       .row(manual::kFirstNotAbsolute, "First target must be absolute without a transform",
-           "Give the first target as ABSOLUTE, or let model and place of the arm be known",
+           "Give joint targets, or let model and place of the arm be known",
            "the model of the arm, or where it stands, is not known, and the first Cartesian or hybrid target "
            "is "
            "INCREMENTAL")
       .row(kInterpolation, "Interpolation type invalid", kCorrectThePoint,
            "interpolation_type is not 0, 1, 2 or 3")
       .row(manual::kOnlyPtp, "Only PTP without a transform",
-           "Use PTP, or let model and place of the arm be known",
+           "Use PTP to joint targets, or let model and place of the arm be known",
            "the model of the arm, or where it stands, is not known, and a point is no PTP")
-      .row(kTolerance, "Command tolerance must not be negative", kCorrectThePoint,
+      .row(kTolerance, "Command tolerance must be finite and not negative", kCorrectThePoint,
            "BLEND with a command_tolerance that is negative, infinite or not a number")
       .row(kPtpTolerance, "Command tolerance of a PTP must be 0~100 %", kCorrectThePoint,
            "a PTP with BLEND and a command_tolerance above 100")
@@ -164,12 +164,16 @@ void addOwn(ErrorTable& table) {
       .shared(own_error::kNotPlannable,
               "planning: the path would take more than 3 h, or is refused for another reason, which the "
               "description tells")
-      .shared(
-          own_error::kStartUnknown,
-          "joint targets by PTP alone, and it is not known where the path would start: no status stream, or "
-          "the robot moves, or is held, from an unknown place")
+      .shared(own_error::kStartUnknown,
+              "PTP alone, and it is not known where the path would start: no status stream, or the robot "
+              "moves, or is "
+              "held, from an unknown place. Only joint targets can be sent then, the first one ABSOLUTE, and "
+              "nothing "
+              "can be checked")
       .shared(own_error::kNoModel,
-              "joint targets by PTP alone, and the command layer knows no model of the arm")
+              "PTP alone, and the command layer knows no model of the arm. Only joint targets can be sent "
+              "then, and "
+              "nothing can be checked")
       .row(own_error::kTrackingOffset, "Tracking not supported",
            "Set tracking_axis_position to 0, or enable no tracking",
            "tracking_axis_position is not 0 with an enabled tracking: tracking holds a path back, and a "

@@ -66,7 +66,9 @@ PathStatus statusOf(const PathChain& chain, const PathChain::Place& place, const
     status.blending_move_id = moveIdOf(chain, place.done + 1);
     status.blending_move_percent = kPercent * now_at.next_share;
   }
-  const auto& arm = chain.members().front().loaded->end->scene().arm;
+  const LoadedPath& loaded = *chain.members().front().loaded;
+  if (!loaded.knows_arm) return status;
+  const auto& arm = loaded.end->scene().arm;
   tellRates(status, path::flangeRatesAt(plan, motion->time, arm), motion->rate);
   return status;
 }

@@ -8,6 +8,8 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include "cobot_command/arm/any_arm.h"
+
 namespace cobot_command::arm {
 namespace {
 
@@ -151,6 +153,19 @@ TEST(Urdf, everyMovingLinkHasABodyAndAMassThatCanExist) {
       EXPECT_LE(2 * largest, sum);
     }
   }
+}
+
+TEST(AnyArm, goesAsFarAndAsFastAsEveryKnownOne) {
+  for (const std::string& name : ArmModel::knownNames()) {
+    const ArmModel known = *ArmModel::named(name);
+    for (std::size_t i = 0; i < kJointCount; ++i) {
+      EXPECT_LE(anyArm().limits()[i].lower, known.limits()[i].lower) << name;
+      EXPECT_GE(anyArm().limits()[i].upper, known.limits()[i].upper) << name;
+      EXPECT_GE(anyArm().limits()[i].max_velocity, known.limits()[i].max_velocity) << name;
+    }
+  }
+  EXPECT_NEAR(anyArm().limits()[0].max_velocity, degToRad(180), 1e-12);
+  EXPECT_NEAR(anyArm().limits()[5].max_velocity, degToRad(520), 1e-12);
 }
 
 }  // namespace

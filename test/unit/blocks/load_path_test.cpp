@@ -5,6 +5,7 @@
 #include <string>
 
 #include "block_goals.h"
+#include "chain/loaded_path.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -303,7 +304,13 @@ TEST(LoadPathPlan, needsAModelAndAStart) {
       unknown.arm = nullptr;
     }
     const auto found = [&](LoadPathGoal goal) { return plan(goal, unknown).error_id; };
-    EXPECT_EQ(found(good<LoadPathGoal>()), has_model ? own_error::kStartUnknown : own_error::kNoModel);
+    const int missing = has_model ? own_error::kStartUnknown : own_error::kNoModel;
+    LoadPathGoal checked = good<LoadPathGoal>();
+    checked.check_only = true;
+    EXPECT_EQ(found(checked), missing);
+    PathPoint pose = pathLine(kStartPose);
+    pose.interpolation = static_cast<int>(path::Interpolation::Ptp);
+    EXPECT_EQ(found(goalOf({pathPoint({}), pose})), missing);
     LoadPathGoal pvt = good<LoadPathGoal>();
     pvt.execution = static_cast<int>(Execution::Pvt);
     EXPECT_EQ(found(pvt), own_error::kPvtUnavailable);
@@ -314,6 +321,59 @@ TEST(LoadPathPlan, needsAModelAndAStart) {
     const Outcome second = plan(goalOf({pathPoint({}), pathLine(kStartPose)}), unknown);
     EXPECT_EQ(second.error_id, 1021);
     EXPECT_EQ(reportOf(second).error_index, 1);
+  }
+}
+
+LoadPathGoal turnsOfJoint1() {
+  LoadPathGoal goal = goalOf({pathPoint({20, 0, 90, 0, 90, 0}), pathPoint({40, 0, 90, 0, 90, 0})});
+  for (PathPoint& point : goal.path) {
+    point.speed = 36;
+    point.acceleration = point.deceleration = 180;
+  }
+  return goal;
+}
+
+std::vector<std::string> linesOf(const Outcome& planned) {
+  std::vector<std::string> lines;
+  for (const LoadedPiecePtr& piece : reportOf(planned).loaded->pieces) {
+    lines.insert(lines.end(), piece->order.lines.begin(), piece->order.lines.end());
+  }
+  return lines;
+}
+
+/// What 1021 promises. On the fastest arm a fifth of the rated speed is 36 deg/s of joint 1, on any other
+/// less.
+TEST(LoadPathPlan, sendsJointTargetsByPtpWithoutAModel) {
+  PlanningScene unknown = scene();
+  unknown.arm = nullptr;
+  for (const Execution execution : {Execution::Auto, Execution::Script}) {
+    LoadPathGoal goal = turnsOfJoint1();
+    goal.execution = static_cast<int>(execution);
+    const Outcome planned = plan(goal, unknown);
+    ASSERT_EQ(planned.error_id, 0) << planned.error_description;
+    EXPECT_THAT(linesOf(planned), ElementsAre("PTP(\"JPP\",20,0,90,0,90,0,20,200,0,false)",
+                                              "PTP(\"JPP\",40,0,90,0,90,0,20,200,0,false)"));
+    EXPECT_EQ(reportOf(planned).execution, Execution::Script);
+    EXPECT_THAT(reportOf(planned).execution_reason, HasSubstr("no model"));
+    EXPECT_EQ(reportOf(planned).preview, nullptr) << "nobody knows where its flange is";
+  }
+}
+
+TEST(LoadPathPlan, sendsAbsoluteJointTargetsByPtpFromAnywhere) {
+  for (const bool has_model : {false, true}) {
+    PlanningScene unknown = scene();
+    if (!has_model) unknown.arm = nullptr;
+    unknown.start->joints.reset();
+    LoadPathGoal goal = turnsOfJoint1();
+    const Outcome planned = plan(goal, unknown);
+    ASSERT_EQ(planned.error_id, 0) << planned.error_description;
+    EXPECT_EQ(reportOf(planned).loaded->pieces.size(), 2U);
+    const std::string first = linesOf(planned).front();
+    // As if joint 6 came the longest way: that is rated 520 deg/s on the fastest arm, and 225 on this one.
+    EXPECT_EQ(first, has_model ? "PTP(\"JPP\",20,0,90,0,90,0,16,200,0,false)"
+                               : "PTP(\"JPP\",20,0,90,0,90,0,6,200,0,false)");
+    goal.path[0].move_type = static_cast<int>(path::MoveType::Incremental);
+    EXPECT_EQ(plan(goal, unknown).error_id, has_model ? own_error::kStartUnknown : own_error::kNoModel);
   }
 }
 

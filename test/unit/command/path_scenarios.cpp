@@ -188,14 +188,14 @@ Scenarios ownScenarios() {
          g.path[0].move_type = 1;
        })},
       {row(1021), withoutModel([](auto& g) { g.path[2] = pathLine(kStart); })},
-      {row(own_error::kNoModel), withoutModel([](auto&) {})},
+      {row(own_error::kNoModel), withoutModel([](auto& g) { g.check_only = true; })},
       {row(own_error::kPvtUnavailable),
        withoutModel([](auto& g) { g.execution = static_cast<int>(Execution::Pvt); })},
       {row(own_error::kStartUnknown),
        [] {
          CoreRig rig(*arm::ArmModel::named("tm5-900"));
          rig.connect();
-         return endOf(rig, rig.submit(good<LoadPathGoal>()));
+         return endOf(rig, rig.submit(with<LoadPathGoal>([](auto& g) { g.check_only = true; })));
        }},
       {row(own_error::kBufferModeUnknown), withGoal([](auto& g) { g.buffer_mode = 3; })},
       {row(own_error::kExecutionUnknown), withGoal([](auto& g) { g.execution = 3; })},
