@@ -1,5 +1,8 @@
 #include "motion_refusal.h"
 
+#include <fmt/format.h>
+
+#include "cobot_command/common/units.h"
 #include "cobot_command/path/path_refusal.h"
 
 namespace cobot_command::path {
@@ -25,6 +28,10 @@ int errorIdOf(motion::Refusal::Reason reason) {
       break;
   }
   return path_error::kNotPlannable;
+}
+
+std::string textOfFeedrate(double feedrate) {
+  return feedrate == 1.0 ? "" : fmt::format("; that is so at the feedrate of {:.6g} %", kPercent * feedrate);
 }
 
 }  // namespace cobot_command::path

@@ -31,8 +31,10 @@ inline bool operator==(const TrackingObject& a, const TrackingObject& b) {
   return true;
 }
 
-/// The highest feedrate [1].
+/// The highest feedrate [1]; and the lowest one above 0: at a lower one the shortest motion takes more than 3
+/// h.
 inline constexpr double kHighestFeedrate = 1.25;
+inline constexpr double kLowestFeedrate = 1e-6;
 
 struct PathControls {
   TrackingObjects tracking{};

@@ -94,18 +94,21 @@ void report(LoadedPath& loaded) {
   loaded.planned = fromSeconds(toSeconds(loaded.plan.duration() - start) / loaded.project_speed);
 }
 
-/// Its points from `first` on take another time than before.
-void retime(LoadedPath& loaded) {
+/// Its points from `first` on take another time than before. `left`: of what that one was to take.
+void retime(LoadedPath& loaded, const std::optional<Duration>& left) {
   const auto& points = loaded.plan.points();
   if (loaded.first == points.size()) return;
   const auto kept = loaded.report.size() - (points.size() - loaded.first);
   const Duration begin = loaded.report[kept].start;
+  const Duration driven = left ? loaded.report[kept].duration - *left : Duration::zero();
   const Duration before = loaded.report.back().start + loaded.report.back().duration;
   for (std::size_t i = loaded.first; i < points.size(); ++i) {
     StepReport& step = loaded.report[kept + i - loaded.first];
-    step.start = begin + points[i].start - points[loaded.first].start;
+    step.start = begin + driven + points[i].start - points[loaded.first].start;
     step.duration = points[i].motion->duration();
   }
+  loaded.report[kept].start = begin;
+  loaded.report[kept].duration += driven;
   const Duration after = loaded.report.back().start + loaded.report.back().duration;
   loaded.planned += fromSeconds(toSeconds(after - before) / loaded.project_speed);
 }
@@ -234,10 +237,10 @@ Loaded loadPath(const LoadPathGoal& goal, const PlanningScene& scene) {
   loaded->project_speed = scene.start ? scene.start->speed_override : 1.0;
   loaded->max_deviation = mmToM(goal.max_deviation);
   loaded->allow_approximation = goal.allow_approximation;
+  loaded->knows_arm = scene.arm != &arm::anyArm();
   loaded->settings = scene.path;
   report(*loaded);
   auto refusal = loadPieces(std::move(planner), loaded->frames, *loaded);
-  loaded->knows_arm = scene.arm != &arm::anyArm();
   if (refusal) return refuse(*std::move(refusal));
   return LoadedPathPtr(std::move(loaded));
 }
@@ -263,7 +266,7 @@ Result<std::vector<LoadedPathPtr>, PathRefusal> loadAgain(const PathRest& rest, 
     loaded->pieces.clear();
     loaded->open_end = nullptr;
     loaded->approximations.clear();
-    retime(*loaded);
+    retime(*loaded, made.empty() ? rest.left : std::nullopt);
     const bool is_begun = made.empty() && rest.is_begun;
     const auto active = is_begun ? path::ScriptFrames() : loaded->frames;
     refusal = loadPieces(planner, active, *loaded);

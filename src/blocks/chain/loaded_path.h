@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,8 +71,8 @@ struct LoadedPath {
   double project_speed = 1.0;          ///< the same
   double max_deviation = 0;            ///< [m]; 0: any
   bool allow_approximation = false;
-  std::vector<StepReport> report;  ///< of each point
   bool knows_arm = true;           ///< else it is planned for any (arm::anyArm)
+  std::vector<StepReport> report;  ///< of each point
   PathSettings settings;
 };
 
@@ -91,7 +92,8 @@ struct PathRest {
   };
   arm::JointVector start;  ///< where the arm rests in front of it
   bool is_begun = false;  ///< the first part is: nobody knows here what its points in front of these have set
-  std::vector<Part> parts;  ///< one at least; each with its points
+  std::vector<Part> parts;            ///< one at least; each with its points
+  std::optional<Duration> left = {};  ///< of the first point, as it was planned; nothing: all of it
 };
 
 /// The same way at another feedrate: of each part what takes the place of `loaded`, with pieces of its rest

@@ -241,6 +241,7 @@ void PathChain::rewind(std::size_t point, Duration time, const arm::JointVector&
   rest.start = joints;
   rest.is_begun = true;
   path::PlannedPoint& active = rest.parts.front().points.front();
+  rest.left = std::max(active.motion->duration() - time, Duration::zero());
   active = path::restOf(active, time, rest.parts.front().loaded->end->scene().arm);
   for (Member& member : members_) member.forgetLostBlends(point);
   rewound_ = Rewound{std::move(rest), highestOf(pieces)};

@@ -46,14 +46,20 @@ void SpeedDesk::hold(const OverrideReply& reply, Instant now) {
 }
 
 void SpeedDesk::letGo(const OverrideReply& reply, Instant now) {
-  const auto done = [this, reply](const PauseDesk::Answer& answer) {
-    answerWith(reply, answer, textOfNow());
-  };
-  if (core_.pause.isHeldBy(Holder::Override)) {
-    core_.pause.letGo(Holder::Override, done, now);
-  } else {
-    done({true, 0, core_.pause.heldByOthers()});
+  if (!core_.pause.isHeldBy(Holder::Override)) {
+    answerWith(reply, {true, 0, core_.pause.heldByOthers()}, textOfNow());
+    return;
   }
+  const auto done = [this, reply](const PauseDesk::Answer& answer) {
+    // What the stream shows of the pause is of before the Resume() that has just been taken.
+    const bool goes_on = answer.done && answer.message.empty() && !isSafeguarded();
+    answerWith(reply, answer, textOfNow(), goes_on ? speedOfNow() : effective());
+  };
+  core_.pause.letGo(Holder::Override, done, now);
+}
+
+bool SpeedDesk::isSafeguarded() const {
+  return core_.robot.status() && core_.robot.status()->safeguard.value_or(false);
 }
 
 std::string SpeedDesk::textOfNow() const {
@@ -64,19 +70,28 @@ std::string SpeedDesk::textOfNow() const {
 
 void SpeedDesk::answerWith(const OverrideReply& reply, const PauseDesk::Answer& answer,
                            const std::string& text) const {
+  answerWith(reply, answer, text, effective());
+}
+
+void SpeedDesk::answerWith(const OverrideReply& reply, const PauseDesk::Answer& answer,
+                           const std::string& text, double effective) const {
   OverrideAnswer given;
   given.success = answer.done;
   given.error_id = answer.error_id;
   given.message = answer.message.empty() ? text : answer.message;
   if (answer.done && !answer.message.empty()) given.message = text + "; " + answer.message;
-  given.effective = effective();
+  given.effective = effective;
   reply(given);
 }
 
 double SpeedDesk::effective() const {
   const bool is_held = core_.robot.held() || core_.pause.stands();
+  return is_held ? 0 : speedOfNow();
+}
+
+double SpeedDesk::speedOfNow() const {
   const auto moving = core_.window.speedShare();
-  if (is_held || (core_.speed.isZero() && !moving)) return 0;
+  if (core_.speed.isZero() && !moving) return 0;
   const double project = kPercent * core_.robot.speedOverride();
   if (!moving) return project * core_.speed.share();
   return project * core_.turn.pace().running.value_or(*moving);

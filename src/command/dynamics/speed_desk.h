@@ -42,6 +42,11 @@ class SpeedDesk {
   /// What is told besides what holds the robot.
   [[nodiscard]] std::string textOfNow() const;
   void answerWith(const OverrideReply& reply, const PauseDesk::Answer& answer, const std::string& text) const;
+  void answerWith(const OverrideReply& reply, const PauseDesk::Answer& answer, const std::string& text,
+                  double effective) const;
+  /// Of a robot that nothing holds.
+  [[nodiscard]] double speedOfNow() const;
+  [[nodiscard]] bool isSafeguarded() const;
 
   Core core_;
 };

@@ -21,11 +21,14 @@ FeedrateAnswer refusal(int error_id, std::string message) {
 }
 
 std::optional<FeedrateAnswer> objectionTo(double percent, bool restarts, const blocks::PathPace& pace) {
+  constexpr double kLeast = kPercent * path::kLowestFeedrate;
   constexpr double kMost = kPercent * path::kHighestFeedrate;
-  if (!(percent >= 0 && percent <= kMost)) {
+  if (percent != 0 && !(percent >= kLeast && percent <= kMost)) {
     return refusal(
         blocks::own_error::kFeedrateRange,
-        fmt::format("the feedrate is {} %, allowed: 0 to {}: choose one in this range", percent, kMost));
+        fmt::format("the feedrate is {} %, allowed: 0 to {}, and {:.6g} at least where it is above 0: "
+                    "choose one in this range",
+                    percent, kMost, kLeast));
   }
   const double highest = kPercent * (restarts ? pace.highest_of_all : pace.highest);
   if (percent <= highest * (1 + 1e-9)) return std::nullopt;

@@ -268,11 +268,11 @@ Finding checkDuration(double seconds) {
   if (seconds <= kMaxDuration) {
     return std::nullopt;
   }
-  return refusal(
-      Reason::BadParameter,
-      fmt::format("the motion would take {:.6g} s, at most {:.0f} s are allowed: choose a higher speed or "
-                  "a shorter time to top speed",
-                  seconds, kMaxDuration));
+  const std::string found = std::isfinite(seconds) ? fmt::format("{:.6g} s", seconds) : "for ever";
+  return refusal(Reason::BadParameter,
+                 fmt::format("the motion would take {}, at most {:.0f} s are allowed: choose a higher speed "
+                             "or a shorter time to top speed",
+                             found, kMaxDuration));
 }
 
 }  // namespace cobot_command::motion

@@ -9,6 +9,11 @@
 namespace cobot_command::path {
 namespace {
 
+bool isInterpolation(int number) {
+  return number >= static_cast<int>(Interpolation::Ptp) &&
+         number <= static_cast<int>(Interpolation::Circular);
+}
+
 using Field = double Dynamics::*;
 using PointField = double PathPoint::*;
 
@@ -63,6 +68,14 @@ std::optional<PathRefusal> takeJerks(const PathPoint& point, int index, Dynamics
   return std::nullopt;
 }
 
+/// Of a point whose interpolation is none, which is refused for that: what could be of no kind at all.
+std::optional<PathRefusal> checkOfNoKind(const PathPoint& point, int index) {
+  Dynamics any;
+  any.speed = any.acceleration = any.deceleration = 1.0;
+  auto refusal = takeRates(kRates, point, index, path_error::kDynamics, any);
+  return refusal ? refusal : takeJerks(point, index, any);
+}
+
 motion::Rates timesFeedrate(const motion::Rates& rates, double feedrate) {
   return {rates.speed * feedrate, rates.acceleration * feedrate * feedrate,
           rates.deceleration * feedrate * feedrate};
@@ -71,6 +84,7 @@ motion::Rates timesFeedrate(const motion::Rates& rates, double feedrate) {
 }  // namespace
 
 std::optional<PathRefusal> DynamicsOfGoal::take(const PathPoint& point, int index) {
+  if (!isInterpolation(point.interpolation)) return checkOfNoKind(point, index);
   const bool is_ptp = is(point.interpolation, Interpolation::Ptp);
   const std::size_t number = is_ptp ? 0 : 1;
   std::optional<Dynamics>& kind = kinds_[number];

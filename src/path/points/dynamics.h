@@ -15,7 +15,7 @@ namespace cobot_command::path {
 /// Of one goal: each goal states its own anew. PTP and all others are two kinds, as their units are.
 class DynamicsOfGoal {
  public:
-  /// The next point: 1013, 1014 or 1015 when it cannot be.
+  /// The next point: 1013, 1014 or 1015 when it cannot be. One whose interpolation is none counts for nobody.
   [[nodiscard]] std::optional<PathRefusal> take(const PathPoint& point, int index);
   /// Of the point that was taken last.
   [[nodiscard]] const Dynamics& current() const { return *kinds_[last_]; }

@@ -29,9 +29,10 @@ Finding checkNumber(int error_id, int index, const char* field, int found, int l
 Finding checkTolerance(const PathPoint& point, int index) {
   if (!is(point.termination_type, Termination::Blend)) return std::nullopt;
   if (!(point.command_tolerance >= 0.0) || std::isinf(point.command_tolerance)) {
-    return refusal(path_error::kTolerance, index,
-                   fmt::format("command_tolerance is {}, allowed: 0 and above: choose one in this range",
-                               point.command_tolerance));
+    return refusal(
+        path_error::kTolerance, index,
+        fmt::format("command_tolerance is {}, allowed: finite, and 0 or above: choose one in this range",
+                    point.command_tolerance));
   }
   if (is(point.interpolation, Interpolation::Ptp) && point.command_tolerance > 100.0) {
     return refusal(

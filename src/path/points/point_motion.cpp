@@ -21,9 +21,9 @@ PathRefusal toRefusal(motion::Refusal why, int index, const PathScene& scene) {
   if (made.error_id != path_error::kNotPlannable && made.error_id != path_error::kTargetPose) {
     made.where = why.point;
   }
-  if (made.error_id == path_error::kJointSpeed && scene.feedrate != 1.0) {
-    made.found += fmt::format("; these are speeds at the feedrate of {:.6g} %", 100.0 * scene.feedrate);
-  }
+  const bool is_of_its_pace =
+      made.error_id == path_error::kJointSpeed || made.error_id == path_error::kNotPlannable;
+  if (is_of_its_pace) made.found += textOfFeedrate(scene.feedrate);
   return made;
 }
 

@@ -168,6 +168,9 @@ TEST_F(SpeedOverrides, ofNoughtHoldTheRobotOnItsWay) {
   EXPECT_EQ(cell.group().sequence, command::GroupState::Sequence::Interrupted);
   EXPECT_EQ(cell.group().effective_speed, 0);
   cell.setSpeedOverride(100);
+  cell.pass(100ms);
+  ASSERT_TRUE(cell.overrideAnswer());
+  EXPECT_EQ(cell.overrideAnswer()->effective, 100) << "it goes on, though the stream has shown a pause last";
   expectDone(move);
   EXPECT_NEAR(joint1(), 90, 1e-3);
 }

@@ -62,13 +62,20 @@ TEST_F(LoadPathFeedrate, isTheTimeOfAllThatIsPlanned) {
 
 /// Oracle 20.
 TEST_F(LoadPathFeedrate, isRefusedOutsideItsRangeAndStaysAsItWas) {
-  for (const double percent : {125.1, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double percent : {125.1, -1.0, std::numeric_limits<double>::quiet_NaN(), 5e-324, 9e-5}) {
     const auto answer = cell.setFeedrate(percent);
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->error_id, own_error::kFeedrateRange);
-    EXPECT_THAT(answer->message, HasSubstr("allowed: 0 to 125"));
+    EXPECT_THAT(answer->message, HasSubstr("allowed: 0 to 125, and 0.0001 at least"));
   }
   EXPECT_EQ(cell.controls(), path::PathControls());
+}
+
+TEST_F(LoadPathFeedrate, isNamedWhereAPathTakesTooLongWithIt) {
+  EXPECT_TRUE(cell.setFeedrate(0.0001)->success);
+  const Outcome& outcome = cell.endOf(cell.submit(quarterTurn()));
+  EXPECT_EQ(outcome.error_id, own_error::kNotPlannable);
+  EXPECT_THAT(outcome.error_description, HasSubstr("at the feedrate of 0.0001 %"));
 }
 
 /// Oracle 20.

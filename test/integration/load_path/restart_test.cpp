@@ -85,6 +85,24 @@ TEST_F(LoadPathRestart, leavesNoPointOut) {
   EXPECT_EQ(placesOf(id).back().done_path_points, 9);
 }
 
+TEST_F(LoadPathRestart, foretellsWhatIsLeftAnew) {
+  LoadPathGoal goal = quarterTurn();
+  goal.path.push_back(goal.path[0]);
+  goal.path[1].joints[0] = 0;
+  goal.number_of_moves = 2;
+  const GoalId id = cell.submit(goal);
+  ASSERT_TRUE(stopsAt(50));
+  cell.setFeedrate(50, true);
+  expectDone(id);
+  constexpr double kToStop = 0.4;  // and to be planned anew
+  const auto& points = reportOf(id).points;
+  EXPECT_GT(toSeconds(points[0].duration), 1.5 + kToStop) << "with what was driven before";
+  for (const StepReport& point : points) {
+    EXPECT_NEAR(toSeconds(point.start + point.duration), toSeconds(point.done), kToStop);
+  }
+  EXPECT_NEAR(toSeconds(*cell.outcome(id)->planned), toSeconds(*cell.outcome(id)->actual), kToStop);
+}
+
 TEST_F(LoadPathRestart, atTheSameRateIsAStopOnTheWay) {
   const GoalId id = cell.submit(turns(9, true));
   passUntilActive(id, 4);

@@ -9,6 +9,7 @@ namespace cobot_command::path {
 namespace {
 
 const double kNan = std::nan("");
+constexpr double kInf = std::numeric_limits<double>::infinity();
 
 PathPoint good() {
   return toJoints({10, 0, 90, 0, 90, 0});
@@ -48,6 +49,13 @@ PathPoint ofTool(PathPoint point, int tool) {
   return point;
 }
 
+/// As nobody knows of which kind it is, nothing of a kind is missing.
+PathPoint ofNoInterpolation() {
+  PathPoint point = with(good(), &PathPoint::interpolation, -1);
+  point.orientation_speed = point.orientation_acceleration = point.orientation_deceleration = 0;
+  return point;
+}
+
 std::vector<Recipe> recipes() {
   return {{"noSpeed", 1013, with(good(), &PathPoint::speed, 0.0)},
           {"negativeDeceleration", 1013, with(good(), &PathPoint::deceleration, -1.0)},
@@ -58,8 +66,10 @@ std::vector<Recipe> recipes() {
           {"moveType", 1017, with(good(), &PathPoint::move_type, 2)},
           {"targetType", 1018, with(good(), &PathPoint::target_type, 3)},
           {"interpolation", 1020, with(goodLine(), &PathPoint::interpolation, 4)},
+          {"interpolationWithoutTurnRates", 1020, ofNoInterpolation()},
           {"tolerance", 1022, blending(good(), -0.1)},
           {"toleranceNotANumber", 1022, blending(good(), kNan)},
+          {"infiniteTolerance", 1022, blending(goodLine(), kInf)},
           {"ptpTolerance", 1023, blending(good(), 100.1)},
           {"termination", 1024, with(good(), &PathPoint::termination_type, 1)},
           {"profile", 1025, with(good(), &PathPoint::profile_type, 4)},
