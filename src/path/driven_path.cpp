@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "pvt/pvt_phases.h"
+#include "pvt/pvt_knots.h"
 #include "way_search.h"
 
 #include "cobot_command/motion/command.h"
@@ -96,16 +96,14 @@ std::vector<DrivenPath::Cut> DrivenPath::cuts() const {
   return cuts;
 }
 
-std::vector<Duration> DrivenPath::knots(Duration from, Duration until, std::size_t most) const {
-  std::vector<Duration> knots;
+std::vector<DrivenPath::Knot> DrivenPath::knots(Duration from, Duration until, std::size_t most) const {
+  std::vector<Knot> knots;
   for (const Piece& piece : pieces_) {
     if (piece.duration == Duration::zero() || piece.end() <= from || piece.begin >= until) continue;
-    for (const PvtPhase& phase : phasesOf(*piece.plan, 0, countOf(*piece.plan) - 1, motion::kLeastSegment)) {
-      for (const Duration time : segmentsOf(phase, motion::kLeastSegment)) {
-        const Duration knot = piece.begin + time;
-        if (time > piece.duration || knot >= until || knots.size() == most) break;
-        if (knot > from) knots.push_back(knot);
-      }
+    for (const PvtKnot& knot : knotsOf(*piece.plan, 0, countOf(*piece.plan) - 1, motion::kLeastSegment)) {
+      const Duration time = piece.begin + knot.time;
+      if (knot.time > piece.duration || time >= until || knots.size() == most) break;
+      if (time > from) knots.push_back({time, leadAt(*piece.plan, knot)});
     }
   }
   return knots;

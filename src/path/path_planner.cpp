@@ -1,8 +1,10 @@
 #include "cobot_command/path/path_planner.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
+#include "motion_refusal.h"
 #include "path_corner.h"
 #include "points/dynamics.h"
 #include "points/point_checks.h"
@@ -38,9 +40,10 @@ std::optional<PathRefusal> checkIndices(const PathSection& section) {
 /// As no motion takes longer, no path does.
 constexpr Duration kLongest = std::chrono::hours(3);
 
-PathRefusal tooLong(int index) {
+PathRefusal tooLong(int index, double feedrate) {
   return {path_error::kNotPlannable, index, -1,
-          "the path would take more than 3 h with this point: divide it, or choose higher speeds"};
+          "the path would take more than 3 h with this point: divide it, or choose higher speeds" +
+              textOfFeedrate(feedrate)};
 }
 
 /// The pairs of type and number that the poses of a goal refer to.
@@ -123,7 +126,7 @@ class PathPlanner::Appending {
     if (!target) return std::move(target.error());
     auto made = planPoint(point, index, *target, dynamics, previous_.joints, scene_);
     if (!made) return std::move(made.error());
-    if (plan_.duration() + made->motion->duration() > kLongest) return tooLong(index);
+    if (plan_.duration() + made->motion->duration() > kLongest) return tooLong(index, scene_.feedrate);
     auto refused = take(
         {goal, index, point, dynamics, scene_.feedrate, target->moved_frame, made->command, made->motion});
     previous_ = {made->motion->end().position, target->written};
@@ -162,13 +165,14 @@ class PathPlanner::Appending {
     return std::nullopt;
   }
   [[nodiscard]] bool canPass(const PlannedPoint& point, Duration overlap) const {
-    // Of what is in front the cubics follow from the last two points (pvt_phases.h).
+    // The cubics of the last two points are other ones with it; they follow from those of two more
+    // (pvt_knots.h).
     const std::size_t count = plan_.points().size();
     std::size_t first = count - 1;
-    while (first > 0 && count - first < 3 && plan_.points()[first - 1].overlap > Duration::zero()) --first;
+    while (first > 0 && count - first < 4 && plan_.points()[first - 1].overlap > Duration::zero()) --first;
     PathPlan tail = plan_.part(first, count);
     tail.append(point, overlap);
-    return !checkAsPvt(tail, 0, count - 1 - first, scene_.arm);
+    return !checkAsPvt(tail, 0, std::max(first, count - std::min<std::size_t>(count, 2)) - first, scene_.arm);
   }
 
   const PathScene& scene_;

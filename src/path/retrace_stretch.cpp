@@ -60,29 +60,30 @@ class RetraceLaw {
   double rate_;
 };
 
-/// In the ramps as close as they may be; between them where the points of the path's own PVTs were, so that
-/// its cubics are those of the path.
-std::vector<Duration> timesOf(const RetraceLaw& law, const RetraceStretch& stretch, const DrivenPath& driven,
-                              std::size_t most) {
-  std::vector<Duration> times;
-  for (Duration time = motion::kLeastSegment; time <= kRamp; time += motion::kLeastSegment) {
-    times.push_back(time);
-  }
+/// In the ramps as close as they may be; between them where the points of the path's own PVTs were, with
+/// their leads, so that its cubics are those of the path. By its own time.
+std::vector<DrivenPath::Knot> knotsOf(const RetraceLaw& law, const RetraceStretch& stretch,
+                                      const DrivenPath& driven, std::size_t most) {
+  std::vector<DrivenPath::Knot> knots;
+  const auto add = [&](Duration time) { knots.push_back({time, arm::JointVector::Zero()}); };
+  for (Duration time = motion::kLeastSegment; time <= kRamp; time += motion::kLeastSegment) add(time);
   const auto [low, high] = std::minmax(stretch.from, stretch.to);
-  for (const Duration knot : driven.knots(low, high, most)) {
-    const Duration time = law.timeOf(std::chrono::abs(knot - stretch.from));
+  for (const DrivenPath::Knot& knot : driven.knots(low, high, most)) {
+    const Duration time = law.timeOf(std::chrono::abs(knot.time - stretch.from));
     if (time <= kRamp || time >= law.duration() - kRamp) continue;
-    times.push_back(std::chrono::round<milliseconds>(time));
+    knots.push_back({std::chrono::round<milliseconds>(time), knot.lead});
   }
   for (Duration left = kRamp; left >= Duration::zero(); left -= motion::kLeastSegment) {
-    times.push_back(law.duration() - left);
+    add(law.duration() - left);
   }
-  std::sort(times.begin(), times.end());
-  std::vector<Duration> kept;
-  for (const Duration time : times) {
-    if (time - (kept.empty() ? Duration::zero() : kept.back()) >= motion::kLeastSegment) kept.push_back(time);
+  std::stable_sort(knots.begin(), knots.end(),
+                   [](const auto& one, const auto& other) { return one.time < other.time; });
+  std::vector<DrivenPath::Knot> kept;
+  for (const DrivenPath::Knot& knot : knots) {
+    const Duration before = kept.empty() ? Duration::zero() : kept.back().time;
+    if (knot.time - before >= motion::kLeastSegment) kept.push_back(knot);
   }
-  kept.back() = law.duration();
+  kept.back() = {law.duration(), arm::JointVector::Zero()};
   return kept;
 }
 
@@ -134,12 +135,13 @@ std::vector<motion::PvtJointPoint> pvtOf(const RetraceStretch& stretch, double r
   const arm::JointVector off_end = stretch.end - driven.at(stretch.to).position;
   std::vector<motion::PvtJointPoint> points;
   Duration before{};
-  for (const Duration time : timesOf(law, stretch, driven, most)) {
+  for (const auto& [time, lead] : knotsOf(law, stretch, driven, most)) {
     const motion::JointState there = driven.at(stretch.from + sign * law.way(time));
     const double from_start = inRamps(time);
     const double to_end = inRamps(law.duration() - time);
     motion::PvtJointPoint point;
-    point.position = there.position + (1 - risen(from_start)) * off_start + (1 - risen(to_end)) * off_end;
+    point.position =
+        there.position + lead + (1 - risen(from_start)) * off_start + (1 - risen(to_end)) * off_end;
     point.velocity = sign * law.rate(time) * there.velocity +
                      (slopeOf(to_end) * off_end - slopeOf(from_start) * off_start) / toSeconds(kRamp);
     point.duration = toSeconds(time - before);

@@ -76,8 +76,14 @@ class DrivenPath {
     arm::JointVector joints;
   };
   [[nodiscard]] std::vector<Cut> cuts() const;
-  /// Between two times, those at which the points of its PVTs are, but no more than `most`.
-  [[nodiscard]] std::vector<Duration> knots(Duration from, Duration until, std::size_t most) const;
+  /// A point of a PVT of it: so far from at() the joints are there, so that no cubic is steeper than the
+  /// path.
+  struct Knot {
+    Duration time{};
+    arm::JointVector lead;
+  };
+  /// Between two times, but no more than `most`.
+  [[nodiscard]] std::vector<Knot> knots(Duration from, Duration until, std::size_t most) const;
 
   // --- Its points, as their goals name them (PlannedPoint).
   /// Whose point is the first one that is remembered. Precondition: it is not empty.

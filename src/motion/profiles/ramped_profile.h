@@ -42,6 +42,9 @@ class RampedProfile final : public Profile {
   [[nodiscard]] double travel() const override { return phases_.cruise + 0.5 * (phases_.up + phases_.down); }
   [[nodiscard]] double timeUp() const override { return phases_.up; }
   [[nodiscard]] double timeDown() const override { return phases_.down; }
+  /// The highest acceleration, and deceleration, of the progress [1/s^2].
+  [[nodiscard]] double steepestUp() const { return up_.stretch() / (phases_.up * travel()); }
+  [[nodiscard]] double steepestDown() const { return down_.stretch() / (phases_.down * travel()); }
   [[nodiscard]] bool startsAtRest() const override { return true; }
   [[nodiscard]] double progress(double time) const override;
   [[nodiscard]] double rate(double time) const override;

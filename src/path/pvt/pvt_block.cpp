@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "pvt/pvt_phases.h"
-#include "pvt/pvt_points.h"
+#include "pvt/pvt_knots.h"
 
 #include "cobot_command/arm/controller_pose.h"
 
@@ -36,9 +35,12 @@ std::vector<Stretch> stretchesOf(const PathPlan& plan, std::size_t most_ends) {
 
 }  // namespace
 
+/// What has no way takes no time: a thousand of these in front of a rest are passed with it.
 std::size_t endOfBlock(const PathPlan& plan, std::size_t first) {
+  const auto& points = plan.points();
   std::size_t last = first;
-  while (plan.points()[last].overlap > Duration::zero()) ++last;
+  while (points[last].overlap > Duration::zero()) ++last;
+  while (last + 1 < points.size() && points[last + 1].motion->duration() == Duration::zero()) ++last;
   return last;
 }
 
@@ -54,12 +56,11 @@ PvtBlock sampleBlock(const PathPlan& plan, std::size_t first, std::size_t last, 
   }
   Duration before = block.start;
   std::size_t done = first;
-  for (const PvtPhase& phase : phasesOf(plan, first, last, segment)) {
-    for (const Duration time : segmentsOf(phase, segment)) {
-      block.points.push_back(pvtPointAt(plan, before, time));
-      before = time;
-      while (done <= last && plan.points()[done].end() <= time) block.ends[done++] = block.points.size();
-    }
+  const std::vector<PvtKnot> knots = knotsOf(plan, first, last, segment);
+  for (auto knot = knots.begin() + 1; knot != knots.end(); ++knot) {
+    block.points.push_back(pvtPointAt(plan, before, *knot));
+    before = knot->time;
+    while (done <= last && plan.points()[done].end() <= before) block.ends[done++] = block.points.size();
   }
   block.points.back().velocity.setZero();  // within rounding it is
   return block;

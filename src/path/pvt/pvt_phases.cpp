@@ -149,6 +149,7 @@ void add(std::vector<Anchor>& anchors, const Anchor& anchor, bool is_end, Durati
 }  // namespace
 
 std::vector<PvtPhase> phasesOf(const PathPlan& plan, std::size_t first, std::size_t last, Duration segment) {
+  while (last > first && plan.points()[last].motion->duration() == Duration::zero()) --last;
   std::vector<Anchor> anchors;
   std::vector<Duration> edges;
   for (std::size_t point = first; point <= last; ++point) {

@@ -1,10 +1,11 @@
 #include "pvt/pvt_points.h"
 
-#include <cmath>
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "motion_refusal.h"
-#include "pvt/pvt_phases.h"
+#include "pvt/pvt_knots.h"
 #include <fmt/format.h>
 
 #include "cobot_command/arm/forward_kinematics.h"
@@ -14,16 +15,6 @@ namespace cobot_command::path {
 namespace {
 
 constexpr motion::PvtRoom kHalf{0.5 * motion::PvtRoom().position, 0.5 * motion::PvtRoom().speed};
-
-/// As it is sent: five decimals of a degree.
-double sentDegrees(double radians) {
-  constexpr double kDecimals = 1e5;
-  return std::round(radToDeg(radians) * kDecimals) / kDecimals;
-}
-
-arm::JointVector asSent(const arm::JointVector& joints) {
-  return joints.unaryExpr([](double radians) { return degToRad(sentDegrees(radians)); });
-}
 
 std::string textOf(const motion::PvtOffence& offence, const arm::JointLimit& limit) {
   if (offence.reason == motion::Refusal::Reason::JointSpeed) {
@@ -35,28 +26,7 @@ std::string textOf(const motion::PvtOffence& offence, const arm::JointLimit& lim
                      radToDeg(offence.found), radToDeg(limit.lower), radToDeg(limit.upper));
 }
 
-/// The first on the phase.
-std::optional<PathRefusal> checkPhase(const PathPlan& plan, const PvtPhase& phase, const arm::ArmModel& arm) {
-  Duration before = phase.begin;
-  const motion::PvtJointPoint begin = pvtPointAt(plan, before, before);
-  motion::JointState state{begin.position, begin.velocity};
-  for (const Duration time : segmentsOf(phase, motion::kLeastSegment)) {
-    const motion::PvtJointPoint point = pvtPointAt(plan, before, time);
-    if (const auto offence = motion::checkPvtSegment(arm, state, point, kHalf)) {
-      return toRefusal(*offence, plan, before + fromSeconds(offence->time), arm);
-    }
-    before = time;
-    state = {point.position, point.velocity};
-  }
-  return std::nullopt;
-}
-
 }  // namespace
-
-motion::PvtJointPoint pvtPointAt(const PathPlan& plan, Duration before, Duration time) {
-  const motion::JointState state = plan.at(time);
-  return {asSent(state.position), asSent(state.velocity), toSeconds(time - before)};
-}
 
 PathRefusal toRefusal(const motion::PvtOffence& offence, const PathPlan& plan, Duration time,
                       const arm::ArmModel& arm) {
@@ -71,9 +41,19 @@ PathRefusal toRefusal(const motion::PvtOffence& offence, const PathPlan& plan, D
 
 std::optional<PathRefusal> checkAsPvt(const PathPlan& plan, std::size_t first, std::size_t from,
                                       const arm::ArmModel& arm) {
-  for (const PvtPhase& phase : phasesOf(plan, first, plan.points().size() - 1, motion::kLeastSegment)) {
-    if (phase.point < from) continue;
-    if (auto refusal = checkPhase(plan, phase, arm)) return refusal;
+  const std::vector<PvtKnot> knots = knotsOf(plan, first, plan.points().size() - 1, motion::kLeastSegment);
+  const auto begin = std::find_if(knots.begin() + 1, knots.end(),
+                                  [from](const PvtKnot& knot) { return knot.point >= from; }) -
+                     1;
+  const motion::PvtJointPoint start = pvtPointAt(plan, begin->time, *begin);
+  motion::JointState state{start.position, start.velocity};
+  for (auto knot = begin + 1; knot < knots.end(); ++knot) {
+    const Duration before = (knot - 1)->time;
+    const motion::PvtJointPoint point = pvtPointAt(plan, before, *knot);
+    if (const auto offence = motion::checkPvtSegment(arm, state, point, kHalf)) {
+      return toRefusal(*offence, plan, before + fromSeconds(offence->time), arm);
+    }
+    state = {point.position, point.velocity};
   }
   return std::nullopt;
 }

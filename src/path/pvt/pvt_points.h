@@ -1,4 +1,4 @@
-// The points of a PVT, as they are sent, and what whoever makes it would refuse of them.
+// What whoever makes a PVT would refuse of its points.
 #pragma once
 
 #include <cstddef>
@@ -6,15 +6,11 @@
 
 #include "cobot_command/arm/arm_model.h"
 #include "cobot_command/common/time.h"
-#include "cobot_command/motion/command.h"
 #include "cobot_command/motion/pvt.h"
 #include "cobot_command/path/path_plan.h"
 #include "cobot_command/path/path_refusal.h"
 
 namespace cobot_command::path {
-
-/// Where the arm is at `time`, rounded as it is sent, `before` being the time of the point in front.
-[[nodiscard]] motion::PvtJointPoint pvtPointAt(const PathPlan& plan, Duration before, Duration time);
 
 /// 16#204 or 1047, in the name of the point that moves the arm at that time of the plan.
 [[nodiscard]] PathRefusal toRefusal(const motion::PvtOffence& offence, const PathPlan& plan, Duration time,

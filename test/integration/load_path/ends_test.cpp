@@ -125,6 +125,28 @@ TEST_F(LoadPathEnds, whereItStandsAlreadyAreDoneAtOnce) {
   EXPECT_EQ(*cell.outcome(id)->planned, Duration::zero());
 }
 
+TEST_F(LoadPathEnds, ofAThousandPointsWhereItStandsComeAtOnce) {
+  LoadPathGoal goal;
+  goal.path.assign(1000, pathPoint({0, 0, 90, 0, 90, 0}));
+  goal.number_of_moves = 1000;
+  const Instant began = cell.now();
+  const GoalId id = cell.submit(goal);
+  expectDone(id);
+  EXPECT_LT(cell.now() - began, 200ms);
+  EXPECT_EQ(placesOf(id).back().done_path_points, 1000);
+}
+
+TEST_F(LoadPathEnds, ofAWayAndPointsWithoutOneComeWithIt) {
+  LoadPathGoal goal = turns(2, true);
+  goal.path.resize(30, goal.path.back());
+  goal.number_of_moves = 30;
+  const GoalId id = cell.submit(goal);
+  expectDone(id);
+  EXPECT_EQ(cell.scripts().size(), 1U);
+  EXPECT_NEAR(radToDeg(cell.robot().joints[0]), 6, 0.01);
+  EXPECT_LT(*cell.outcome(id)->actual - *cell.outcome(id)->planned, 100ms);
+}
+
 LoadPathGoal thousandLines() {
   LoadPathGoal goal;
   for (int i = 0; i < 1000; ++i) {
