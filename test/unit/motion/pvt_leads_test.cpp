@@ -75,7 +75,9 @@ TEST(PvtLeads, areNoneAtTheEndsOfRampsAndAlongTheCruise) {
     const bool rises = turn.times[i] > Duration::zero() && turn.times[i] < turn.motion->timeUp();
     const Duration left = turn.motion->duration() - turn.times[i];
     const bool falls = left > Duration::zero() && left < turn.motion->timeDown();
-    if (!rises && !falls) EXPECT_EQ(leads[i], 0) << i;
+    if (!rises && !falls) {
+      EXPECT_EQ(leads[i], 0) << i;
+    }
     most = std::max(most, std::abs(leads[i]));
   }
   EXPECT_GT(most, 0);
