@@ -146,7 +146,10 @@ void ConnectRun::becomeReadyWhenDue(Instant now) {
 
 void ConnectRun::linkLost(const std::string& reason, Instant now) {
   loss_ = {blocks::connect_error::kDisconnected, reason, ""};
-  if (connected_) times_.last_lost = now;
+  if (connected_) {
+    times_.last_lost = now;
+    if (!disconnecting()) kept_times_.last_lost = now;
+  }
   connected_ = false;
   if (settings_.auto_reconnect || !id_) {
     fire(Event::LostToRetry, now);
@@ -183,7 +186,7 @@ void ConnectRun::act(ConnectAction action, Instant now) {
     case Do::Hold:
       deadline_.reset();
       connected_ = true;
-      times_.last_connected = now;
+      times_.last_connected = kept_times_.last_connected = now;
       return;
     case Do::RestartTimeout:
       if (id_) deadline_ = now + fromSeconds(goal_.timeout);

@@ -57,8 +57,10 @@ class ConnectRun {
   [[nodiscard]] bool isSameController(const blocks::ConnectGoal& goal) const;
   /// Of the goal that is Busy, or of the last one.
   [[nodiscard]] const blocks::ConnectGoal& target() const { return goal_; }
-  [[nodiscard]] std::optional<Instant> lastConnected() const { return times_.last_connected; }
-  [[nodiscard]] std::optional<Instant> lastLost() const { return times_.last_lost; }
+  /// Of all goals, and of the link that is kept by itself.
+  [[nodiscard]] std::optional<Instant> lastConnected() const { return kept_times_.last_connected; }
+  /// The same; a disconnect that was asked for is no loss.
+  [[nodiscard]] std::optional<Instant> lastLost() const { return kept_times_.last_lost; }
 
  private:
   void take(const blocks::ConnectGoal& goal);
@@ -88,6 +90,7 @@ class ConnectRun {
   robot::ReasonWait reason_;
   std::optional<std::pair<blocks::Phase, std::string>> reported_;  ///< the last progress
   blocks::LinkTimes times_;                                        ///< since Execute
+  blocks::LinkTimes kept_times_;                                   ///< since the start
 };
 
 }  // namespace cobot_command::command

@@ -21,7 +21,9 @@ TEST(Connected, endsNormallyWhenCancelled) {
   ASSERT_NE(rig.outcome(goal), nullptr);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
   EXPECT_EQ(rig.latest().link, LinkState::Disconnected);
-  EXPECT_EQ(rig.latest().last_lost, rig.now);
+  EXPECT_EQ(rig.outcome(goal)->detail.as<LinkTimes>().last_lost, rig.now)
+      << "LastLostTime of the block (5.3.1.1)";
+  EXPECT_EQ(rig.latest().last_lost, std::nullopt) << "what was asked for is no loss";
   EXPECT_FALSE(rig.connectionOpen(link::Channel::Script));
   EXPECT_EQ(rig.core.nextDeadline(), std::nullopt);
 }
@@ -42,9 +44,23 @@ TEST(Connected, tellsSinceItsExecutionWhenTheLinkWasMadeAndLost) {
   EXPECT_EQ(rig.latest().last_connected, made);
 
   const GoalId second = rig.submit(CoreRig::robot());
-  EXPECT_EQ(rig.latest().last_connected, std::nullopt) << "reset at Execute, as in the thesis";
-  EXPECT_EQ(rig.latest().last_lost, std::nullopt);
+  EXPECT_EQ(rig.progress(second).back().detail.as<LinkTimes>().last_connected, std::nullopt)
+      << "reset at Execute, as in the thesis";
   EXPECT_EQ(rig.progress(second).back().detail.as<LinkTimes>().last_lost, std::nullopt);
+}
+
+TEST(Connected, tellsOfTheLastLossAlsoWhenItWasClosedAndMadeAgainSince) {
+  CoreRig rig;
+  rig.connect();
+  rig.pass(7s);
+  rig.close("cable pulled");
+  const Instant lost = rig.now;
+  rig.pass(1s);
+  rig.cancel(rig.connect());
+  rig.pass(1s);
+  rig.connect();
+  EXPECT_EQ(rig.latest().last_lost, lost);
+  EXPECT_EQ(rig.latest().last_connected, rig.now);
 }
 
 TEST(Connected, canBeCancelledAtEachStep) {
