@@ -14,7 +14,7 @@ import rostest
 from waiting import wait_until
 
 SCREEN = "-screen 0 1500x1000x24"
-SECONDS = 240
+SECONDS = 520
 
 
 def on_screen(*command):

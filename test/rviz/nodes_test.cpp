@@ -75,6 +75,8 @@ TEST_F(Panel, saysThatANodeDoesNotAnswerAndTakesTheCommandBack) {
       holdsSoon([this] { return at_panel.textAlways("stop_text").contains("Use the emergency stop"); }));
   ASSERT_NO_FATAL_FAILURE(signalTo(pid, "CONT"));
   EXPECT_TRUE(holdsSoon([this] { return !at_panel.textAlways("stop_text").contains("emergency stop"); }));
+  EXPECT_TRUE(holdsSoon([this] { return at_panel.isLit("aborted"); }))
+      << "it answers again, and the command was taken back";
 }
 
 /// Of another robot, whose command node nobody needs, and which is started again.

@@ -10,6 +10,7 @@
 #include <QScreen>
 #include <QTest>
 #include <QVariant>
+#include <QWheelEvent>
 #include <QWindow>
 #include <stdexcept>
 #include <utility>
@@ -51,6 +52,21 @@ void Operator::typeRobot(const QString& name) {
 void Operator::chooseRobot(const QString& name) {
   typeRobot(name);
   QTest::keyClick(panel_.findChild<QComboBox*>("robots")->lineEdit(), Qt::Key_Return);
+}
+
+bool Operator::offersRobot(const QString& name) const {
+  return panel_.findChild<QComboBox*>("robots")->findText(name) >= 0;
+}
+
+void Operator::scrollOverRobots() {
+  auto* robots = panel_.findChild<QComboBox*>("robots");
+  const QPoint middle = robots->rect().center();
+  for (const int turn : {-120, 120}) {
+    QWheelEvent wheel(middle, robots->mapToGlobal(middle), QPoint(), QPoint(0, turn), Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(robots, &wheel);
+    if (turn < 0 && robots->currentText() != "/") return;  // as it is to be seen
+  }
 }
 
 void Operator::click(const QString& button) {
@@ -117,12 +133,38 @@ QString Operator::textAlways(const QString& label) const {
   return panel_.findChild<QLabel*>(label)->text();
 }
 
+bool Operator::isThere(const QString& widget) const {
+  const auto* found = panel_.findChild<QWidget*>(widget);
+  return found != nullptr && found->isVisible();
+}
+
+bool Operator::isInSight(const QString& widget) const {
+  const auto& found = find<QWidget>(widget);
+  const QRect whole(found.mapTo(&panel_, QPoint(0, 0)), found.size());
+  return found.visibleRegion().boundingRect() == found.rect() && panel_.rect().contains(whole) &&
+         frame_.rect().contains(QRect(found.mapTo(&frame_, QPoint(0, 0)), found.size()));
+}
+
+QPoint Operator::placeOf(const QString& widget) const {
+  return find<QWidget>(widget).mapTo(&panel_, QPoint(0, 0));
+}
+
+bool Operator::isEnabled(const QString& button) const {
+  return find<QPushButton>(button).isEnabled();
+}
+
+QString Operator::enteredIn(const QString& field) const {
+  return find<QLineEdit>(field).text();
+}
+
 bool Operator::isLit(const QString& lamp) const {
   return find<QLabel>(lamp).property("on").toBool();
 }
 
 QString Operator::textOf(const QString& label) const {
-  return find<QLabel>(label).text();
+  const auto& found = find<QWidget>(label);
+  const QVariant text = found.property("text");
+  return (text.isValid() ? text : found.property("plainText")).toString();
 }
 
 QString Operator::link() const {
@@ -138,10 +180,15 @@ double Operator::valueOf(const QString& field) const {
 }
 
 QString Operator::outcome(double seconds) const {
-  const bool ended =
-      holdsSoon([this] { return isLit("done") || isLit("error") || isLit("aborted"); }, seconds);
-  if (!ended) return "busy";
-  return isLit("done") ? "done" : isLit("error") ? "error" : "aborted";
+  QString ended = "busy";
+  const auto has_ended = [&] {
+    for (const char* lamp : {"done", "checked", "error", "aborted"}) {
+      if (isLit(lamp)) ended = lamp;
+    }
+    return ended != "busy";
+  };
+  static_cast<void>(holdsSoon(has_ended, seconds));
+  return ended;
 }
 
 void Operator::takePicture(const QString& name) const {

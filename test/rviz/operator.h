@@ -1,6 +1,7 @@
 // What an operator does with the panel, by the mouse and the keyboard, and what he reads there.
 #pragma once
 
+#include <QPoint>
 #include <QString>
 #include <string>
 
@@ -17,6 +18,8 @@ class Operator {
   void open(const QString& page);
   /// By its namespace.
   void chooseRobot(const QString& name);
+  [[nodiscard]] bool offersRobot(const QString& name) const;
+  void scrollOverRobots();
   /// In the box of robots, and does not confirm it.
   void typeRobot(const QString& name);
   /// On the page that is open.
@@ -33,6 +36,12 @@ class Operator {
   void releaseElsewhere();
   /// Always at hand.
   void clickStop();
+  [[nodiscard]] bool isThere(const QString& widget) const;
+  /// All of it, without scrolling.
+  [[nodiscard]] bool isInSight(const QString& widget) const;
+  /// In the panel.
+  [[nodiscard]] QPoint placeOf(const QString& widget) const;
+  [[nodiscard]] bool isEnabled(const QString& button) const;
   void clickAlways(const QString& button);
 
   [[nodiscard]] bool isLit(const QString& lamp) const;
@@ -42,8 +51,9 @@ class Operator {
   /// Always at hand.
   [[nodiscard]] QString textAlways(const QString& label) const;
   [[nodiscard]] double valueOf(const QString& field) const;
-  /// How the command of the page ended: "done", "error" or "aborted"; "busy" when it has not within so many
-  /// seconds.
+  [[nodiscard]] QString enteredIn(const QString& field) const;
+  /// How the command of the page ended: "done", "checked", "error" or "aborted"; "busy" when it has not
+  /// within so many seconds.
   [[nodiscard]] QString outcome(double seconds = 20) const;
 
   void takePicture(const QString& name) const;

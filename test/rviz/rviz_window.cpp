@@ -5,6 +5,7 @@
 #include <QTest>
 #include <stdexcept>
 
+#include <ros/this_node.h>
 #include <rviz/visualization_frame.h>
 #include <rviz/visualizer_app.h>
 
@@ -20,21 +21,30 @@ bool holdsSoon(const std::function<bool()>& condition, double seconds) {
   return true;
 }
 
-RvizWindow::RvizWindow(int argc, char** argv)
+std::string ownTopic(const std::string& name) {
+  return ros::this_node::getName() + "/" + name;
+}
+
+RvizWindow::RvizWindow(int argc, char** argv, bool has_panel)
     : argc_(argc),
       application_(std::make_unique<QApplication>(argc_, argv)),
       rviz_(std::make_unique<rviz::VisualizerApp>()) {
   rviz_->setApp(application_.get());
   if (!rviz_->init(argc, argv)) throw std::runtime_error("RViz does not start");
-  const bool there = holdsSoon([this] {
+  const bool there = holdsSoon([this, has_panel] {
     for (QWidget* window : QApplication::topLevelWidgets()) {
-      if (qobject_cast<rviz::VisualizationFrame*>(window) == nullptr) continue;
-      frame_ = window;
+      auto* frame = qobject_cast<rviz::VisualizationFrame*>(window);
+      if (frame == nullptr) continue;
+      frame_ = frame;
       panel_ = window->findChild<QWidget*>("cobot_panel");
     }
-    return panel_ != nullptr;
+    return panel_ != nullptr || (frame_ != nullptr && !has_panel);
   });
   if (!there) throw std::runtime_error("RViz has no panel named Cobot: is its library found?");
+}
+
+QWidget& RvizWindow::frame() const {
+  return *frame_;
 }
 
 RvizWindow::~RvizWindow() {

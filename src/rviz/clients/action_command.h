@@ -62,6 +62,7 @@ class ActionCommand : public Command {
   void look() override {
     if (client_.isServerConnected()) {
       looks_without_node_ = 0;
+      noteReturn();
       if (waiting_) sendWaiting();
       lookForAnswer();
       return;
@@ -70,21 +71,30 @@ class ActionCommand : public Command {
     if (!isBusy() || ++looks_without_node_ < kPatience) return;
     if (waiting_) {
       waiting_.reset();
-      become(failed("There is no command node that serves " + name_,
+      become(failed(Cause::NoNode, "There is no command node that serves " + name_,
                     "Start it, or choose the robot that it is for"),
              {});
       return;
     }
     handles_.clear();
     ++newest_;
-    become(failed("The command node has gone; nobody knows what became of the command",
-                  "See that the robot stands; start the node again"),
-           {});
+    become(failed(Cause::NodeGone, kGone, "See that the robot stands; start the node again"), {});
   }
 
  private:
   /// Looks, of which there are ten in a second.
   static constexpr int kPatience = 20;
+  static constexpr const char* kGone = "The command node has gone; nobody knows what became of the command";
+  using Cause = CommandState::Cause;
+
+  /// The node is there, again or at last: what was said of its absence is not so any more.
+  void noteReturn() {
+    if (isBusy()) return;
+    if (state().cause == Cause::NoNode) become({}, {});
+    if (state().cause == Cause::NodeGone) {
+      become(failed(Cause::Other, kGone, "See that the robot stands, and what of the command was done"), {});
+    }
+  }
 
   void sendWaiting() {
     forgetEnded();
@@ -110,7 +120,7 @@ class ActionCommand : public Command {
     if (unanswered_ == Unanswered::TakenBack) {
       cancel();
       ++newest_;
-      become(failed("The command node does not answer, and the command was taken back",
+      become(failed(Cause::TakenBack, "The command node does not answer, and the command was taken back",
                     "See whether the node and its network live; the robot may do as before"),
              {});
       return;
@@ -121,9 +131,10 @@ class ActionCommand : public Command {
     become(silent);
   }
 
-  static CommandState failed(std::string description, std::string remedy) {
+  static CommandState failed(Cause cause, std::string description, std::string remedy) {
     CommandState state;
     state.phase = CommandState::Phase::Error;
+    state.cause = cause;
     state.description = std::move(description);
     state.remedy = std::move(remedy);
     return state;
@@ -159,8 +170,25 @@ class ActionCommand : public Command {
     become(now);
   }
 
+  /// The node answers at last to a goal that was taken back meanwhile.
+  void hearOfTakenBack(const Handle& handle, unsigned number) {
+    if (state().cause != Cause::TakenBack || number + 1 != newest_) return;
+    const auto comm = handle.getCommState();
+    if (comm == actionlib::CommState::WAITING_FOR_GOAL_ACK ||
+        comm == actionlib::CommState::WAITING_FOR_CANCEL_ACK) {
+      return;
+    }
+    CommandState ended;
+    ended.phase = CommandState::Phase::Aborted;
+    ended.description = "It was taken back, as the command node did not answer for two seconds";
+    become(ended, {});
+  }
+
   void follow(const Handle& handle, unsigned number) {
-    if (number != newest_) return;
+    if (number != newest_) {
+      hearOfTakenBack(handle, number);
+      return;
+    }
     if (handle.getCommState() != actionlib::CommState::DONE) {
       if (handle.getCommState() != actionlib::CommState::WAITING_FOR_GOAL_ACK) hearOfIt();
       return;
@@ -168,12 +196,15 @@ class ActionCommand : public Command {
     CommandState ended = state();
     ended.unanswered = false;
     ended.phase = phaseOf(handle.getTerminalState());
+    ended.refused = handle.getTerminalState() == actionlib::TerminalState::REJECTED;
     ended.text.clear();
     ended.progress = -1;
     ended.step = -1;
     const ResultConstPtr result = handle.getResult();
     if (!result) {
-      become(failed("The goal was lost: the command node was started again", "Give the command again"), {});
+      become(failed(Cause::Other, "The goal was lost: the command node was started again",
+                    "Give the command again"),
+             {});
       return;
     }
     outcome::readResult(*result, ended);

@@ -32,6 +32,7 @@ cobot_command::ProgramControlGoal controlGoal(std::int32_t command) {
 }  // namespace
 
 Robot::Robot(const std::string& name) : node_(name) {
+  node_.setCallbackQueue(&queue_);
   auto stop = std::make_unique<ActionCommand<cobot_command::StopAction>>(node_, "stop", Unanswered::Kept);
   stop_.send = [&sender = *stop] { sender.send({}); };
   stop_.command = std::move(stop);
@@ -75,6 +76,19 @@ std::optional<cobot_command::RobotStatus> Robot::robotStatus() const {
 std::optional<cobot_command::GroupState> Robot::groupState() const {
   if (group_state_topic_.getNumPublishers() == 0) return std::nullopt;
   return group_state_;
+}
+
+bool Robot::isReady() const {
+  const auto status = commandStatus();
+  return status && status->link_state == cobot_command::CommandStatus::READY;
+}
+
+Situation Robot::situation() const {
+  const auto command = commandStatus();
+  const auto robot = robotStatus().value_or(cobot_command::RobotStatus());
+  return {command ? 1 : 0, command ? command->link_state : 0,
+          robot.e_stopped, robot.in_error,
+          robot.safeguard, robot.project_paused};
 }
 
 bool Robot::isStreaming() const {

@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "clients/command.h"
+#include "clients/situation.h"
 #include <Eigen/Geometry>
 #include <cobot_command/ActiveFrames.h>
 #include <cobot_command/CommandStatus.h>
 #include <cobot_command/GroupState.h>
 #include <cobot_command/RobotStatus.h>
 #include <geometry_msgs/PoseStamped.h>
+#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/JointState.h>
 
@@ -29,12 +31,19 @@ class Robot {
   Robot& operator=(const Robot&) = delete;
   ~Robot();
 
+  /// What comes by it is served by listen().
   [[nodiscard]] const ros::NodeHandle& node() const { return node_; }
+  /// Often, on the thread of the user interface: serves all that has come. RViz itself serves nothing while
+  /// one of its dialogs is open.
+  void listen() { queue_.callAvailable(); }
 
   /// Nothing: the node is not there, or has told nothing yet.
   [[nodiscard]] std::optional<cobot_command::CommandStatus> commandStatus() const;
   [[nodiscard]] std::optional<cobot_command::RobotStatus> robotStatus() const;
   [[nodiscard]] std::optional<cobot_command::GroupState> groupState() const;
+  /// Commands can be sent.
+  [[nodiscard]] bool isReady() const;
+  [[nodiscard]] Situation situation() const;
   /// Of J1 to J6 [deg], as the controller streams them.
   [[nodiscard]] std::optional<std::array<double, 6>> joints() const;
   /// The active TCP in the active base [mm, deg].
@@ -72,6 +81,7 @@ class Robot {
     std::function<void()> send;
   };
 
+  ros::CallbackQueue queue_;  ///< first: all others are served by it
   ros::NodeHandle node_;
   std::optional<cobot_command::CommandStatus> command_status_;
   std::optional<cobot_command::RobotStatus> robot_status_;

@@ -30,7 +30,9 @@ CommandPage::CommandPage(const CommandPageSpec& spec)
     : Page(spec.name, spec.title),
       form_(spec.form()),
       make_block_(spec.block),
+      moves_(spec.moves),
       view_(new FormView(form_)),
+      footer_(emptyColumn()),
       status_(new StatusBox),
       pair_(*status_),
       above_form_(emptyColumn()),
@@ -46,11 +48,13 @@ CommandPage::CommandPage(const CommandPageSpec& spec)
   helpers->addStretch();
   layout->addLayout(helpers);
   layout->addWidget(below_form_);
-  auto* buttons = new QHBoxLayout;
-  addButtons(*buttons, spec);
-  layout->addLayout(buttons);
-  layout->addWidget(status_);
   layout->addStretch();
+  auto* buttons = new QWidget;
+  auto* row = new QHBoxLayout(buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  addButtons(*row, spec);
+  footer_->layout()->addWidget(buttons);
+  footer_->layout()->addWidget(status_);
 }
 
 void CommandPage::addAboveForm(QWidget* widget) {
@@ -119,11 +123,17 @@ void CommandPage::bind(const Workplace& workplace) {
   Block block = make_block_(workplace.robot->node());
   execute_ = std::move(block.execute);
   check_ = std::move(block.check);
-  pair_.bind(std::move(block.execution), std::move(block.checking), *workplace.preview);
+  pair_.bind(std::move(block.execution), std::move(block.checking), *workplace.robot, *workplace.preview);
   check_button_->setVisible(pair_.canCheck());
 }
 
+void CommandPage::look() {
+  pair_.look();
+  enableExecute();
+}
+
 void CommandPage::changed() {
+  pair_.forget();
   enableExecute();
   edited();
   tellEdit();
@@ -131,7 +141,9 @@ void CommandPage::changed() {
 
 void CommandPage::enableExecute() {
   const bool refuses = !form_.has("buffer_mode") || form_.whole("buffer_mode") == 0;
-  execute_button_->setEnabled(!refuses || !pair_.execution().isBusy());
+  const bool there = !moves_ || (workplace_.robot != nullptr && workplace_.robot->isReady());
+  execute_button_->setEnabled(there && (!refuses || !pair_.execution().isBusy()));
+  check_button_->setEnabled(there);
 }
 
 void CommandPage::restore(const Values& values) {

@@ -34,6 +34,7 @@ struct CommandPageSpec {
   QString execute = "Execute";
   QString cancel = "Cancel";
   bool cancels_all = false;  ///< also what another client has begun
+  bool moves = false;        ///< what it commands needs a robot that is connected
 };
 
 class CommandPage : public Page {
@@ -41,7 +42,8 @@ class CommandPage : public Page {
   explicit CommandPage(const CommandPageSpec& spec);
 
   void bind(const Workplace& workplace) override;
-  void look() override { pair_.look(); }
+  [[nodiscard]] QWidget* footer() override { return footer_; }
+  void look() override;
   void withdraw() override { pair_.withdraw(); }
   [[nodiscard]] Values saved() const override { return form_.saved(); }
   void restore(const Values& values) override;
@@ -51,6 +53,8 @@ class CommandPage : public Page {
   [[nodiscard]] Form& form() { return form_; }
   /// Shows what the form has, when it was changed here.
   void refresh();
+  /// The form has become another one: how the last command ended says nothing of it.
+  void changed();
   /// Somebody has changed the form: by hand, a preset, or by taking where the robot is.
   virtual void edited() {}
   /// What does not move when fields come and go.
@@ -63,8 +67,8 @@ class CommandPage : public Page {
   void addTakings(QBoxLayout& layout, const std::vector<Taking>& takings);
   void addButtons(QBoxLayout& layout, const CommandPageSpec& spec);
   void take(const Taking& taking);
-  void changed();
-  /// Execute would be refused while this block is busy, unless its goals wait or take over.
+  /// Execute would be refused while this block is busy, unless its goals wait or take over; and a move before
+  /// there is a link.
   void enableExecute();
 
   Form form_;
@@ -72,7 +76,9 @@ class CommandPage : public Page {
   Workplace workplace_;
   std::function<void(const Form&)> execute_;
   std::function<void(const Form&)> check_;
+  bool moves_;
   FormView* view_;
+  QWidget* footer_;  ///< of the panel, which puts it below the page
   StatusBox* status_;
   CommandPair pair_;
   QPushButton* check_button_ = nullptr;

@@ -29,6 +29,7 @@ CyclePage::CyclePage()
     : Page("pick_and_place", "PnP Sequence"),
       cycle_(presetCycle()),
       views_(new QStackedWidget),
+      footer_(new QWidget),
       status_(new StatusBox),
       pair_(*status_) {
   auto* layout = new QVBoxLayout(this);
@@ -40,8 +41,8 @@ CyclePage::CyclePage()
   connect(views_, &QStackedWidget::currentChanged, this, [this] { fitHeight(); });
   fitHeight();
   layout->addWidget(views_);
-  layout->addWidget(status_);
   layout->addStretch();
+  addCommands();
 }
 
 void CyclePage::fitHeight() {
@@ -62,9 +63,6 @@ QWidget* CyclePage::makeOverview() {
   general_ = new FormView(cycle_.general);
   layout->addWidget(picture_);
   layout->addWidget(general_);
-  auto* buttons = new QHBoxLayout;
-  addButtons(*buttons);
-  layout->addLayout(buttons);
   return overview;
 }
 
@@ -83,6 +81,7 @@ QWidget* CyclePage::makeEditor(std::size_t move) {
     if (const auto tool = workplace_.robot->tool()) cycle_.moves[move].setSix("target", *tool);
     if (const auto joints = workplace_.robot->joints()) cycle_.moves[move].setSix("joints", *joints);
     editors_[move]->refresh();
+    changed();
   });
   auto* back = new QPushButton("Back to the cycle");
   back->setObjectName("back");
@@ -93,31 +92,44 @@ QWidget* CyclePage::makeEditor(std::size_t move) {
   return editor;
 }
 
-void CyclePage::addButtons(QBoxLayout& layout) {
-  const auto add = [&](const char* text, const char* name, auto action) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(name);
-    connect(button, &QPushButton::clicked, this, action);
-    layout.addWidget(button);
-  };
-  add("Preset values", "preset", [this] {
+QPushButton* CyclePage::addButton(const char* text, const char* name, std::function<void()> action) {
+  auto* button = new QPushButton(text, footer_);
+  button->setObjectName(name);
+  connect(button, &QPushButton::clicked, this, std::move(action));
+  return button;
+}
+
+void CyclePage::addCommands() {
+  auto* preset = addButton("Preset values", "preset", [this] {
     // Assigned one by one: the views look at these forms.
-    const Cycle preset = presetCycle();
-    for (std::size_t move = 0; move < Cycle::kMoves; ++move) cycle_.moves[move] = preset.moves[move];
-    cycle_.general = preset.general;
+    const Cycle values = presetCycle();
+    for (std::size_t move = 0; move < Cycle::kMoves; ++move) cycle_.moves[move] = values.moves[move];
+    cycle_.general = values.general;
     refresh();
+    changed();
   });
-  add("Check", "check", [this] {
+  check_ = addButton("Check", "check", [this] {
     commit();
     pair_.showCheck();
     send_(true);
   });
-  add("Execute", "execute", [this] {
+  execute_ = addButton("Execute", "execute", [this] {
     commit();
     pair_.showExecution();
     send_(false);
   });
-  add("Cancel", "cancel", [this] { pair_.cancel(false); });
+  auto* cancel = addButton("Cancel", "cancel", [this] { pair_.cancel(false); });
+  auto* layout = new QVBoxLayout(footer_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* buttons = new QHBoxLayout;
+  for (QPushButton* button : {preset, check_, execute_, cancel}) buttons->addWidget(button);
+  layout->addLayout(buttons);
+  layout->addWidget(status_);
+}
+
+void CyclePage::look() {
+  pair_.look();
+  for (QPushButton* button : {check_, execute_}) button->setEnabled(workplace_.robot->isReady());
 }
 
 void CyclePage::bind(const Workplace& workplace) {
@@ -128,7 +140,7 @@ void CyclePage::bind(const Workplace& workplace) {
   send_ = [this, &execute = *execution, &check = *checking](bool check_only) {
     (check_only ? check : execute).send(toPickAndPlace(cycle_, check_only));
   };
-  pair_.bind(std::move(execution), std::move(checking), *workplace.preview);
+  pair_.bind(std::move(execution), std::move(checking), *workplace.robot, *workplace.preview);
 }
 
 void CyclePage::commit() {
@@ -158,6 +170,7 @@ void CyclePage::restore(const Values& values) {
 }
 
 void CyclePage::changed() {
+  pair_.forget();
   picture_->update();
   tellEdit();
 }

@@ -7,7 +7,8 @@
 #include "forms/cycle.h"
 #include "pages/command_pair.h"
 #include "pages/page.h"
-class QBoxLayout;
+
+class QPushButton;
 class QStackedWidget;
 
 namespace cobot_command::rviz_plugin {
@@ -21,7 +22,8 @@ class CyclePage : public Page {
   CyclePage();
 
   void bind(const Workplace& workplace) override;
-  void look() override { pair_.look(); }
+  [[nodiscard]] QWidget* footer() override { return footer_; }
+  void look() override;
   void withdraw() override { pair_.withdraw(); }
   [[nodiscard]] Values saved() const override;
   void restore(const Values& values) override;
@@ -30,7 +32,8 @@ class CyclePage : public Page {
   void fitHeight();
   QWidget* makeOverview();
   QWidget* makeEditor(std::size_t move);
-  void addButtons(QBoxLayout& layout);
+  QPushButton* addButton(const char* text, const char* name, std::function<void()> action);
+  void addCommands();
   /// Takes what was typed and not confirmed.
   void commit();
   void changed();
@@ -43,6 +46,9 @@ class CyclePage : public Page {
   CycleView* picture_ = nullptr;
   FormView* general_ = nullptr;
   std::array<FormView*, Cycle::kMoves> editors_{};
+  QPushButton* check_ = nullptr;
+  QPushButton* execute_ = nullptr;
+  QWidget* footer_;  ///< of the panel, which puts it below the page
   StatusBox* status_;
   CommandPair pair_;
 };

@@ -18,8 +18,8 @@
 namespace cobot_command::rviz_plugin {
 namespace {
 
-constexpr int kKeepAlivePeriod = 20;  // [ms], of the 250 that the watchdog allows
-constexpr int kButtonHeight = 34;
+constexpr int kTick = 20;  // [ms]
+constexpr int kButtonHeight = 28;
 
 bool isOfJoints(const Form& form) {
   return form.whole("mode") == cobot_command::JogGoal::AXES;
@@ -31,6 +31,7 @@ JogPage::JogPage()
     : Page("jog", "Jog"),
       form_(jogForm()),
       view_(new FormView(form_)),
+      footer_(new QWidget),
       status_(new StatusBox),
       holding_(new QTimer(this)) {
   auto* layout = new QVBoxLayout(this);
@@ -39,16 +40,19 @@ JogPage::JogPage()
   for (int axis = 0; axis < kAxes; ++axis) addAxis(*grid, axis);
   layout->addLayout(grid);
   layout->addWidget(view_);
+  layout->addStretch();
+  auto* below = new QVBoxLayout(footer_);
+  below->setContentsMargins(0, 0, 0, 0);
   auto* cancel = new QPushButton("Cancel");
   cancel->setObjectName("cancel");
   connect(cancel, &QPushButton::clicked, this, [this] { jog_->cancel(); });
-  layout->addWidget(cancel);
-  layout->addWidget(status_);
-  layout->addStretch();
-  holding_->setInterval(kKeepAlivePeriod);
+  below->addWidget(cancel);
+  below->addWidget(status_);
+  holding_->setInterval(kTick);
   holding_->setTimerType(Qt::PreciseTimer);
-  connect(holding_, &QTimer::timeout, this, [this] { hold(); });
+  connect(holding_, &QTimer::timeout, this, [this] { tick(); });
   view_->onEdit([this] {
+    jog_->forget();
     showWhere();
     tellEdit();
   });
@@ -89,7 +93,7 @@ void JogPage::begin() {
   const Pressed pressed = *pressed_;
   pressed_.reset();
   if (!form_.isOn("stepwise")) {
-    keep_alive_.publish(std_msgs::Empty());
+    keep_alive_->begin();
     holding_->start();
   }
   jog_->send(toJog(form_, pressed.axis, pressed.direction));
@@ -97,6 +101,7 @@ void JogPage::begin() {
 
 void JogPage::release() {
   holding_->stop();
+  if (keep_alive_) keep_alive_->end();
   pressed_.reset();
   for (QPushButton* button : buttons_) button->setDown(false);
   // A node that comes later is not to move the arm for a button that nobody holds.
@@ -105,8 +110,10 @@ void JogPage::release() {
 
 void JogPage::follow() {
   status_->show(jog_->state());
+  validity_.begin();
   if (jog_->isBusy()) return;
   holding_->stop();
+  keep_alive_->end();
   begin();
 }
 
@@ -115,13 +122,13 @@ void JogPage::hideEvent(QHideEvent* event) {
   Page::hideEvent(event);
 }
 
-void JogPage::hold() {
+void JogPage::tick() {
   // A menu, or a dialog, takes the mouse, and its buttons are not heard of here.
   if (QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr) {
     release();
     return;
   }
-  keep_alive_.publish(std_msgs::Empty());
+  keep_alive_->tick();
 }
 
 bool JogPage::eventFilter(QObject* object, QEvent* event) {
@@ -137,7 +144,8 @@ void JogPage::bind(const Workplace& workplace) {
   release();
   workplace_ = workplace;
   ros::NodeHandle node = workplace.robot->node();
-  keep_alive_ = node.advertise<std_msgs::Empty>("jog_keep_alive", 1);
+  keep_alive_ = std::make_unique<KeepAlive>(
+      [topic = node.advertise<std_msgs::Empty>("jog_keep_alive", 1)] { topic.publish(std_msgs::Empty()); });
   jog_ = std::make_unique<ActionCommand<cobot_command::JogAction>>(node, "jog");
   jog_->onChange([this] { follow(); });
   status_->show(jog_->state());
@@ -146,7 +154,17 @@ void JogPage::bind(const Workplace& workplace) {
 
 void JogPage::look() {
   jog_->look();
+  const CommandState& state = jog_->state();
+  const bool refused = state.phase == CommandState::Phase::Error && state.refused;
+  if (refused && validity_.isOver(workplace_.robot->situation())) jog_->forget();
+  enableButtons();
   showWhere();
+}
+
+void JogPage::enableButtons() {
+  const bool ready = workplace_.robot->isReady();
+  for (QPushButton* button : buttons_) button->setEnabled(ready);
+  if (!ready) release();
 }
 
 void JogPage::showWhere() {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "clients/action_command.h"
+#include "clients/keep_alive.h"
 #include "forms/form.h"
 #include "pages/page.h"
 #include <cobot_command/JogAction.h>
-#include <ros/publisher.h>
 
 class QGridLayout;
 class QLabel;
@@ -28,6 +28,7 @@ class JogPage : public Page {
   JogPage();
 
   void bind(const Workplace& workplace) override;
+  [[nodiscard]] QWidget* footer() override { return footer_; }
   void look() override;
   void withdraw() override { release(); }
   [[nodiscard]] Values saved() const override { return form_.saved(); }
@@ -48,9 +49,11 @@ class JogPage : public Page {
   /// Sends what is pressed, once the arm has come to rest from before: a keep-alive names no jog, and would
   /// keep that one going.
   void begin();
-  void hold();
+  void tick();
   void follow();
   void showWhere();
+  /// Only where there is a link.
+  void enableButtons();
 
   struct Pressed {
     int axis;
@@ -61,10 +64,12 @@ class JogPage : public Page {
   std::optional<Pressed> pressed_;  ///< and not sent yet
   Workplace workplace_;
   std::unique_ptr<ActionCommand<cobot_command::JogAction>> jog_;
-  ros::Publisher keep_alive_;
+  std::unique_ptr<KeepAlive> keep_alive_;
+  Validity validity_;  ///< of a refusal that is shown
   FormView* view_;
+  QWidget* footer_;  ///< of the panel, which puts it below the page
   StatusBox* status_;
-  QTimer* holding_;
+  QTimer* holding_;  ///< ticks while a button is held: the user interface lives
   std::vector<QPushButton*> buttons_;
   std::array<QLabel*, kAxes> names_{};
   std::array<QLabel*, kAxes> values_{};

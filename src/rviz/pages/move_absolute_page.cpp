@@ -1,12 +1,12 @@
 #include "pages/move_absolute_page.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
 
 #include "forms/forms.h"
+#include "widgets/elided.h"
 
 namespace cobot_command::rviz_plugin {
 namespace {
@@ -14,11 +14,13 @@ namespace {
 constexpr double kSteps = 1000;  // of what is dragged, in a mm or a degree
 
 CommandPageSpec moveAbsolutePage() {
-  return {"move_absolute",
-          "Move Absolute",
-          moveAbsoluteForm,
-          moveAbsoluteBlock,
-          {{"Take current position", "target", "joints"}}};
+  CommandPageSpec page{"move_absolute",
+                       "Move Absolute",
+                       moveAbsoluteForm,
+                       moveAbsoluteBlock,
+                       {{"Take current position", "target", "joints"}}};
+  page.moves = true;
+  return page;
 }
 
 QString nameOf(const Configuration& configuration) {
@@ -29,7 +31,8 @@ QString nameOf(const Configuration& configuration) {
 
 }  // namespace
 
-MoveAbsolutePage::MoveAbsolutePage() : CommandPage(moveAbsolutePage()), configuration_(new QLabel) {
+MoveAbsolutePage::MoveAbsolutePage()
+    : CommandPage(moveAbsolutePage()), configuration_(new ElidedLabel("configuration")) {
   addAboveForm(makeStepper());
 }
 
@@ -37,7 +40,6 @@ QWidget* MoveAbsolutePage::makeStepper() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  configuration_->setObjectName("configuration");
   auto* before = new QPushButton("◀");
   before->setObjectName("configuration_before");
   auto* next = new QPushButton("▶");
@@ -79,7 +81,7 @@ std::optional<Configuration> MoveAbsolutePage::chosen() {
 void MoveAbsolutePage::showTarget() {
   if (workplace().target == nullptr) return;
   const auto configuration = chosen();
-  configuration_->setText(configuration ? nameOf(*configuration) : QString("as the robot stands"));
+  configuration_->show(configuration ? nameOf(*configuration) : QString("as the robot stands"));
   if (form().field("target.0").shown) {
     workplace().target->show(form().six("target"), configuration);
   } else {
@@ -94,14 +96,13 @@ void MoveAbsolutePage::drag(const Target::Six& target) {
                  [](double number) { return std::round(number * kSteps) / kSteps; });
   if (!form().setSix("target", rounded)) return;
   refresh();
-  showTarget();
-  tellEdit();
+  changed();
 }
 
 void MoveAbsolutePage::step(int by) {
   const std::vector<Configuration>& reaching = workplace().target->configurations();
   if (reaching.empty() || !form().field("robot_pose_enable").shown) {
-    configuration_->setText(reaching.empty() ? "none reaches the target" : "a line keeps that of its start");
+    configuration_->show(reaching.empty() ? "none reaches the target" : "a line keeps that of its start");
     return;
   }
   const auto now = chosen();
@@ -115,7 +116,7 @@ void MoveAbsolutePage::step(int by) {
   form().set("config2", other[1]);
   form().set("config3", other[2]);
   refresh();
-  showTarget();
+  changed();
 }
 
 }  // namespace cobot_command::rviz_plugin

@@ -6,9 +6,9 @@
 
 #include "pages/command_page.h"
 
-class QLabel;
-
 namespace cobot_command::rviz_plugin {
+
+class ElidedLabel;
 
 class MoveAbsolutePage : public CommandPage {
  public:
@@ -30,7 +30,7 @@ class MoveAbsolutePage : public CommandPage {
   /// Nothing: it is kept as it is.
   [[nodiscard]] std::optional<Configuration> chosen();
 
-  QLabel* configuration_;
+  ElidedLabel* configuration_;
 };
 
 }  // namespace cobot_command::rviz_plugin

@@ -32,6 +32,9 @@ class Page : public QWidget {
   [[nodiscard]] const QString& title() const { return title_; }
   /// The robot is another one: nothing of the one before is used any more.
   virtual void bind(const Workplace& workplace) = 0;
+  /// What stays in sight below the page, however long that is: its buttons, and how its command goes.
+  /// Nothing: it has no such.
+  [[nodiscard]] virtual QWidget* footer() { return nullptr; }
   /// A few times a second: shows what the robot has told.
   virtual void look() {}
   /// Somebody stops the robot: what has not been sent yet is not sent any more.

@@ -1,13 +1,13 @@
-// The pages of the panel, as the thesis has them (6.3.1 to 6.3.8), and those of what came behind it.
+// The pages of the panel, as the thesis has them (6.3.1 to 6.3.8), and those of what came after it.
 #pragma once
 
 #include <vector>
 
 #include "pages/command_page.h"
 
-class QLabel;
-
 namespace cobot_command::rviz_plugin {
+
+class TextBlock;
 
 /// The pages that are a form and nothing else.
 [[nodiscard]] CommandPageSpec changeBasePage();
@@ -22,20 +22,7 @@ class ConnectPage : public CommandPage {
   void look() override;
 
  private:
-  QLabel* connection_;
-};
-
-/// Also sets how fast paths run, and stops them on their way.
-class LoadPathPage : public CommandPage {
- public:
-  LoadPathPage();
-
- private:
-  QWidget* makeFeedrate();
-  void setFeedrate(double percent);
-  void trigger(const char* service);
-
-  QLabel* answer_;
+  TextBlock* connection_;
 };
 
 /// Also tells the state of the group (SRCI).
@@ -45,7 +32,7 @@ class InterfacePage : public CommandPage {
   void look() override;
 
  private:
-  QLabel* group_;
+  TextBlock* group_;
 };
 
 }  // namespace cobot_command::rviz_plugin

@@ -1,14 +1,11 @@
 #include "panel/cobot_panel.h"
 
-#include <QAbstractItemView>
-#include <QComboBox>
-#include <QCompleter>
+#include <QAbstractButton>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -16,9 +13,12 @@
 
 #include "pages/cycle_page.h"
 #include "pages/jog_page.h"
+#include "pages/load_path_page.h"
 #include "pages/main_page.h"
 #include "pages/move_absolute_page.h"
 #include "pages/pages.h"
+#include "widgets/elided.h"
+#include "widgets/robot_box.h"
 #include "widgets/stop_bar.h"
 #include "widgets/wording.h"
 #include <pluginlib/class_list_macros.hpp>
@@ -28,7 +28,8 @@
 namespace cobot_command::rviz_plugin {
 namespace {
 
-constexpr int kPeriod = 100;  // [ms]
+constexpr int kPeriod = 100;    // [ms]
+constexpr int kListening = 20;  // [ms]
 constexpr int kLooksAtFault = 40;
 constexpr int kLooksBetweenLists = 30;  // of the robots that there are
 
@@ -76,29 +77,49 @@ QString robotText(const std::optional<cobot_command::RobotStatus>& status) {
   return "";
 }
 
+/// What an operator has to do before the robot can be moved; empty: nothing.
+QString firstThing(const std::optional<cobot_command::CommandStatus>& status, const QString& robot) {
+  if (!status) return "First: start the command node of " + robot + ", or choose another robot";
+  switch (status->link_state) {
+    case cobot_command::CommandStatus::DISCONNECTED:
+      return "First: connect the robot (Main menu, Connect)";
+    case cobot_command::CommandStatus::NOT_LISTENING:
+      return "First: let the project of the robot enter its Listen node";
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
 CobotPanel::CobotPanel(QWidget* parent)
     : rviz::Panel(parent),
-      robots_(new QComboBox),
-      connection_(new QLabel),
-      stop_bar_(new StopBar),
+      robots_(new RobotBox),
+      connection_(new ElidedLabel("link")),
+      stop_bar_(new StopBar(fleet_)),
+      guide_(new ElidedLabel("guide")),
       title_(new QLabel),
       stack_(new QStackedWidget),
-      timer_(new QTimer(this)) {
+      timer_(new QTimer(this)),
+      listening_(new QTimer(this)) {
   setObjectName("cobot_panel");
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(makeHeader());
   layout->addWidget(stop_bar_);
+  layout->addWidget(guide_);
   layout->addWidget(makeNavigation());
   layout->addWidget(stack_, 1);
+  guide_->setStyleSheet("color: #9a6700; font-weight: bold;");
   makePages();
-  choose(robots_->currentText());
+  choose(QString::fromStdString(ros::this_node::getNamespace()));
   connect(timer_, &QTimer::timeout, this, [this] { look(); });
+  connect(listening_, &QTimer::timeout, this, [this] { robot_->listen(); });
 }
 
 CobotPanel::~CobotPanel() {
   timer_->stop();
+  listening_->stop();
+  preview_->leave();
   // Pages hold clients of the robot, and listen to it: they go first.
   delete stack_;
   delete stop_bar_;
@@ -106,23 +127,14 @@ CobotPanel::~CobotPanel() {
 
 void CobotPanel::onInitialize() {
   timer_->start(kPeriod);
+  listening_->start(kListening);
 }
 
 QWidget* CobotPanel::makeHeader() {
   auto* header = new QWidget;
   auto* layout = new QHBoxLayout(header);
   layout->setContentsMargins(0, 0, 0, 0);
-  robots_->setObjectName("robots");
-  robots_->setEditable(true);
-  robots_->setInsertPolicy(QComboBox::NoInsert);
-  robots_->setCompleter(nullptr);  // it would make a robot of another one's first letters
-  robots_->addItem(QString::fromStdString(ros::this_node::getNamespace()));
-  robots_->setMinimumContentsLength(10);
-  robots_->setToolTip("The namespace of the robot's command node");
-  connection_->setObjectName("link");
-  connect(robots_, qOverload<int>(&QComboBox::activated), this, [this] { choose(robots_->currentText()); });
-  connect(robots_->lineEdit(), &QLineEdit::returnPressed, this, [this] { choose(robots_->currentText()); });
-  connect(robots_->lineEdit(), &QLineEdit::editingFinished, this, [this] { showName(); });
+  robots_->onChoose([this](const QString& name) { choose(name); });
   layout->addWidget(new QLabel("Robot"));
   layout->addWidget(robots_);
   layout->addWidget(connection_, 1);
@@ -163,7 +175,12 @@ void CobotPanel::makePages() {
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    stack_->addWidget(scroll);
+    auto* screen = new QWidget;
+    auto* layout = new QVBoxLayout(screen);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll, 1);
+    if (QWidget* footer = page->footer()) layout->addWidget(footer);
+    stack_->addWidget(screen);
   }
   for (Page* page : pages_) page->onEdit([this] { Q_EMIT configChanged(); });
   stop_bar_->onStop([this] {
@@ -174,17 +191,18 @@ void CobotPanel::makePages() {
 
 void CobotPanel::choose(const QString& name) {
   std::string fault;
-  if (!ros::names::validate(name.toStdString(), fault)) {
+  const bool valid = ros::names::validate(name.toStdString(), fault);
+  if (!valid) {
     fault_ = "'" + name + "' is no namespace";
     fault_looks_ = kLooksAtFault;
-    showName();
-    return;
   }
-  const std::string wanted = absolute(name.toStdString());
+  const std::string wanted = valid ? absolute(name.toStdString()) : name_.toStdString();
   if (robot_ && name_.toStdString() == wanted) {
-    showName();
+    robots_->show(name_);
     return;
   }
+  putUpButtons();
+  if (preview_) preview_->leave();
   // The clients of the one before go only when the pages have new ones.
   auto robot = std::make_unique<Robot>(wanted);
   auto preview = std::make_unique<Preview>(*robot);
@@ -198,15 +216,12 @@ void CobotPanel::choose(const QString& name) {
   preview_ = std::move(preview);
   calls_ = std::move(calls);
   robot_ = std::move(robot);
-  showName();
+  robots_->show(name_);
   Q_EMIT configChanged();
 }
 
-void CobotPanel::showName() {
-  const QSignalBlocker blocked(robots_);
-  if (robots_->findText(name_) < 0) robots_->addItem(name_);
-  robots_->setCurrentIndex(robots_->findText(name_));
-  robots_->setEditText(name_);
+void CobotPanel::putUpButtons() {
+  for (QAbstractButton* button : findChildren<QAbstractButton*>()) button->setDown(false);
 }
 
 void CobotPanel::open(const Page& page) {
@@ -221,13 +236,26 @@ void CobotPanel::look() {
   target_->look();
   preview_->look();
   robot_->look();
+  fleet_.look();
   for (Page* page : pages_) page->look();
+  stop_bar_->look();
+  showConnection();
+  showGuide();
+  if (looks_++ % kLooksBetweenLists == 0) askForRobots();
+}
+
+void CobotPanel::showConnection() {
   QString now = connectionText(robot_->commandStatus());
   if (robot_->isStreaming()) now += robotText(robot_->robotStatus());
   if (robot_->isSilent()) now = "the command node says nothing: what is shown is old";
   if (fault_looks_ > 0) --fault_looks_;
-  connection_->setText(fault_looks_ > 0 ? fault_ : now);
-  if (looks_++ % kLooksBetweenLists == 0) askForRobots();
+  connection_->show(fault_looks_ > 0 ? fault_ : now);
+}
+
+void CobotPanel::showGuide() {
+  const bool blocked = QApplication::activeModalWidget() != nullptr;
+  guide_->show(blocked ? "A dialog is open: STOP cannot be pressed. Close it, or use the emergency stop"
+                       : firstThing(robot_->commandStatus(), name_));
 }
 
 void CobotPanel::askForRobots() {
@@ -241,12 +269,8 @@ void CobotPanel::askForRobots() {
 
 void CobotPanel::offerRobots(const std::vector<std::string>& names) {
   is_asking_ = false;
-  // Not under the hand of somebody who types, or has the list open.
-  if (robots_->lineEdit()->hasFocus() || robots_->view()->isVisible()) return;
-  const QSignalBlocker blocked(robots_);
-  robots_->clear();
-  for (const std::string& name : names) robots_->addItem(QString::fromStdString(name));
-  showName();
+  fleet_.offer(names);
+  robots_->offer(names);
 }
 
 void CobotPanel::save(rviz::Config config) const {

@@ -5,17 +5,19 @@
 #include <vector>
 
 #include "clients/background_calls.h"
+#include "clients/fleet.h"
 #include "clients/robot.h"
 #include "pages/page.h"
 #include <rviz/panel.h>
 
-class QComboBox;
 class QLabel;
 class QStackedWidget;
 class QTimer;
 
 namespace cobot_command::rviz_plugin {
 
+class ElidedLabel;
+class RobotBox;
 class StopBar;
 
 class CobotPanel : public rviz::Panel {
@@ -34,10 +36,13 @@ class CobotPanel : public rviz::Panel {
   QWidget* makeNavigation();
   /// Another robot, by its namespace.
   void choose(const QString& name);
-  /// In the box: what is commanded, whatever was typed.
-  void showName();
+  /// A button that was pressed for the robot before does nothing for another one when it is let go.
+  void putUpButtons();
   void open(const Page& page);
   void look();
+  void showConnection();
+  /// What has to be done first, or what keeps the operator from stopping the robot.
+  void showGuide();
   /// Beside the user interface, as a master may hang.
   void askForRobots();
   void offerRobots(const std::vector<std::string>& names);
@@ -48,12 +53,15 @@ class CobotPanel : public rviz::Panel {
   std::unique_ptr<Preview> preview_;
   std::unique_ptr<Target> target_;
   std::vector<Page*> pages_;  ///< the first one is Main
-  QComboBox* robots_;
-  QLabel* connection_;
+  Fleet fleet_;
+  RobotBox* robots_;
+  ElidedLabel* connection_;
   StopBar* stop_bar_;
+  ElidedLabel* guide_;
   QLabel* title_;
   QStackedWidget* stack_;
   QTimer* timer_;
+  QTimer* listening_;    ///< to the robot
   QString name_;         ///< of the robot that is commanded, from the root
   QString fault_;        ///< of a name that was entered
   int fault_looks_ = 0;  ///< so long it is shown

@@ -1,9 +1,10 @@
 #include "preview/preview.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
+#include "own_topics.h"
+#include "preview/first_words.h"
 #include <sensor_msgs/JointState.h>
 #include <visualization_msgs/Marker.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -21,7 +22,6 @@ constexpr double kSphere = 0.05;   // [m]
 constexpr double kLetters = 0.04;  // [m]
 constexpr double kAbove = 0.07;    // [m] the text above its point
 constexpr double kLine = 0.004;    // [m]
-constexpr std::size_t kLongestReason = 80;
 
 std_msgs::ColorRGBA colorOf(float red, float green, float blue) {
   std_msgs::ColorRGBA color;
@@ -41,34 +41,34 @@ Marker markerOf(const std::string& frame, const char* name, std::int32_t type) {
   return marker;
 }
 
-/// The first sentence, or as much as can be read in a scene.
-std::string shortened(const std::string& reason) {
-  const std::size_t end = std::min(reason.find(": "), reason.find(". "));
-  std::string text = reason.substr(0, end);
-  if (text.size() > kLongestReason) text = text.substr(0, kLongestReason) + " ...";
-  return text;
-}
-
 }  // namespace
 
 Preview::Preview(Robot& robot) : robot_(robot) {
-  ros::NodeHandle node = robot.node();
-  joints_ = node.advertise<sensor_msgs::JointState>("preview_joints", 1, true);
-  markers_ = node.advertise<visualization_msgs::MarkerArray>("preview", 1, true);
-  trail_topic_ = node.advertise<Marker>("driven_path", 1, true);
+  ros::NodeHandle node;
+  joints_ = node.advertise<sensor_msgs::JointState>(ownTopic(kPreviewJoints), 1, true);
+  markers_ = node.advertise<visualization_msgs::MarkerArray>(ownTopic(kPreviewMarkers), 1, true);
+  trail_topic_ = node.advertise<Marker>(ownTopic(kDrivenPath), 1, true);
   robot.onTool([this] { followTool(); });
 }
 
 Preview::~Preview() {
   robot_.onTool(nullptr);
+}
+
+void Preview::leave() {
+  has_left_ = true;
+  robot_.onTool(nullptr);
   hide();
+  Marker trail = markerOf("", kDrivenPath, Marker::LINE_STRIP);
+  trail.action = Marker::DELETE;
+  trail_topic_.publish(trail);
 }
 
 void Preview::show(const Plan& plan) {
   hide();
   if (plan.offending) {
     const cobot_command::Transformation& p = *plan.offending;
-    publishFault({p.x, p.y, p.z, p.rx, p.ry, p.rz}, plan.reason);
+    setFault({p.x, p.y, p.z, p.rx, p.ry, p.rz}, plan.reason);
   } else if (!plan.path.points.empty()) {
     publishArm(plan.path.joint_names, plan.path.points.back().positions);
   }
@@ -79,17 +79,17 @@ void Preview::showArm(const std::array<double, 6>& joints) {
   positions.reserve(joints.size());
   for (const double joint : joints) positions.push_back(joint * kRadiansPerDegree);
   publishArm(robot_.jointNames(), positions);
-  hideFault();
+  clearFault();
 }
 
 void Preview::showUnreachable(const std::array<double, 6>& target, const std::string& reason) {
   hide();
-  publishFault(target, reason);
+  setFault(target, reason);
 }
 
 void Preview::hide() {
   publishArm({}, {});
-  hideFault();
+  clearFault();
 }
 
 void Preview::publishArm(const std::vector<std::string>& names, const std::vector<double>& positions) {
@@ -100,7 +100,7 @@ void Preview::publishArm(const std::vector<std::string>& names, const std::vecto
   joints_.publish(message);
 }
 
-void Preview::publishFault(const std::array<double, 6>& place, const std::string& reason) {
+void Preview::setFault(const std::array<double, 6>& place, const std::string& reason) {
   const std::string frame = robot_.activeBaseFrame();
   if (frame.empty()) return;
   Marker point = markerOf(frame, "offending", Marker::SPHERE);
@@ -112,17 +112,41 @@ void Preview::publishFault(const std::array<double, 6>& place, const std::string
   text.pose.position.z += kAbove;
   text.scale.z = kLetters;
   text.color = point.color;
-  text.text = shortened(reason);
-  visualization_msgs::MarkerArray markers;
-  markers.markers = {point, text};
-  markers_.publish(markers);
+  text.text = firstWords(reason);
+  fault_ = {point, text};
+  publishMarkers();
 }
 
-void Preview::hideFault() {
-  visualization_msgs::MarkerArray markers;
-  markers.markers.push_back(markerOf("", "", Marker::SPHERE));
-  markers.markers.back().action = Marker::DELETEALL;
-  markers_.publish(markers);
+void Preview::clearFault() {
+  fault_.clear();
+  publishMarkers();
+}
+
+void Preview::publishMarkers() {
+  visualization_msgs::MarkerArray message;
+  message.markers.push_back(markerOf("", "", Marker::SPHERE));
+  message.markers.back().action = Marker::DELETEALL;
+  for (const auto& shown : {names(), fault_}) {
+    message.markers.insert(message.markers.end(), shown.begin(), shown.end());
+  }
+  markers_.publish(message);
+}
+
+std::vector<Marker> Preview::names() const {
+  const cobot_command::ActiveFrames& frames = robot_.activeFrames();
+  const std::string base = robot_.activeBaseFrame();
+  if (has_left_ || base.empty() || !frames.base_known || !frames.tcp_known) return {};
+  const std::string prefix = base.substr(0, base.rfind("active_base"));
+  std::vector<Marker> markers;
+  for (const auto& [frame, name] : {std::pair("active_base", "base"), std::pair("active_tool", "tool")}) {
+    Marker& marker = markers.emplace_back(markerOf(prefix + frame, name, Marker::TEXT_VIEW_FACING));
+    marker.text = name;
+    marker.pose.position.z = -kAbove;
+    marker.scale.z = kLetters;
+    marker.color = colorOf(0.1F, 0.1F, 0.12F);
+    marker.frame_locked = 1U;
+  }
+  return markers;
 }
 
 void Preview::followTool() {
@@ -133,9 +157,16 @@ void Preview::followTool() {
 }
 
 void Preview::look() {
-  if (!has_grown_) return;
+  if (const std::string base = robot_.activeBaseFrame(); base != named_) {
+    named_ = base;
+    publishMarkers();
+  }
+  if (has_grown_) publishTrail();
+}
+
+void Preview::publishTrail() {
   has_grown_ = false;
-  Marker line = markerOf(robot_.baseFrame(), "driven_path", Marker::LINE_STRIP);
+  Marker line = markerOf(robot_.baseFrame(), kDrivenPath, Marker::LINE_STRIP);
   line.scale.x = kLine;
   line.color = colorOf(0.9F, 0.5F, 0.1F);
   for (const Eigen::Vector3d& at : trail_.places()) {

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "own_topics.h"
+
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/ros/shared/conversions.h"
 
 namespace cobot_command::rviz_plugin {
 namespace {
 
-constexpr const char* kName = "target";
 constexpr float kScale = 0.2F;  // [m]
 
 using visualization_msgs::InteractiveMarker;
@@ -29,15 +30,20 @@ void addAxis(InteractiveMarker& marker, double x, double y, double z) {
   }
 }
 
-InteractiveMarker markerIn(const std::string& frame) {
+InteractiveMarker markerIn(const std::string& frame, const std::string& name) {
   InteractiveMarker marker;
   marker.header.frame_id = frame;
-  marker.name = kName;
+  marker.name = name;
   marker.scale = kScale;
   addAxis(marker, 1, 0, 0);
   addAxis(marker, 0, 0, 1);
   addAxis(marker, 0, 1, 0);
   return marker;
+}
+
+std::string nextName() {
+  static int count = 0;
+  return "target_" + std::to_string(++count);
 }
 
 Configuration configurationOf(const cobot_command::RobotPose& bits) {
@@ -49,11 +55,13 @@ Configuration configurationOf(const cobot_command::RobotPose& bits) {
 Target::Target(Robot& robot, Preview& preview)
     : robot_(robot),
       preview_(preview),
-      server_(std::make_unique<interactive_markers::InteractiveMarkerServer>(
-          robot.node().resolveName("preview_target"))) {}
+      name_(nextName()),
+      server_(
+          std::make_unique<interactive_markers::InteractiveMarkerServer>(ownTopic(kPreviewTarget), name_)) {}
 
 void Target::show(const Six& target, const std::optional<Configuration>& configuration) {
   is_hidden_ = false;
+  shown_ = target;
   placeMarker(target);
   const Question question{target, configuration};
   if (is_asking_) {
@@ -76,14 +84,24 @@ void Target::placeMarker(const Six& target) {
   const std::string frame = robot_.activeBaseFrame();
   if (frame.empty()) return;
   InteractiveMarker marker;
-  if (!server_->get(kName, marker)) {
-    server_->insert(markerIn(frame), [this](const InteractiveMarkerFeedback::ConstPtr& feedback) {
-      if (feedback->event_type != InteractiveMarkerFeedback::POSE_UPDATE || !dragged_) return;
-      dragged_(arm::toControllerPose(ros_adapter::toPose(feedback->pose)));
-    });
+  if (!server_->get(name_, marker)) {
+    server_->insert(markerIn(frame, name_),
+                    [this](const InteractiveMarkerFeedback::ConstPtr& feedback) { hear(*feedback); });
   }
-  server_->setPose(kName, ros_adapter::toPoseMessage(arm::toPose(target)));
+  server_->setPose(name_, ros_adapter::toPoseMessage(arm::toPose(target)));
   server_->applyChanges();
+}
+
+void Target::hear(const InteractiveMarkerFeedback& feedback) {
+  if (feedback.event_type != InteractiveMarkerFeedback::POSE_UPDATE || is_hidden_) return;
+  // Displays name themselves by their node. What is dragged in another RViz is not what the operator of this
+  // one sees.
+  const std::string own = ros::this_node::getName() + "/";
+  if (feedback.client_id.compare(0, own.size(), own) != 0) {
+    placeMarker(shown_);
+    return;
+  }
+  if (dragged_) dragged_(arm::toControllerPose(ros_adapter::toPose(feedback.pose)));
 }
 
 void Target::ask(const Question& question) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "clients/background_calls.h"
@@ -43,15 +44,18 @@ class Target {
   void ask(const Question& question);
   void answer(const Six& target, bool answered, const cobot_command::InverseKinematics& service);
   void placeMarker(const Six& target);
+  void hear(const visualization_msgs::InteractiveMarkerFeedback& feedback);
 
   Robot& robot_;
   Preview& preview_;
+  std::string name_;  ///< of its marker, and of no other: all servers of a topic hear of all drags
   std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;
   std::function<void(const Six&)> dragged_;
   std::vector<Configuration> configurations_;
   bool is_asking_ = false;        ///< one question at a time
   std::optional<Question> next_;  ///< the newest one, while another is being answered
   bool is_hidden_ = true;
+  Six shown_{};
   BackgroundCalls calls_;  ///< of its own: a target that is dragged holds up nothing else
 };
 

@@ -22,6 +22,15 @@ QString toText(const std::string& text) {
   return QString::fromStdString(text);
 }
 
+/// As much of it as the field has room for, which counts bytes: a letter that is none of English is two of
+/// them or more.
+QString fitting(QString text, std::size_t longest) {
+  while (static_cast<std::size_t>(text.toUtf8().size()) > longest) {
+    text.chop(text.at(text.size() - 1).isLowSurrogate() ? 2 : 1);
+  }
+  return text;
+}
+
 /// Who scrolls a page does not mean to change the number that the pointer happens to be above.
 class WheelGuard : public QObject {
  public:
@@ -146,16 +155,15 @@ QWidget* FormView::switchEditor(const Field& field) {
 
 QWidget* FormView::textEditor(const Field& field) {
   auto* line = new QLineEdit;
-  line->setMaxLength(static_cast<int>(field.longest));
   line->setPlaceholderText(toText(field.hint));
   entries_.back().put = [line](const Field& now) {
     if (line->text() != toText(now.text)) line->setText(toText(now.text));
   };
-  connect(line, &QLineEdit::textChanged, this, [this, line, key = field.key] {
-    // What is longer in bytes than in characters is refused by the form, and goes.
-    form_.set(key, line->text().toStdString());
-    edited();
-  });
+  connect(line, &QLineEdit::textChanged, this,
+          [this, key = field.key, longest = field.longest](const QString& text) {
+            form_.set(key, fitting(text, longest).toStdString());
+            edited();
+          });
   return line;
 }
 

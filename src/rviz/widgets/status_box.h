@@ -2,7 +2,7 @@
 // how far it is.
 #pragma once
 
-#include <QGroupBox>
+#include <QWidget>
 
 #include "clients/command.h"
 
@@ -11,21 +11,25 @@ class QProgressBar;
 
 namespace cobot_command::rviz_plugin {
 
-class StatusBox : public QGroupBox {
+class TextBlock;
+
+class StatusBox : public QWidget {
  public:
   explicit StatusBox(QWidget* parent = nullptr);
 
-  void show(const CommandState& state);
+  /// `checks`: of a command that was only planned, which looks like no motion.
+  void show(const CommandState& state, bool checks = false);
 
  private:
   QLabel* busy_;
+  QLabel* checked_;
   QLabel* done_;
   QLabel* error_;
   QLabel* aborted_;
   QLabel* error_id_;
   QLabel* ack_;
-  QLabel* text_;
   QProgressBar* progress_;
+  TextBlock* text_;
 };
 
 /// As the pages write ids: 16#25; of paths decimal, from 1000 on, as their manual has them.

@@ -1,19 +1,22 @@
 #include "widgets/stop_bar.h"
 
 #include <QGridLayout>
-#include <QLabel>
-#include <QPushButton>
 
+#include "clients/fleet.h"
 #include "clients/robot.h"
+#include "widgets/elided.h"
 #include "widgets/status_box.h"
 
 namespace cobot_command::rviz_plugin {
 namespace {
 
 constexpr int kHeight = 44;
+constexpr int kLooksAtDone = 50;  // so long it is said that something was done
+constexpr const char* kRed = "background: #c0392b; color: white; font-weight: bold; font-size: %1pt;";
 
-QPushButton* button(const char* text, const char* name, const char* style) {
-  auto* made = new QPushButton(text);
+template <class Button>
+Button* button(const char* text, const char* name, const QString& style) {
+  auto* made = new Button(text);
   made->setObjectName(name);
   made->setMinimumHeight(kHeight);
   made->setFocusPolicy(Qt::NoFocus);
@@ -21,39 +24,35 @@ QPushButton* button(const char* text, const char* name, const char* style) {
   return made;
 }
 
-QLabel* line(const char* name) {
-  auto* made = new QLabel;
-  made->setObjectName(name);
-  made->setSizePolicy(QSizePolicy::Ignored,
-                      QSizePolicy::Fixed);  // as long as it is: all of it is in the tooltip
-  return made;
-}
-
 }  // namespace
 
-StopBar::StopBar(QWidget* parent)
+StopBar::StopBar(Fleet& fleet, QWidget* parent)
     : QWidget(parent),
-      stop_(button("STOP", "stop", "background: #c0392b; color: white; font-weight: bold; font-size: 14pt;")),
-      stop_text_(line("stop_text")),
-      control_text_(line("control_text")) {
-  auto* pause = button("Pause", "pause", "");
-  auto* resume = button("Resume", "resume", "");
+      fleet_(fleet),
+      stop_(button<ElidedButton>("STOP", "stop", QString(kRed).arg(14))),
+      stop_all_(button<QPushButton>("STOP ALL", "stop_all", QString(kRed).arg(10))),
+      stop_line_{new ElidedLabel("stop_text")},
+      control_line_{new ElidedLabel("control_text")} {
+  auto* pause = button<QPushButton>("Pause", "pause", "");
+  auto* resume = button<QPushButton>("Resume", "resume", "");
   stop_->setToolTip("Stops the robot and empties its queue");
+  stop_all_->setToolTip("Stops every robot that the list has, and empties their queues");
   pause->setToolTip("Holds the robot on its way");
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->addWidget(stop_, 0, 0);
-  grid->addWidget(pause, 0, 1);
-  grid->addWidget(resume, 0, 2);
-  grid->addWidget(stop_text_, 1, 0, 1, 3);
-  grid->addWidget(control_text_, 2, 0, 1, 3);
-  for (QLabel* text : {stop_text_, control_text_}) text->setFixedHeight(text->fontMetrics().height() + 2);
-  grid->setColumnStretch(0, 2);
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(2, 1);
+  int column = 0;
+  for (QPushButton* made : std::initializer_list<QPushButton*>{stop_, stop_all_, pause, resume}) {
+    grid->addWidget(made, 0, column);
+    grid->setColumnStretch(column, column == 0 ? 2 : 1);
+    ++column;
+  }
+  grid->addWidget(stop_line_.label, 1, 0, 1, column);
+  grid->addWidget(control_line_.label, 2, 0, 1, column);
+  stop_all_->hide();
   connect(stop_, &QPushButton::pressed, this, [this] { stop(); });
-  connect(pause, &QPushButton::clicked, this, [this] { robot_->pause(); });
-  connect(resume, &QPushButton::clicked, this, [this] { robot_->resume(); });
+  connect(stop_all_, &QPushButton::pressed, this, [this] { stopAll(); });
+  connect(pause, &QPushButton::clicked, this, [this] { control(true); });
+  connect(resume, &QPushButton::clicked, this, [this] { control(false); });
 }
 
 void StopBar::stop() {
@@ -62,32 +61,83 @@ void StopBar::stop() {
   robot_->stop();
 }
 
+void StopBar::stopAll() {
+  if (stop_listener_) stop_listener_();
+  robot_->control().withdraw();
+  fleet_.stop();
+  fleet_looks_ = 1;
+  lookAtFleet();
+}
+
+void StopBar::control(bool pauses) {
+  pauses_ = pauses;
+  if (pauses) {
+    robot_->pause();
+  } else {
+    robot_->resume();
+  }
+}
+
 void StopBar::bind(Robot& robot, const QString& name) {
   robot_ = &robot;
   stop_->setText(name == "/" ? QString("STOP") : "STOP " + name);
-  stop_text_->clear();
-  control_text_->clear();
-  robot.stopping().onChange([this, &robot] { tell(*stop_text_, "Stop", robot.stopping()); });
-  robot.control().onChange([this, &robot] { tell(*control_text_, "Pause, Resume", robot.control()); });
+  stop_->setToolTip("Stops " + name + " and empties its queue");
+  for (Line* line : {&stop_line_, &control_line_}) write(*line, "", false);
+  robot.stopping().onChange(
+      [this, &robot] { tell(stop_line_, "Stop", "the robot stands", robot.stopping()); });
+  robot.control().onChange([this, &robot] {
+    tell(control_line_, pauses_ ? "Pause" : "Resume", pauses_ ? "the robot is held" : "the robot goes on",
+         robot.control());
+  });
 }
 
-void StopBar::tell(QLabel& text, const QString& what, const Command& command) {
+void StopBar::tell(Line& line, const QString& what, const QString& done, const Command& command) {
   using Phase = CommandState::Phase;
   const CommandState& state = command.state();
-  const bool failed = state.unanswered || state.phase == Phase::Error;
+  const QString found = QString::fromStdString(state.description);
   QString words;
   if (state.phase == Phase::Busy) words = QString::fromStdString(state.text);
   if (state.unanswered) words += ". Use the emergency stop.";
-  if (state.phase == Phase::Done) words = "done. " + QString::fromStdString(state.description);
-  if (state.phase == Phase::Aborted) words = "taken away. " + QString::fromStdString(state.description);
+  if (state.phase == Phase::Done) words = found.isEmpty() ? done : found;
+  if (state.phase == Phase::Aborted) words = found.isEmpty() ? QString("taken away") : "taken away: " + found;
   if (state.phase == Phase::Error) {
-    words = QString("%1 %2 → %3")
-                .arg(errorIdText(state.error_id), QString::fromStdString(state.description),
-                     QString::fromStdString(state.remedy));
+    const QString id = state.error_id == 0 ? QString() : errorIdText(state.error_id) + " ";
+    words = id + found + " → " + QString::fromStdString(state.remedy);
   }
-  text.setText(state.phase == Phase::Idle ? QString() : what + ": " + words);
-  text.setToolTip(text.text());
-  text.setStyleSheet(failed ? "color: #c0392b; font-weight: bold;" : "");
+  write(line, state.phase == Phase::Idle ? QString() : what + ": " + words,
+        state.unanswered || state.phase == Phase::Error);
+}
+
+void StopBar::write(Line& line, const QString& text, bool failed) {
+  line.validity.begin();
+  line.looks = 0;
+  line.label->show(text);
+  line.label->setStyleSheet(failed ? "color: #c0392b; font-weight: bold;" : "");
+}
+
+void StopBar::look() {
+  stop_all_->setVisible(fleet_.isMany());
+  lookAt(stop_line_, robot_->stopping());
+  lookAt(control_line_, robot_->control());
+  lookAtFleet();
+}
+
+void StopBar::lookAt(Line& line, Command& command) {
+  using Phase = CommandState::Phase;
+  const Phase phase = command.state().phase;
+  if (phase == Phase::Error && line.validity.isOver(robot_->situation())) command.forget();
+  if ((phase == Phase::Done || phase == Phase::Aborted) && ++line.looks > kLooksAtDone) command.forget();
+}
+
+void StopBar::lookAtFleet() {
+  if (fleet_looks_ == 0) return;
+  const bool over = !fleet_.isBusy() && !fleet_.hasFailed() && ++fleet_looks_ > kLooksAtDone;
+  if (over) {
+    fleet_looks_ = 0;
+    fleet_.forget();
+  }
+  write(stop_line_, over ? QString() : "Stop all: " + QString::fromStdString(fleet_.told()),
+        fleet_.hasFailed());
 }
 
 }  // namespace cobot_command::rviz_plugin
