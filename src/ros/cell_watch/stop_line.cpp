@@ -20,20 +20,40 @@ std::string anyId(const std::string& robot) {
   return fmt::format("{}-{:08x}-{}", ros::this_node::getName(), random(), robot);
 }
 
+void tell(const std::string& robot, const cobot_command::StopResult& result) {
+  if (result.error_id == 0) {
+    ROS_INFO_STREAM(forPeople(robot) << " stands, or takes nothing any more that moves it");
+  } else {
+    ROS_ERROR_STREAM(robot << " may still move: " << foreignText(result.error_description) << " "
+                           << foreignText(result.remedy));
+  }
+}
+
 }  // namespace
 
-StopLine::StopLine(const ros::NodeHandle& node, std::string robot, const std::string& space)
-    : node_(node), robot_(std::move(robot)), id_(anyId(robot_)), goals_(node) {
-  moveTo(space);
+StopLine::StopLine(const ros::NodeHandle& node, std::shared_ptr<ros::CallbackQueueInterface> queue,
+                   std::string robot, const std::string& space)
+    : node_(node), queue_(std::move(queue)), robot_(std::move(robot)), id_(anyId(robot_)), goals_(node) {
+  goals_.beginAt(space);
+  results_.set(listeningIn(space)());
   node_.requireType(space + "/stop/goal", "cobot_command/StopActionGoal");
 }
 
 void StopLine::moveTo(const std::string& space) {
   goals_.moveTo(space);
+  results_.begin(listeningIn(space));
+}
+
+MadeBeside<ros::Subscriber>::Make StopLine::listeningIn(const std::string& space) const {
   const boost::function<void(const cobot_command::StopActionResultConstPtr&)> take =
-      [this](const cobot_command::StopActionResultConstPtr& message) { hear(*message); };
-  results_ = node_.subscribe<cobot_command::StopActionResult>(
-      space + "/stop/result", kQueueSize, take, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+      [robot = robot_, id = id_](const cobot_command::StopActionResultConstPtr& message) {
+        if (message->status.goal_id.id.rfind(id, 0) != 0) return;  // somebody else's
+        tell(robot, message->result);
+      };
+  return [node = node_, queue = queue_, topic = space + "/stop/result", take]() mutable {
+    return std::make_shared<ros::Subscriber>(node.subscribe<cobot_command::StopActionResult>(
+        topic, kQueueSize, take, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+  };
 }
 
 void StopLine::stop() {
@@ -41,16 +61,6 @@ void StopLine::stop() {
   if (isConnected()) return;
   ROS_ERROR_STREAM(forPeople(robot_) << " cannot be told to stop: nobody listens to " << goals_.topic()
                                      << ". Make sure that it stands.");
-}
-
-void StopLine::hear(const cobot_command::StopActionResult& message) const {
-  if (message.status.goal_id.id.rfind(id_, 0) != 0) return;  // somebody else's
-  if (message.result.error_id == 0) {
-    ROS_INFO_STREAM(forPeople(robot_) << " stands, or takes nothing any more that moves it");
-  } else {
-    ROS_ERROR_STREAM(robot_ << " may still move: " << foreignText(message.result.error_description) << " "
-                            << foreignText(message.result.remedy));
-  }
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
+#include "shared/made_beside.h"
 #include "shared/stop_goals.h"
+#include <ros/callback_queue_interface.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
@@ -16,28 +19,30 @@ namespace cobot_command::ros_adapter {
 
 class StopLine {
  public:
-  /// Answers come by the callback queue of `node`.
-  StopLine(const ros::NodeHandle& node, std::string robot, const std::string& space);
+  /// Answers come by `queue`, which is that of `node`. Waits for the master.
+  StopLine(const ros::NodeHandle& node, std::shared_ptr<ros::CallbackQueueInterface> queue, std::string robot,
+           const std::string& space);
   StopLine(const StopLine&) = delete;
   StopLine& operator=(const StopLine&) = delete;
 
-  /// From now on the robot's node is in that namespace.
+  /// The robot's node is in that namespace, and can be told to stop as soon as the master has answered.
   void moveTo(const std::string& space);
   /// Where nobody is at the other end, an error in the log.
   void stop();
   [[nodiscard]] bool isConnected() const { return goals_.isConnected(); }
   /// Nothing is heard any more.
-  void end() { results_.shutdown(); }
+  void end() { results_.drop(); }
 
  private:
-  void hear(const cobot_command::StopActionResult& message) const;
+  [[nodiscard]] MadeBeside<ros::Subscriber>::Make listeningIn(const std::string& space) const;
 
   OwnHandle node_;
+  std::shared_ptr<ros::CallbackQueueInterface> queue_;
   std::string robot_;
   std::string id_;  ///< in front of those of its goals
   std::uint64_t sent_ = 0;
   StopGoals goals_;
-  ros::Subscriber results_;
+  MadeBeside<ros::Subscriber> results_;
 };
 
 }  // namespace cobot_command::ros_adapter

@@ -39,6 +39,14 @@ std::string topicOf(const MoverNamespaces::Mover& mover) {
   return mover.space + (mover.is_mechanism ? "/position" : "/joint_states");
 }
 
+template <class Message>
+std::shared_ptr<ros::Subscriber> subscriberOf(
+    OwnHandle node, const std::string& topic,
+    const boost::function<void(const boost::shared_ptr<Message const>&)>& take) {
+  return std::make_shared<ros::Subscriber>(node.subscribe<Message>(
+      topic, kMeasured, take, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+}
+
 }  // namespace
 
 Watch::Watch(const ros::NodeHandle& node, cell::Monitor monitor, MoverNamespaces namespaces,
@@ -51,7 +59,7 @@ Watch::Watch(const ros::NodeHandle& node, cell::Monitor monitor, MoverNamespaces
       prefix_told_(std::move(prefix_told)),
       is_prefix_told_(namespaces_.movers().size()),
       measured_(namespaces_.movers().size()) {
-  node_.setCallbackQueue(&queue_);
+  node_.setCallbackQueue(queue_.get());
 }
 
 Watch::~Watch() {
@@ -62,8 +70,8 @@ void Watch::start() {
   distances_ = node_.advertise<cobot_command::CellDistances>("distances", 10, true);
   for (std::size_t mover = 0; mover < measured_.size(); ++mover) {
     const MoverNamespaces::Mover& known = namespaces_.movers()[mover];
-    stop_lines_.push_back(std::make_unique<StopLine>(node_, known.name, known.space));
-    listenTo(mover);
+    stop_lines_.push_back(std::make_unique<StopLine>(node_, queue_, known.name, known.space));
+    measured_[mover].set(listeningTo(mover)());
   }
   reports_ = node_.subscribe("reports", kReports, &Watch::hear, this);
   if (places_) {
@@ -78,14 +86,14 @@ void Watch::start() {
       },
       true, false);
   tell(steadyNow());
-  spinner_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);
+  spinner_ = std::make_unique<ros::AsyncSpinner>(1, queue_.get());
   spinner_->start();
 }
 
 void Watch::stop() {
   if (!spinner_) return;
   timer_.stop();
-  for (ros::Subscriber& one : measured_) one.shutdown();
+  for (auto& one : measured_) one.drop();
   for (const auto& line : stop_lines_) line->end();
   reports_.shutdown();
   states_.shutdown();
@@ -99,20 +107,20 @@ WatchView Watch::view() const {
   return view_;
 }
 
-void Watch::listenTo(std::size_t mover) {
+MadeBeside<ros::Subscriber>::Make Watch::listeningTo(std::size_t mover) {
   const MoverNamespaces::Mover& known = namespaces_.movers()[mover];
-  const ros::TransportHints promptly = ros::TransportHints().tcpNoDelay();
+  const std::string topic = topicOf(known);
+  // The queue goes along: it has to be there for as long as the master takes.
   if (known.is_mechanism) {
-    const boost::function<void(const std_msgs::Float64ConstPtr&)> take_position =
-        [this, mover](const std_msgs::Float64ConstPtr& message) { takePosition(mover, message->data); };
-    measured_[mover] = node_.subscribe<std_msgs::Float64>(topicOf(known), kMeasured, take_position,
-                                                          ros::VoidConstPtr(), promptly);
-    return;
+    return [this, mover, node = node_, queue = queue_, topic] {
+      return subscriberOf<std_msgs::Float64>(
+          node, topic, [this, mover](const auto& message) { takePosition(mover, message->data); });
+    };
   }
-  const boost::function<void(const sensor_msgs::JointStateConstPtr&)> take_joints =
-      [this, mover](const sensor_msgs::JointStateConstPtr& message) { take(mover, *message); };
-  measured_[mover] = node_.subscribe<sensor_msgs::JointState>(topicOf(known), kMeasured, take_joints,
-                                                              ros::VoidConstPtr(), promptly);
+  return [this, mover, node = node_, queue = queue_, topic] {
+    return subscriberOf<sensor_msgs::JointState>(
+        node, topic, [this, mover](const auto& message) { take(mover, *message); });
+  };
 }
 
 void Watch::take(std::size_t robot, const sensor_msgs::JointState& message) {
@@ -155,7 +163,7 @@ void Watch::hear(const ros::MessageEvent<cobot_command::CellReport const>& event
                        << ", and nothing is heard where the "
                        << "file of the cell has it: it is listened to in " << space << "/ now");
   stop_lines_[*mover]->moveTo(space);
-  listenTo(*mover);
+  measured_[*mover].begin(listeningTo(*mover));
 }
 
 void Watch::hearState(const ros::MessageEvent<cobot_command::CellState const>& event) {

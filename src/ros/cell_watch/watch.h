@@ -50,7 +50,8 @@ class Watch {
   [[nodiscard]] WatchView view() const;
 
  private:
-  void listenTo(std::size_t mover);
+  /// Makes one for what is measured of it, on whatever thread. What it hears, its queue serves.
+  [[nodiscard]] MadeBeside<ros::Subscriber>::Make listeningTo(std::size_t mover);
   void take(std::size_t robot, const sensor_msgs::JointState& message);
   void takePosition(std::size_t mechanism, double position);
   void hear(const ros::MessageEvent<cobot_command::CellReport const>& event);
@@ -70,7 +71,8 @@ class Watch {
   void arm(Instant now);
 
   OwnHandle node_;
-  ros::CallbackQueue queue_;
+  /// Shared with the threads that make subscribers, which the master may keep until this has long ended.
+  std::shared_ptr<ros::CallbackQueue> queue_ = std::make_shared<ros::CallbackQueue>();
   cell::Monitor monitor_;
   MoverNamespaces namespaces_;
   std::optional<BelievedPlaces> places_;
@@ -79,7 +81,7 @@ class Watch {
   PrefixTold prefix_told_;
   std::vector<bool> is_prefix_told_;
   std::vector<std::unique_ptr<StopLine>> stop_lines_;
-  std::vector<ros::Subscriber> measured_;
+  std::vector<MadeBeside<ros::Subscriber>> measured_;
   ros::Subscriber reports_;
   ros::Subscriber states_;
   ros::ServiceServer reset_;

@@ -9,19 +9,39 @@ namespace {
 
 constexpr std::uint32_t kQueueSize = 10;
 
+std::string topicIn(const std::string& space) {
+  return ros::names::append(space, "stop/goal");
+}
+
+std::shared_ptr<ros::Publisher> publisherOn(ros::NodeHandle node, const std::string& topic) {
+  return std::make_shared<ros::Publisher>(node.advertise<cobot_command::StopActionGoal>(topic, kQueueSize));
+}
+
 }  // namespace
 
+void StopGoals::beginAt(const std::string& space) {
+  topic_ = topicIn(space);
+  goals_.set(publisherOn(node_, topic_));
+}
+
 void StopGoals::moveTo(const std::string& space) {
-  goals_ = node_.advertise<cobot_command::StopActionGoal>(ros::names::append(space, "stop/goal"), kQueueSize);
+  topic_ = topicIn(space);
+  goals_.begin([node = node_, topic = topic_] { return publisherOn(node, topic); });
+}
+
+bool StopGoals::isConnected() const {
+  const auto goals = goals_.get();
+  return goals && *goals && goals->getNumSubscribers() > 0;
 }
 
 void StopGoals::send(const std::string& id) {
-  if (!goals_) return;
+  const auto goals = goals_.get();
+  if (!goals || !*goals) return;
   cobot_command::StopActionGoal goal;
   goal.header.stamp = ros::Time::now();
   // Without a stamp: a cancel of all goals before some time, of another clock, would recall it.
   goal.goal_id.id = id;
-  goals_.publish(goal);
+  goals->publish(goal);
 }
 
 }  // namespace cobot_command::ros_adapter

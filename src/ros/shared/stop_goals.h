@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "shared/made_beside.h"
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
@@ -13,17 +14,20 @@ class StopGoals {
  public:
   explicit StopGoals(const ros::NodeHandle& node) : node_(node) {}
 
-  /// From now on they go to the node in that namespace, "/RA"; before that to nobody.
+  /// From now on they go to the node in that namespace, "/RA"; before that to nobody. Waits for the master.
+  void beginAt(const std::string& space);
+  /// The same, from when the master has answered on; until then they go to nobody.
   void moveTo(const std::string& space);
   /// `id`: of the goal, by which its answer is known; empty: whoever takes it gives it one.
   void send(const std::string& id = "");
   /// Whether somebody is at the other end.
-  [[nodiscard]] bool isConnected() const { return goals_ && goals_.getNumSubscribers() > 0; }
-  [[nodiscard]] std::string topic() const { return goals_.getTopic(); }
+  [[nodiscard]] bool isConnected() const;
+  [[nodiscard]] const std::string& topic() const { return topic_; }
 
  private:
   ros::NodeHandle node_;
-  ros::Publisher goals_;
+  std::string topic_;
+  MadeBeside<ros::Publisher> goals_;
 };
 
 }  // namespace cobot_command::ros_adapter

@@ -21,7 +21,9 @@ void RobotContact::heardFrom(const std::string& publisher, bool moving, Instant 
     publisher_ = publisher;
     const std::string space = ros::names::parentNamespace(publisher);
     stops_.moveTo(space);
-    programs_ = std::make_shared<ProgramClient>(node_, ros::names::append(space, "run_program"));
+    programs_.begin([node = node_, action = ros::names::append(space, "run_program")] {
+      return std::make_shared<ProgramClient>(node, action);
+    });
     stop_told_.reset();  // the one before was told, and not this one
     ordered_at_ = now;
   }
@@ -49,7 +51,8 @@ void RobotContact::settle(Instant now) {
 }
 
 std::shared_ptr<RobotContact::ProgramClient> RobotContact::programs() const {
-  return programs_ && programs_->isServerConnected() ? programs_ : nullptr;
+  auto programs = programs_.get();
+  return programs && programs->isServerConnected() ? programs : nullptr;
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "shared/made_beside.h"
 #include "shared/stop_goals.h"
 #include <actionlib/client/action_client.h>
 #include <ros/node_handle.h>
@@ -23,7 +24,8 @@ class RobotContact {
 
   explicit RobotContact(const ros::NodeHandle& node) : node_(node), stops_(node) {}
 
-  /// A report of it came from that node ("/RA/command_node"), whose actions are in its namespace.
+  /// A report of it came from that node ("/RA/command_node"), whose actions are in its namespace. Waits for
+  /// nothing: it can be reached as soon as the master has answered.
   void heardFrom(const std::string& publisher, bool moving, Instant now);
   [[nodiscard]] const std::string& publisher() const { return publisher_; }
 
@@ -40,7 +42,7 @@ class RobotContact {
   ros::NodeHandle node_;
   std::string publisher_;
   StopGoals stops_;
-  std::shared_ptr<ProgramClient> programs_;
+  MadeBeside<ProgramClient> programs_;
   bool is_stopping_ = false;
   bool moves_ = false;  ///< by its last report
   Instant ordered_at_;
