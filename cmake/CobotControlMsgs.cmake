@@ -32,7 +32,7 @@ set(COBOT_CONTROL_MSGS_PYTHON ${folder}/devel/lib/python3/dist-packages)
 set(COBOT_TRAJECTORY_NODE command_node_with_control_msgs)
 set(sources ${PROJECT_SOURCE_DIR}/src)
 add_executable(${COBOT_TRAJECTORY_NODE} ${sources}/nodes/command_node.cpp ${sources}/nodes/node_arguments.cpp
-                                        ${sources}/nodes/node_names.cpp
+                                        ${sources}/nodes/node_names.cpp ${sources}/nodes/unblocked_output.cpp
                                         ${sources}/ros/actions/follow_joint_trajectory.cpp)
 target_include_directories(${COBOT_TRAJECTORY_NODE} PRIVATE ${sources}/ros)
 target_link_libraries(${COBOT_TRAJECTORY_NODE} PRIVATE cobot_command::ros_command fmt::fmt cobot_warnings cobot_control_msgs)

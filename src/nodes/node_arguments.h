@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "unblocked_output.h"
 #include <ros/exception.h>
 
 namespace cobot_command::nodes {
@@ -30,6 +31,7 @@ struct NodeDescription {
 template <class Serve>
 int runNode(int argc, char** argv, const NodeDescription& node, const Serve& serve) {
   if (const auto status = answerArguments(argc, argv, node)) return *status;
+  const UnblockedOutput output;
   try {
     return serve();
   } catch (const ros::Exception& error) {
