@@ -1,6 +1,7 @@
 #include "cobot_command/runtime/command/command_runtime.h"
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <future>
@@ -23,6 +24,9 @@ namespace cobot_command::runtime {
 namespace {
 
 using Clock = Alarm::Clock;
+
+/// Far below what a jog stands within without the next one.
+constexpr Duration kKeepAlivesApart = std::chrono::milliseconds(2);
 
 link::OpenFailure toOpenFailure(const transport::NetworkError& error) {
   using From = transport::NetworkError::Kind;
@@ -95,6 +99,13 @@ class CommandRuntime::Impl {
     postUrgent([id, newest](auto& core, Instant now) { core.cancel(id, now, newest); });
   }
 
+  void keepJogging() {
+    auto last = kept_at_.load();
+    const Instant at = now();
+    if (at - last < kKeepAlivesApart || !kept_at_.compare_exchange_strong(last, at)) return;
+    postUrgent([](auto& core, Instant now) { core.keepJogging(now); });
+  }
+
   /// Nothing: only the core knows.
   [[nodiscard]] std::optional<blocks::GoalId> newestGoal() const {
     return newest_ ? std::optional(newest_()) : std::nullopt;
@@ -134,6 +145,7 @@ class CommandRuntime::Impl {
     [[nodiscard]] bool take(blocks::GoalId id) {
       const std::lock_guard<std::mutex> lock(mutex_);
       const auto found = is_cancelled_.find(id);
+      if (found == is_cancelled_.end()) return true;  // the id of two: the first has taken it
       const bool is_wanted = !found->second;
       is_cancelled_.erase(found);
       return is_wanted;
@@ -264,6 +276,7 @@ class CommandRuntime::Impl {
   std::condition_variable retired_changed_;
   bool begun_ = false;
   bool retired_ = false;
+  std::atomic<Instant> kept_at_{Instant(-kKeepAlivesApart)};
 };
 
 /// Has the core's thread call `ask(core, reply, now)`, which calls `reply` once: at once, or later.
@@ -385,7 +398,7 @@ std::optional<std::future<command::InterruptAnswer>> CommandRuntime::goOn() {
 }
 
 void CommandRuntime::keepJogging() {
-  impl_->postUrgent([](auto& core, Instant now) { core.keepJogging(now); });
+  impl_->keepJogging();
 }
 
 void CommandRuntime::inCore(std::function<void(Instant now)> what) {

@@ -1,6 +1,8 @@
 // What stops the robot overtakes what waits for the core's thread, and takes with it what was received before
 // it. The thread is held still here, so that the order is the test's.
+#include <atomic>
 #include <future>
+#include <thread>
 
 #include "chain.h"
 #include "script_peer.h"
@@ -93,6 +95,18 @@ TEST_F(Overtaking, aCancelOfWhatIsUnderWayTakesWhatWasReceivedBeforeIt) {
   expectRecalled(behind);
   expectRecalled(move);
   EXPECT_TRUE(peer.hasHeard(kStop));
+}
+
+TEST_F(Overtaking, keepAlivesWithoutEndKeepNoGoalWaiting) {
+  std::atomic<bool> is_over{false};
+  std::thread flood([&] {
+    while (!is_over) commander.runtime().keepJogging();
+  });
+  const auto outcome = commander.run(outputAtOnce());
+  is_over = true;
+  flood.join();
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(outcome->ending, blocks::Ending::Done) << outcome->error_description;
 }
 
 TEST_F(Overtaking, aPauseDoesNotWaitForGoals) {

@@ -78,7 +78,8 @@ class CommandRuntime {
   /// See CommandCore; the answers as with setFeedrate(), and finish().
   std::optional<std::future<command::InterruptAnswer>> interrupt();
   std::optional<std::future<command::InterruptAnswer>> goOn();
-  /// See CommandCore; counts from when the core's thread comes to it.
+  /// See CommandCore; counts from when the core's thread comes to it. Of many within a few milliseconds one
+  /// counts: they overtake goals, and whoever sends them without end must not keep those waiting.
   void keepJogging();
   /// Has the core's thread call that, with the present on the clock of its Instants, and look at its goals
   /// then.
