@@ -4,6 +4,7 @@
 #include <cassert>
 #include <string>
 
+#include <fmt/format.h>
 #include <tinyxml2.h>
 
 namespace cobot_command::arm {
@@ -33,9 +34,10 @@ std::string withLimits(const std::string& urdf, const std::array<JointLimit, kJo
     tinyxml2::XMLElement* const limit = joint->FirstChildElement("limit");
     if (limit == nullptr) continue;
     assert(next != limits.end());
-    limit->SetAttribute("lower", next->lower);
-    limit->SetAttribute("upper", next->upper);
-    limit->SetAttribute("velocity", next->max_velocity);
+    // Not by the library's own way for numbers, which follows the locale.
+    limit->SetAttribute("lower", fmt::to_string(next->lower).c_str());
+    limit->SetAttribute("upper", fmt::to_string(next->upper).c_str());
+    limit->SetAttribute("velocity", fmt::to_string(next->max_velocity).c_str());
     ++next;
   }
   assert(next == limits.end());
@@ -48,7 +50,8 @@ std::string withLimits(const std::string& urdf, const std::array<JointLimit, kJo
 
 const ArmModel& anyArm() {
   static const ArmModel model =
-      *ArmModel::fromUrdf(withLimits(ArmModel::urdfOf(ArmModel::knownNames().front()), widestLimits()));
+      ArmModel::fromUrdf(withLimits(ArmModel::urdfOf(ArmModel::knownNames().front()), widestLimits()))
+          .value();
   return model;
 }
 

@@ -179,7 +179,7 @@ TEST_F(LoadPathChains, endEachOfTenGoalsWhenItsPointIsPassed) {
     expectDone(ids[i]);
     const double turned = radToDeg(cell.robot().joints[0]);
     EXPECT_GT(turned, before) << i << " ended with the one in front of it";
-    EXPECT_NEAR(turned, 3 * (i + 1.0), 2) << i;
+    EXPECT_NEAR(turned, 3 * (static_cast<double>(i) + 1), 2) << i;
     before = turned;
   }
   EXPECT_EQ(cell.scripts().size(), 1U);
