@@ -1,9 +1,9 @@
 // Whether the robot stands, by what its status stream shows: no joint has moved for a while; or, sooner than
 // that, every joint speed is next to nothing.
 //
-// The joint speeds of a real arm that stands are noise, and no two arms have the same. It is learned from what
-// this one showed while its angles told that it stood: a speed above that is motion at once, and so is one that
-// is above any noise; below it the angles tell.
+// The joint speeds of a real arm that stands are noise, and no two arms have the same. It is learned from
+// what this one showed while its angles told that it stood: a speed above that is motion at once, and so is
+// one that is above any noise; below it the angles tell.
 #pragma once
 
 #include <deque>
@@ -37,7 +37,7 @@ class Standstill {
 
   std::optional<bool> moving_;
   std::deque<Place> places_;  ///< of as long as it takes to tell, and as many; the first may be older
-  double noise_ = 0;          ///< the fastest that any joint seemed to be while the angles told of rest [rad/s]
+  double noise_ = 0;  ///< the fastest that any joint seemed to be while the angles told of rest [rad/s]
 };
 
 }  // namespace cobot_command::robot

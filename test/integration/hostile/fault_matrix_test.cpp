@@ -50,7 +50,7 @@ class Trial {
     const auto outcome = rig_.layer.endOf(goal);
     ASSERT_TRUE(outcome.has_value()) << "the goal has no end";
     if (outcome->ending == Ending::Done) expectNoLie(block_);
-    expectRightEnd(*outcome);
+    if (!isDroppedBeforeItsTurn(goal, *outcome)) expectRightEnd(*outcome);
     if (variant_.stops_robot && block_.awaits_tag) expectStoppedOnTheWay();
     connectAnew();
     rig_.layer.stop();
@@ -81,6 +81,16 @@ class Trial {
     while (rig_.robot().state().in_motion && std::chrono::steady_clock::now() < deadline) {
     }
     EXPECT_NE(block_.lie(rig_.robot().state()), "") << "the robot went on to where the failed goal sent it";
+  }
+
+  /// A path is planned before its first command: on a busy machine the link may be lost by then.
+  [[nodiscard]] bool isDroppedBeforeItsTurn(GoalId goal, const Outcome& outcome) const {
+    const auto told = rig_.layer.told();
+    const bool has_begun = told.reached(goal, Phase::Sent) || told.reached(goal, Phase::Active) ||
+                           told.reached(goal, Phase::Held);
+    return block_.block == blocks::kBlock<blocks::LoadPathGoal> && !has_begun &&
+           outcome.ending == Ending::CommandAborted && variant_.ends.done != Ends::Done::Must &&
+           outcome.error_description.find("the link was lost") == 0;
   }
 
   void expectRightEnd(const Outcome& outcome) const {

@@ -61,6 +61,7 @@ class Layer {
     return id;
   }
   void cancel(blocks::GoalId goal) { runtime_.cancel(goal); }
+  void keepJogging() { runtime_.keepJogging(); }
   void stop() { runtime_.stop(); }
 
   /// False when it does not become true in time.
