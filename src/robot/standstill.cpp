@@ -10,6 +10,8 @@ namespace {
 /// At rest no joint moves by more in so long.
 constexpr double kSamePlace = degToRad(0.05);  // [rad]
 constexpr Duration kRest = std::chrono::milliseconds(300);
+/// Before that the same frames may show the last of a motion.
+constexpr Duration kSurelyAtRest = std::chrono::milliseconds(100);
 /// Frames may come late and together: of two alone it is not known how much time is between them.
 constexpr std::size_t kFramesAtRest = 3;
 /// With every speed below this the arm stands: that is less than at rest in any case.
@@ -58,7 +60,9 @@ void Standstill::judgeByAngles() {
   moving_ = moving;
   // Only then: learned from each frame at rest, the noise would rise with a motion that begins slowly.
   if (!comes_to_rest) return;
-  for (const Place& place : places_) noise_ = std::max(noise_, place.fastest);
+  for (const Place& place : places_) {
+    if (place.at + kSurelyAtRest >= places_.back().at) noise_ = std::max(noise_, place.fastest);
+  }
 }
 
 std::optional<bool> Standstill::movingByAngles() const {

@@ -1,5 +1,6 @@
 #include "queue/goal_queue.h"
 
+#include <algorithm>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -119,7 +120,12 @@ void GoalQueue::dropAll(const std::string& why, blocks::GoalId newest) {
     fell_ = {newest, why};
     actions_.emplace_back(fell_);
   }
-  for (const Waiting& waiting : std::exchange(waiting_, {})) {
+  const auto first_left = std::stable_partition(waiting_.begin(), waiting_.end(),
+                                                [&](const Waiting& one) { return one.id <= newest; });
+  std::deque<Waiting> dropped(std::make_move_iterator(waiting_.begin()), std::make_move_iterator(first_left));
+  waiting_.erase(waiting_.begin(), first_left);
+  forgetForecasts();
+  for (const Waiting& waiting : dropped) {
     forgetPlan(waiting.id);
     board_.end(blocks::blockOf(waiting.goal), waiting.id, blocks::commandAborted(why));
   }
@@ -129,8 +135,9 @@ int GoalQueue::dropBehindTurn(const std::string& why, blocks::GoalId newest) {
   auto turn = takeFirstIf([](const Waiting& first) { return first.turn == Waiting::Turn::PlansCommand; });
   const std::size_t others = size();
   dropAll(why, newest);
+  const std::size_t dropped = others - size();
   if (turn) waiting_.push_front(*std::move(turn));
-  return static_cast<int>(others);
+  return static_cast<int>(dropped);
 }
 
 /// A take-over is in front of all others, as it has dropped what waited.

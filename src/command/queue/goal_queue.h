@@ -92,7 +92,7 @@ class GoalQueue {
   void dropFirst(blocks::Block block, const std::string& why);
   /// It cannot be made. Precondition: it waits.
   void refuse(blocks::GoalId id, blocks::Outcome refusal);
-  /// All, and those that wait in front of the core: up to `newest`, the last that had come when `why` did.
+  /// All up to `newest`, the last that had come when `why` did, those that wait in front of the core too.
   void dropAll(const std::string& why, blocks::GoalId newest);
   /// The same but for the one that is about to be sent. Returns how many have ended here.
   int dropBehindTurn(const std::string& why, blocks::GoalId newest);

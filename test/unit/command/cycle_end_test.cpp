@@ -123,6 +123,27 @@ TEST(Finish, changesNothingWhenNothingIsUnderWay) {
   EXPECT_EQ(rig.outcome(goal)->detail.as<CycleReport>().cycles_done, 2);
 }
 
+TEST(Finish, leavesWhatWasReceivedAfterIt) {
+  CoreRig rig;
+  rig.connect();
+  const GoalId first = rig.submit(CoreRig::move());
+  MoveAbsoluteGoal next = CoreRig::move();
+  next.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  next.target[0] += 5;
+  const GoalId before = rig.submit(next);
+  const GoalId after = rig.submit(next);
+  const command::FinishReport found = rig.core.finish(FinishAfter::Move, rig.now, before);
+  rig.pump();
+  EXPECT_EQ(found.dropped, 1);
+  ASSERT_NE(rig.outcome(before), nullptr);
+  EXPECT_EQ(rig.outcome(before)->ending, Ending::CommandAborted);
+  EXPECT_EQ(rig.outcome(after), nullptr);
+  move(rig);
+  EXPECT_EQ(rig.outcome(first)->ending, Ending::Done);
+  move(rig);
+  EXPECT_EQ(rig.outcome(after)->ending, Ending::Done);
+}
+
 TEST(Finish, tellsWhatItHasFound) {
   CoreRig rig;
   rig.connect();

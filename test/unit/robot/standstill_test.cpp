@@ -69,6 +69,17 @@ TEST(Standstill, endsAtOnceWithASpeedThatThisArmNeverHadAtRest) {
   EXPECT_EQ(noisy.moving(), true);
 }
 
+TEST(Standstill, learnsNoNoiseOfAnArmThatBrakes) {
+  Robot robot;
+  double angle = 0;
+  for (double speed = 30; speed > 0.4; speed -= 1.5) {  // 100 degrees a second squared, each 15 ms
+    robot.frame(angle += 0.015 * speed, speed);
+  }
+  while (robot.moving() == true) robot.frame(angle, 0.2);
+  robot.frame(angle, 0.4);
+  EXPECT_EQ(robot.moving(), true);
+}
+
 TEST(Standstill, learnsOfMoreNoiseByTheJointAngles) {
   Robot robot;
   robot.frame(0, 0.0);
