@@ -30,7 +30,8 @@ struct OnTheWay {
   [[nodiscard]] bool isNothing() const {
     int bytes = 0;
     const int from = pipe;
-    return from < 0 || (!is_passing && ::ioctl(from, FIONREAD, &bytes) == 0 && bytes == 0);
+    // In this order: a thread that has emptied the pipe meanwhile is passing on what was in it.
+    return from < 0 || (::ioctl(from, FIONREAD, &bytes) == 0 && bytes == 0 && !is_passing);
   }
 };
 std::array<OnTheWay, 3> on_the_way;  // by file descriptor
@@ -85,15 +86,16 @@ bool passOn(const char* bytes, std::size_t size, int to) {
 }
 
 /// Until the last writer has closed the pipe. What nobody will read is dropped.
-void passOnAll(int from, int to, OnTheWay& on_the_way_of_it) {
+void passOnAll(int from, int to, std::size_t file) {
+  OnTheWay& on_its_way = on_the_way[file];
   std::array<char, std::size_t{16} * 1024> bytes{};
   bool is_read = true;
   pollfd more{from, POLLIN, 0};
   while (::poll(&more, 1, -1) >= 0 || errno == EINTR) {
-    on_the_way_of_it.is_passing = true;
+    on_its_way.is_passing = true;
     const ssize_t size = ::read(from, bytes.data(), bytes.size());
     if (size > 0) is_read = is_read && passOn(bytes.data(), static_cast<std::size_t>(size), to);
-    on_the_way_of_it.is_passing = false;
+    on_its_way.is_passing = false;
     if (size == 0 || (size < 0 && errno != EINTR && errno != EAGAIN)) return;
   }
 }
@@ -112,14 +114,12 @@ class UnblockedOutput::Stream {
     std::fflush(stream);
     ::dup2(ends[1], file);
     ::close(ends[1]);
-    std::setvbuf(stream, nullptr, _IOLBF, BUFSIZ);  // as of the terminal that it is no longer
+    if (stream == stdout) std::setvbuf(stream, nullptr, _IOLBF, BUFSIZ);  // as for a terminal
     is_unblocked_ = true;
-    OnTheWay& on_the_way_of_it = on_the_way[static_cast<std::size_t>(file)];
-    on_the_way_of_it.pipe = ends[0];
+    const auto number = static_cast<std::size_t>(file);
+    on_the_way[number].pipe = ends[0];
     // Not joined: it may stand before a terminal that is stopped.
-    std::thread([from = ends[0], original, &on_the_way_of_it] {
-      passOnAll(from, original, on_the_way_of_it);
-    }).detach();
+    std::thread(passOnAll, ends[0], original, number).detach();
   }
   ~Stream() {
     if (!is_unblocked_) return;
