@@ -32,17 +32,14 @@ Fleet::Fleet() = default;
 Fleet::~Fleet() = default;
 
 void Fleet::offer(const std::vector<std::string>& names) {
-  if (names.size() < 2) {
-    robots_.clear();
-    return;
-  }
+  const bool are_many = names.size() > 1;
   for (auto it = robots_.begin(); it != robots_.end();) {
-    const bool there = std::find(names.begin(), names.end(), it->first) != names.end();
+    const bool there = are_many && std::find(names.begin(), names.end(), it->first) != names.end();
     // One that has gone in the middle of a stop is still told of.
     it = there || it->second->stop.isBusy() ? std::next(it) : robots_.erase(it);
   }
   for (const std::string& name : names) {
-    if (robots_.count(name) == 0) robots_.emplace(name, std::make_unique<Member>(name, queue_));
+    if (are_many && robots_.count(name) == 0) robots_.emplace(name, std::make_unique<Member>(name, queue_));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "pages/cycle_page.h"
 #include "pages/jog_page.h"
@@ -209,15 +210,29 @@ void CobotPanel::choose(const QString& name) {
   auto target = std::make_unique<Target>(*robot, *preview);
   auto calls = std::make_unique<BackgroundCalls>();
   const Workplace workplace{robot.get(), calls.get(), preview.get(), target.get()};
-  name_ = QString::fromStdString(wanted);
+  const QString left_name = std::exchange(name_, QString::fromStdString(wanted));
   for (Page* page : pages_) page->bind(workplace);
   stop_bar_->bind(*robot, name_);
   target_ = std::move(target);
   preview_ = std::move(preview);
   calls_ = std::move(calls);
-  robot_ = std::move(robot);
+  leave(std::exchange(robot_, std::move(robot)), left_name);
   robots_->show(name_);
   Q_EMIT configChanged();
+}
+
+void CobotPanel::leave(std::unique_ptr<Robot> robot, const QString& name) {
+  if (!robot || !robot->stopping().isBusy()) return;
+  robot->onTool([] {});
+  robot->onFrames([] {});
+  robot->control().onChange([] {});
+  robot->stopping().onChange([this, name, &stopping = robot->stopping()] {
+    const CommandState& state = stopping.state();
+    if (state.phase != CommandState::Phase::Error && !state.unanswered) return;
+    fault_ = name + ": Stop: " + QString::fromStdString(state.unanswered ? state.text : state.description);
+    fault_looks_ = kLooksAtFault;
+  });
+  left_.push_back(std::move(robot));
 }
 
 void CobotPanel::putUpButtons() {
@@ -236,6 +251,13 @@ void CobotPanel::look() {
   target_->look();
   preview_->look();
   robot_->look();
+  for (const auto& robot : left_) {
+    robot->listen();
+    robot->look();
+  }
+  left_.erase(std::remove_if(left_.begin(), left_.end(),
+                             [](const auto& robot) { return !robot->stopping().isBusy(); }),
+              left_.end());
   fleet_.look();
   for (Page* page : pages_) page->look();
   stop_bar_->look();

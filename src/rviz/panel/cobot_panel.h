@@ -38,6 +38,8 @@ class CobotPanel : public rviz::Panel {
   void choose(const QString& name);
   /// A button that was pressed for the robot before does nothing for another one when it is let go.
   void putUpButtons();
+  /// A stop that waits for its node, or for its answer, is sent and told though another robot is chosen.
+  void leave(std::unique_ptr<Robot> robot, const QString& name);
   void open(const Page& page);
   void look();
   void showConnection();
@@ -50,6 +52,7 @@ class CobotPanel : public rviz::Panel {
   BackgroundCalls questions_;               ///< to the master
   std::unique_ptr<BackgroundCalls> calls_;  ///< to the robot: what hangs with one holds up no other
   std::unique_ptr<Robot> robot_;
+  std::vector<std::unique_ptr<Robot>> left_;  ///< that are still to be stopped
   std::unique_ptr<Preview> preview_;
   std::unique_ptr<Target> target_;
   std::vector<Page*> pages_;  ///< the first one is Main

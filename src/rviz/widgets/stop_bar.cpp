@@ -58,6 +58,7 @@ StopBar::StopBar(Fleet& fleet, QWidget* parent)
 void StopBar::stop() {
   if (stop_listener_) stop_listener_();
   robot_->control().withdraw();
+  leaveFleet();
   robot_->stop();
 }
 
@@ -80,6 +81,7 @@ void StopBar::control(bool pauses) {
 
 void StopBar::bind(Robot& robot, const QString& name) {
   robot_ = &robot;
+  if (!fleet_.isBusy()) leaveFleet();
   stop_->setText(name == "/" ? QString("STOP") : "STOP " + name);
   stop_->setToolTip("Stops " + name + " and empties its queue");
   for (Line* line : {&stop_line_, &control_line_}) write(*line, "", false);
@@ -129,13 +131,15 @@ void StopBar::lookAt(Line& line, Command& command) {
   if ((phase == Phase::Done || phase == Phase::Aborted) && ++line.looks > kLooksAtDone) command.forget();
 }
 
+void StopBar::leaveFleet() {
+  fleet_looks_ = 0;
+  fleet_.forget();
+}
+
 void StopBar::lookAtFleet() {
   if (fleet_looks_ == 0) return;
   const bool over = !fleet_.isBusy() && !fleet_.hasFailed() && ++fleet_looks_ > kLooksAtDone;
-  if (over) {
-    fleet_looks_ = 0;
-    fleet_.forget();
-  }
+  if (over) leaveFleet();
   write(stop_line_, over ? QString() : "Stop all: " + QString::fromStdString(fleet_.told()),
         fleet_.hasFailed());
 }

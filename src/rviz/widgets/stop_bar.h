@@ -43,6 +43,8 @@ class StopBar : public QWidget {
   void write(Line& line, const QString& text, bool failed);
   void lookAt(Line& line, Command& command);
   void lookAtFleet();
+  /// What came of the last stop of all is told no longer.
+  void leaveFleet();
 
   Fleet& fleet_;
   Robot* robot_ = nullptr;
