@@ -10,7 +10,7 @@ import sys
 # What can wait, by what is called.
 KINDS = {
     "master": r"\.advertise(Service)?\s*[<(]|\.subscribe\s*[<(]|serviceClient|\w+Param\(|\.param\(|TransformListener>?\(|"
-              r"ProgramClient>\(|ros::start|ros::init|ros::shutdown|ros::master::",
+              r"ProgramClient>\(|before\.reset\(\)|ros::start|ros::init|ros::shutdown|ros::master::",
     "condition": r"[.>]wait(_for|_until)?\(|catchUp\(\)|answerOf\(",
     "thread": r"\.join\(\)",
     "disk": r"\bfsync\(|fdatasync\(|[io]fstream|filesystem::(rename|exists|remove|is_|status)|rospack|readArtifact\(|readCell",

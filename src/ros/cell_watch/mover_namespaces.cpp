@@ -69,9 +69,12 @@ std::optional<std::size_t> MoverNamespaces::reported(const std::string& name, co
     Mover& known = movers_[i];
     if (known.name != name) continue;
     const bool is_heard = known.heard && now - *known.heard < kSilence;
-    if (known.space == space || is_heard) return std::nullopt;
+    // Nor back and forth between two that report for it.
+    const bool is_new_here = known.moved && now - *known.moved < kSilence;
+    if (known.space == space || is_heard || is_new_here) return std::nullopt;
     known.space = space;
     known.heard.reset();
+    known.moved = now;
     return i;
   }
   return std::nullopt;

@@ -25,6 +25,7 @@ class MoverNamespaces {
     std::string space;  ///< "/RA"
     bool is_mechanism = false;
     std::optional<Instant> heard;
+    std::optional<Instant> moved = std::nullopt;  ///< to another namespace than the cell has
   };
   /// Robots, then mechanisms; both in the order of the cell.
   [[nodiscard]] const std::vector<Mover>& movers() const { return movers_; }

@@ -2,6 +2,7 @@
 // which may take its time, or hang.
 #pragma once
 
+#include <atomic>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -15,6 +16,10 @@
 
 namespace cobot_command::ros_adapter {
 
+/// So many are being made in this process. Meanwhile a thread may hold roscpp's lock on all subscriptions:
+/// who asks one of them whether it is connected, as an action client does, waits for the master as well.
+inline std::atomic<int> being_made{0};
+
 /// Its functions are for one thread.
 template <class T>
 class MadeBeside {
@@ -24,17 +29,19 @@ class MadeBeside {
   /// From now on it is that.
   void set(std::shared_ptr<T> made) { place_ = std::make_shared<Place>(std::move(made)); }
 
-  /// A thread drops what it was, and makes what it will be: until then it is nothing. `make` must not need
-  /// what may be gone before the master answers: that is not waited for, and what comes of it then is
-  /// dropped.
+  /// A thread makes what it will be; until then it is nothing. What it was is dropped behind that, when the
+  /// master answers: dropping asks it as well, with roscpp's locks held. `make` must not need what may be
+  /// gone before: the master is not waited for, and what comes of it then is dropped.
   void begin(Make make) {
     auto before = std::exchange(place_, std::make_shared<Place>());
     std::thread([before = std::move(before), place = std::weak_ptr<Place>(place_),
                  make = std::move(make)]() mutable {
+      ++being_made;
+      auto made = madeBy(make);
+      --being_made;
+      if (const auto open = place.lock(); open && made) open->put(std::move(made));
+      made.reset();
       before.reset();
-      if (auto made = madeBy(make)) {
-        if (const auto open = place.lock()) open->put(std::move(made));
-      }
     }).detach();
   }
 

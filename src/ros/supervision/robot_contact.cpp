@@ -51,7 +51,7 @@ void RobotContact::settle(Instant now) {
 }
 
 std::shared_ptr<RobotContact::ProgramClient> RobotContact::programs() const {
-  auto programs = programs_.get();
+  auto programs = being_made == 0 ? programs_.get() : nullptr;
   return programs && programs->isServerConnected() ? programs : nullptr;
 }
 

@@ -35,7 +35,7 @@ class RobotContact {
   /// Tells it again, if it has to.
   void settle(Instant now);
 
-  /// nullptr: its node was not heard yet, or does not answer.
+  /// nullptr: its node was not heard yet, or does not answer; or some client is just being made.
   [[nodiscard]] std::shared_ptr<ProgramClient> programs() const;
 
  private:

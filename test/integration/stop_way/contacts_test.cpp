@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "cell_watch/stop_line.h"
 #include "event_log.h"
@@ -53,6 +54,23 @@ TEST_F(RobotHeardWhileTheMasterHangs, isReachedByTheSupervisorWhenItAnswers) {
   contact.stop(steadyNow());
   EXPECT_EQ(contact.programs(), nullptr);
   EXPECT_TRUE(isToldToStopBy([&] { contact.settle(steadyNow()); }));
+}
+
+TEST_F(RobotHeardWhileTheMasterHangs, keepsNoOtherRobotWaiting) {
+  testing::EventLog<std::string> others;
+  const ros::Subscriber other = node.subscribe<cobot_command::StopActionGoal>(
+      "/early/stop/goal", 10, [&others](const auto& goal) { others.add(goal->goal_id.id); });
+  RobotContact known(node);
+  known.heardFrom("/early/command_node", true, steadyNow());
+  RobotContact wandering(node);
+  wandering.heardFrom("/before/command_node", true, steadyNow());
+  StopLine line(node, queue, "A", "/early");
+  while (!line.isConnected()) std::this_thread::yield();
+  testing::RosMaster::instance().hang();
+  wandering.heardFrom("/late/command_node", true, steadyNow());
+  static_cast<void>(known.programs());
+  line.stop();
+  EXPECT_TRUE(others.waitUntil([](const auto& ids) { return !ids.empty(); }));
 }
 
 TEST_F(RobotHeardWhileTheMasterHangs, isReachedByTheMonitorWhenItAnswers) {
