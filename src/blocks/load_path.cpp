@@ -282,7 +282,12 @@ Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
   }
   const PlanningScene used = is_known ? scene : unplanned(goal, scene);
   const auto loaded = loadPath(goal, used);
-  if (!loaded) return toRejection(kThis, {refused(goal, loaded.error(), used)});
+  if (!loaded) {
+    Failure failure = refused(goal, loaded.error(), used);
+    // It would be driven as PVT, if that were known.
+    if (!knowsStart(scene) && !scene.why_unknown.empty()) failure.found += "; " + scene.why_unknown;
+    return toRejection(kThis, {std::move(failure)});
+  }
   PathReport report;
   report.points = (*loaded)->report;
   report.blends_lost = lostBlends(**loaded);

@@ -54,8 +54,8 @@ extern "C" void crashWithLastWords(int signal) {
 void awaitLastWordsOfCrashes() {
   for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) {
     struct sigaction before = {};
-    if (::sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL)
-      continue;  // a sanitizer's
+    const bool is_known = ::sigaction(signal, nullptr, &before) == 0;
+    if (!is_known || before.sa_handler != SIG_DFL) continue;  // a sanitizer's
     struct sigaction action = {};
     action.sa_handler = crashWithLastWords;
     action.sa_flags = static_cast<int>(SA_RESETHAND);

@@ -213,7 +213,7 @@ class FollowJointTrajectory(MotionTestCase):
 
     def test_refuses_what_cannot_be_made(self):
         self.assert_refused(0x2A3, goal(point(0, 10, 0, 90, 0, 90, 0), point(2, *HOME)), "J1 is at 0.000 deg")
-        self.assert_refused(0x2A0, goal(point(0, *HOME), point(0, *HOME)), "point 1")
+        self.assert_refused(0x2A0, goal(point(0, *HOME), point(0, 1, 0, 90, 0, 90, 0)), "point 1")
         self.assert_refused(0x2A0, goal(point(1, *HOME[:5])), "point 0")
         self.assert_refused(0x203, goal(point(9, 0, 0, 170, 0, 90, 0)), "on the way to point 0")
         self.assert_refused(0x204, goal(point(2, *HOME), point(2.2, 90, 0, 90, 0, 90, 0)), "on the way to point 1")

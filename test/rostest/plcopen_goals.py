@@ -12,7 +12,7 @@ from load_watch import first_at_or_after
 from motion_checks import AS_REPORTED
 from plcopen_status import QUEUED_BLOCKS
 
-LOOKED_UP = " while a frame or a file was looked up for it, or for one in front of it"
+LOOKED_UP = " while a frame or a file was looked up for it, or for one that was received before it"
 CANCELLED_EARLY = ("cancelled by its id before it came", "cancelled before it came")  # the action server says so
 TOO_MANY = {0x216, 1000}  # wait, for their turn or for frames and files
 MOVES = (MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal)

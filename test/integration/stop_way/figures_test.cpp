@@ -14,20 +14,29 @@
 #include "thorough.h"
 #include <gtest/gtest.h>
 #include <ros/node_handle.h>
+#include <std_srvs/Trigger.h>
 
+#include "cobot_command/CalculateFrame.h"
+#include "cobot_command/CalculateTool.h"
 #include "cobot_command/ChangeSpeedOverride.h"
 #include "cobot_command/ForwardKinematics.h"
 #include "cobot_command/InverseKinematics.h"
+#include "cobot_command/ReadDefaultDynamics.h"
 #include "cobot_command/ReadFrame.h"
 #include "cobot_command/ReadLoad.h"
 #include "cobot_command/ReadMessages.h"
+#include "cobot_command/ReadReferenceDynamics.h"
 #include "cobot_command/ReadSoftwareLimits.h"
 #include "cobot_command/ReadTool.h"
 #include "cobot_command/RunScriptActionGoal.h"
 #include "cobot_command/SetFeedrate.h"
 #include "cobot_command/SetTracking.h"
+#include "cobot_command/UpdateConfiguration.h"
 #include "cobot_command/WriteDefaultDynamics.h"
+#include "cobot_command/WriteFrame.h"
 #include "cobot_command/WriteLoad.h"
+#include "cobot_command/WriteReferenceDynamics.h"
+#include "cobot_command/WriteTool.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -36,7 +45,9 @@ constexpr int kClients = 20;
 constexpr int kGoalsBefore = 200;
 constexpr std::size_t kLargeGoal = 8U << 20U;  // [bytes]
 
-/// A client that calls services until it is ended, each over a connection of its own, as the master hangs.
+/// A client that calls services until it is ended, each over a connection of its own, as the master hangs:
+/// all that a command node has, but for those that end or hold what is under way themselves (finish,
+/// interrupt, continue), change between which angles all is planned, and forget messages (reset).
 class Client {
  public:
   Client(ros::NodeHandle node, int number) : node_(std::move(node)) {
@@ -44,19 +55,29 @@ class Client {
     load.request.load.index = 1 + number % 15;
     load.request.load.mass = 1;
     add<cobot_command::WriteLoad>("write_load", load);
+    add<cobot_command::WriteTool>("write_tool");
+    add<cobot_command::WriteFrame>("write_frame");
     add<cobot_command::ReadLoad>("read_load");
     add<cobot_command::ReadTool>("read_tool");
     add<cobot_command::ReadFrame>("read_frame");
+    add<cobot_command::CalculateTool>("calculate_tool");
+    add<cobot_command::CalculateFrame>("calculate_frame");
     cobot_command::ChangeSpeedOverride override;
     override.request.percent = 100;
     add<cobot_command::ChangeSpeedOverride>("change_speed_override", override);
+    add<cobot_command::ReadReferenceDynamics>("read_reference_dynamics");
+    add<cobot_command::WriteReferenceDynamics>("write_reference_dynamics");
+    add<cobot_command::ReadDefaultDynamics>("read_default_dynamics");
+    add<cobot_command::WriteDefaultDynamics>("write_default_dynamics");
+    add<cobot_command::ReadSoftwareLimits>("read_software_limits");
     cobot_command::SetFeedrate feedrate;
     feedrate.request.percent = 100;
     add<cobot_command::SetFeedrate>("set_feedrate", feedrate);
     add<cobot_command::SetTracking>("set_tracking");
+    add<std_srvs::Trigger>("stop_on_path");
+    add<std_srvs::Trigger>("resume_path");
     add<cobot_command::ReadMessages>("read_messages");
-    add<cobot_command::ReadSoftwareLimits>("read_software_limits");
-    add<cobot_command::WriteDefaultDynamics>("write_default_dynamics");
+    add<cobot_command::UpdateConfiguration>("update_configuration");
     add<cobot_command::ForwardKinematics>("forward_kinematics");
     add<cobot_command::InverseKinematics>("inverse_kinematics");
   }
@@ -117,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Of, StopFigure, ::testing::Values(false, true), [](cons
 
 TEST_P(StopFigure, fromAStopToItsFrameWhileEverythingElseWaits) {
   Figure figure(
-      "S1",
+      "G21",
       std::string("stop to its frame read by the robot; 20 clients loop services, disk 0.45 s, replies 0.3 s "
                   "late, master stopped") +
           (GetParam() ? ", 200 goals and one of 8 MB before it" : ""),

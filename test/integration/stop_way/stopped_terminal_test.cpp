@@ -3,7 +3,6 @@
 #include <string>
 
 #include "node_and_peer.h"
-#include "ros_master.h"
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -34,7 +33,6 @@ class FullPipe {
 };
 
 TEST(StoppedTerminal, keepsNoStopWaiting) {
-  RosMaster::instance();
   const FullPipe terminal;
   NodeAndPeer node(terminal.in());
   node.awaitReady();  // it has logged that it is connected
