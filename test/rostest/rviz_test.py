@@ -53,7 +53,7 @@ class Rviz(unittest.TestCase):
     def test_ends_cleanly_when_it_is_told_to(self):
         process = self.start("rviz", "-d", config(), "-f", "base", "__name:=rviz_to_end")
         wait_until(lambda: "/rviz_to_end" in rosnode.get_node_names(), "RViz", 60)
-        wait_until(lambda: is_heard_by("/preview_joints", "/rviz_to_end") and is_heard_by("/command_status", "/rviz_to_end"),
+        wait_until(lambda: is_heard_by("/rviz_to_end/preview_joints", "/rviz_to_end") and is_heard_by("/command_status", "/rviz_to_end"),
                    "what it shows, and its panel", 60)
         rosnode.kill_nodes(["/rviz_to_end"])
         output, _ = process.communicate(timeout=30)

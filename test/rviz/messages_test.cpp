@@ -2,6 +2,7 @@
 #include <QDialog>
 #include <QFileDialog>
 #include <QStringList>
+#include <chrono>
 #include <memory>
 
 #include "panel_fixture.h"
@@ -35,6 +36,10 @@ TEST_F(Panel, saysThatARobotIsNotConnectedOnlyUntilItIs) {
   at_panel.open("change_base");
   at_panel.click("execute");
   ASSERT_EQ(at_panel.outcome(), "error");
+  // Nobody connects it within the half second in which what the robot tells settles.
+  const auto refused_at = std::chrono::steady_clock::now();
+  ASSERT_TRUE(
+      holdsSoon([&] { return std::chrono::steady_clock::now() - refused_at > std::chrono::seconds(1); }));
   at_panel.open("connect");
   at_panel.click("execute");
   ASSERT_TRUE(holdsSoon([this] { return isReady(); }));

@@ -12,6 +12,7 @@
 #include <QVariant>
 #include <QWheelEvent>
 #include <QWindow>
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -92,7 +93,13 @@ void Operator::enter(const QString& field, const QString& text) {
   auto& line = find<QLineEdit>(field);
   line.selectAll();
   QTest::keyClick(&line, Qt::Key_Delete);
-  QTest::keyClicks(&line, text);
+  const bool has_keys =
+      std::all_of(text.begin(), text.end(), [](QChar letter) { return letter < QChar(0x80); });
+  if (has_keys) {
+    QTest::keyClicks(&line, text);
+  } else {
+    line.insert(text);  // as from the clipboard: QTest has no keys for it
+  }
 }
 
 void Operator::type(const QString& field, const QString& text) {

@@ -32,6 +32,7 @@ void Panel::moveToPreset() {
   at_panel.open("move_absolute");
   at_panel.click("preset");
   at_panel.enter("speed_percent", 100);
+  ASSERT_TRUE(holdsSoon([this] { return at_panel.isEnabled("execute"); })) << "its joints are not known yet";
   at_panel.click("execute");
   ASSERT_EQ(at_panel.outcome(), "done") << at_panel.textOf("status_text").toStdString();
 }

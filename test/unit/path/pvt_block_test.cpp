@@ -52,7 +52,7 @@ class PvtBlocks : public Paths {
   }
 };
 
-TEST_F(PvtBlocks, missThePlanByAMicrometreAndTheWayByLessThanAFifthOfOne) {
+TEST_F(PvtBlocks, missThePlanByLessThanTwoMicrometresAndTheWayByAFifthOfOne) {
   for (const ProfileType profile :
        {ProfileType::SCurve, ProfileType::Poly5, ProfileType::ModSine, ProfileType::SineSquared}) {
     const PathPlan plan = planned({fastLine(300, profile)});
@@ -60,7 +60,7 @@ TEST_F(PvtBlocks, missThePlanByAMicrometreAndTheWayByLessThanAFifthOfOne) {
     ASSERT_NEAR(toSeconds(pvt->duration()), toSeconds(plan.duration()), 1e-8);
     for (Duration time{}; time <= plan.duration(); time += milliseconds(1)) {
       const Eigen::Vector3d there = place(pvt->at(time).position);
-      ASSERT_LT(mToMm((there - place(plan.at(time).position)).norm()), 1.1e-3) << toSeconds(time);
+      ASSERT_LT(mToMm((there - place(plan.at(time).position)).norm()), 2e-3) << toSeconds(time);
       ASSERT_LT(mToMm(offTheWay(plan, time, there)), 2e-4) << toSeconds(time);
     }
   }
