@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clients/command.h"
@@ -38,7 +39,9 @@ class ActionCommand : public Command {
     sent.text = "waits for the command node";
     waiting_ = goal;
     become(sent);
-    if (client_.isServerConnected()) sendWaiting();
+    if (!client_.isServerConnected()) return;
+    sendCancelOfAll();
+    sendWaiting();
   }
 
   void withdraw() override {
@@ -49,7 +52,8 @@ class ActionCommand : public Command {
 
   void cancelAll() override {
     withdraw();
-    client_.cancelAllGoals();
+    cancels_all_ = true;
+    if (client_.isServerConnected()) sendCancelOfAll();
   }
 
   void cancel() override {
@@ -62,6 +66,7 @@ class ActionCommand : public Command {
   void look() override {
     if (client_.isServerConnected()) {
       looks_without_node_ = 0;
+      sendCancelOfAll();
       noteReturn();
       if (waiting_) sendWaiting();
       lookForAnswer();
@@ -94,6 +99,11 @@ class ActionCommand : public Command {
     if (state().cause == Cause::NodeGone) {
       become(failed(Cause::Other, kGone, "See that the robot stands, and what of the command was done"), {});
     }
+  }
+
+  /// One that found no node yet: of a robot that has just been chosen.
+  void sendCancelOfAll() {
+    if (std::exchange(cancels_all_, false)) client_.cancelAllGoals();
   }
 
   void sendWaiting() {
@@ -221,6 +231,7 @@ class ActionCommand : public Command {
   std::string name_;
   Client client_;
   std::optional<Goal> waiting_;  ///< for the node
+  bool cancels_all_ = false;     ///< waits for the node, too
   std::vector<Handle> handles_;  ///< before the client in destruction, as they want it
   unsigned newest_ = 0;          ///< which goal is shown: the one that was sent last
   int looks_without_node_ = 0;
