@@ -48,8 +48,9 @@ class Camera {
   void takeAll(const QString& name) const { save(grab(window_.frame()), name); }
   void takeScene(const QString& name) const {
     QTest::qWait(500);  // RViz draws up to thirty times a second
-    save(grab(scene()), name);
+    takeSceneNow(name);
   }
+  void takeSceneNow(const QString& name) const { save(grab(scene()), name); }
   void takeFrame() { save(grab(window_.frame()), QString("frames/%1").arg(frames_++, 4, 10, QChar('0'))); }
 
  private:
@@ -65,7 +66,7 @@ class Camera {
                                                      widget.height());
   }
 
-  /// A scene has floor, background and robot, in more than a few colours.
+  /// A scene has background and floor, and no robot before there are joints.
   [[nodiscard]] bool isDrawn() const {
     for (const QWidget* window : QApplication::topLevelWidgets()) {
       if (window->inherits("QSplashScreen") && window->isVisible()) return false;
@@ -75,7 +76,7 @@ class Camera {
     for (int x = 0; x < image.width(); x += 5) {
       for (int y = 0; y < image.height(); y += 5) colours.insert(image.pixel(x, y));
     }
-    return colours.size() > 20 && colours.contains(qRgb(238, 240, 243));
+    return colours.size() > 2 && colours.contains(qRgb(238, 240, 243));
   }
 
   void save(const QPixmap& picture, const QString& name) const {
@@ -177,8 +178,8 @@ class Photographer {
     at_panel_.open("load_path");
     at_panel_.click("preset");
     at_panel_.click("execute");
-    require(holdsSoon([this] { return at_panel_.textOf("status_text").contains("point"); }),
-            "the path does not begin");
+    require(holdsSoon([this] { return at_panel_.link().contains("moving"); }),
+            "the path does not begin: " + at_panel_.textOf("status_text").toStdString());
     QTest::qWait(2500);
     camera_.takeScene("preview-driven");
     expect("done");
@@ -219,7 +220,7 @@ void takeCell(RvizWindow& window, const QString& folder) {
         for (const auto& pair : told->pairs) {
           if (!contended || !pair.known || pair.now >= closest) continue;
           closest = pair.now;
-          camera.takeAll("cell-monitor");
+          camera.takeSceneNow("cell-monitor");
         }
       });
   require(holdsSoon([&] { return closest < 0.19; }, 120), "no robot waits for another one close by");
