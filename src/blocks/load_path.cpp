@@ -286,6 +286,14 @@ Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
     Failure failure = refused(goal, loaded.error(), used);
     // It would be driven as PVT, if that were known.
     if (!knowsStart(scene) && !scene.why_unknown.empty()) failure.found += "; " + scene.why_unknown;
+    if (!is_known && failure.error_id == own_error::kNotInAScript) {
+      failure.remedy = fmt::format(
+          "{}, or set allow_approximation, or give each point what a script can say: no jerk, whole percents "
+          "of "
+          "the rated speed",
+          scene.arm == nullptr ? "Start the node with the model of the arm (~robot_model)"
+                               : "Have the controller stream where the arm stands");
+    }
     return toRejection(kThis, {std::move(failure)});
   }
   PathReport report;

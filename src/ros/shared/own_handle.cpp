@@ -49,8 +49,8 @@ void OwnHandle::requireType(const std::string& name, const std::string& type) co
   const std::string topic = resolveName(name);
   for (const auto& other : {publishedType(topic), HeardTypes::ofProcess().of(topic)}) {
     if (!other || *other == type) continue;
-    throw NameTaken(fmt::format("{}, is a {}: something else of it, a {}, has that name", named(name, topic),
-                                type, *other));
+    throw NameTaken(fmt::format("{}, has the type {}: something else of it, of type {}, has that name",
+                                named(name, topic), type, *other));
   }
 }
 

@@ -359,6 +359,17 @@ TEST(LoadPathPlan, sendsJointTargetsByPtpWithoutAModel) {
   }
 }
 
+TEST(LoadPathPlan, namesTheModelWhereAPathWithoutOneCannotBeAScript) {
+  PlanningScene unknown = scene();
+  unknown.arm = nullptr;
+  LoadPathGoal goal = turnsOfJoint1();
+  goal.path.at(1).speed = 33.3;
+  const Outcome planned = plan(goal, unknown);
+  EXPECT_EQ(planned.error_id, own_error::kNotInAScript);
+  EXPECT_THAT(planned.remedy, HasSubstr("~robot_model"));
+  EXPECT_THAT(planned.remedy, ::testing::Not(HasSubstr("AUTO")));
+}
+
 TEST(LoadPathPlan, sendsAbsoluteJointTargetsByPtpFromAnywhere) {
   for (const bool has_model : {false, true}) {
     PlanningScene unknown = scene();
