@@ -24,6 +24,7 @@ class OwnFolder {
   OwnFolder& operator=(const OwnFolder&) = delete;
 
   [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+  // NOLINTNEXTLINE(modernize-use-nodiscard): it is written anyway
   std::string file(const std::string& name, const std::string& content) const {
     std::ofstream(path_ / name) << content;
     return file(name);

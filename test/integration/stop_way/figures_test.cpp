@@ -50,7 +50,7 @@ constexpr std::size_t kLargeGoal = 8U << 20U;  // [bytes]
 /// interrupt, continue), change between which angles all is planned, and forget messages (reset).
 class Client {
  public:
-  Client(ros::NodeHandle node, int number) : node_(std::move(node)) {
+  Client(const ros::NodeHandle& node, int number) : node_(node) {
     cobot_command::WriteLoad load;
     load.request.load.index = 1 + number % 15;
     load.request.load.mass = 1;
