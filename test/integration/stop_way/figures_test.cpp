@@ -125,7 +125,7 @@ class StopFigure : public ::testing::TestWithParam<bool> {
     cobot_command::RunScriptActionGoal large;
     large.goal.script.assign(kLargeGoal, 'x');
     scripts.publish(large);
-    for (int i = 0; i < kGoalsBefore; ++i) node.moves.publish(moveOf(i % 10));
+    for (int i = 0; i < kGoalsBefore; ++i) node.moves.publish(bufferedMoveOf(i % 10));
   }
 
   NodeAndPeer node;
@@ -147,7 +147,7 @@ TEST_P(StopFigure, fromAStopToItsFrameWhileEverythingElseWaits) {
   RosMaster::instance().hang();
   for (const auto& client : clients) client->start();
   for (int i = 0; i < quickOrThorough(2, 100); ++i) {
-    node.moves.publish(moveOf(20));
+    node.moves.publish(bufferedMoveOf(20));
     ASSERT_TRUE(node.peer.timeOf("PTP", static_cast<std::size_t>(i)).has_value());
     if (GetParam()) publishGoals();
     const auto start = std::chrono::steady_clock::now();

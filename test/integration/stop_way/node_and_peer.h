@@ -7,6 +7,7 @@
 
 #include "command_process.h"
 #include "event_log.h"
+#include "move_goal.h"
 #include "own_folder.h"
 #include "script_peer.h"
 #include <gtest/gtest.h>
@@ -19,19 +20,6 @@
 #include "cobot_command/StopActionGoal.h"
 
 namespace cobot_command::testing {
-
-/// By PTP, of the first joint [deg].
-[[nodiscard]] inline cobot_command::MoveAbsoluteActionGoal moveOf(double joint) {
-  cobot_command::MoveAbsoluteActionGoal goal;
-  goal.goal.movement_command = cobot_command::MoveAbsoluteGoal::PTP;
-  goal.goal.target_position.x = joint;
-  goal.goal.target_position.z = 90;
-  goal.goal.target_position.ry = 90;
-  goal.goal.speed = 50;
-  goal.goal.accel_time = 300;
-  goal.goal.buffer_mode = 1;
-  return goal;
-}
 
 class NodeAndPeer {
  public:

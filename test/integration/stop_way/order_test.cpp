@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "event_log.h"
+#include "move_goal.h"
 #include "own_folder.h"
 #include "ros_master.h"
 #include "script_peer.h"
@@ -70,14 +71,8 @@ class StopWay : public ::testing::Test {
   }
 
   static cobot_command::MoveAbsoluteActionGoal move(const std::string& id, double joint = 10) {
-    cobot_command::MoveAbsoluteActionGoal goal;
+    auto goal = testing::moveOf(joint);
     goal.goal_id.id = id;
-    goal.goal.movement_command = cobot_command::MoveAbsoluteGoal::PTP;
-    goal.goal.target_position.x = joint;
-    goal.goal.target_position.z = 90;
-    goal.goal.target_position.ry = 90;
-    goal.goal.speed = 50;
-    goal.goal.accel_time = 300;
     return goal;
   }
   void stop() {

@@ -36,7 +36,7 @@ TEST(StoppedTerminal, keepsNoStopWaiting) {
   const FullPipe terminal;
   NodeAndPeer node(terminal.in());
   node.awaitReady();  // it has logged that it is connected
-  node.moves.publish(moveOf(20));
+  node.moves.publish(bufferedMoveOf(20));
   ASSERT_TRUE(node.peer.timeOf("PTP", 0).has_value());
   node.stops.publish(cobot_command::StopActionGoal());
   EXPECT_TRUE(node.peer.timeOf(runtime::kStop, 0).has_value());
