@@ -28,7 +28,7 @@ def ask(artifact, what):
         sys.exit("cell_movers.py: tm_cell is not there: build the package")
     answer = subprocess.run([programs[0], "ask", artifact, what], stdout=subprocess.PIPE, text=True, check=False)
     if answer.returncode != 0:
-        sys.exit(1)  # tm_cell has said why
+        sys.exit(f"cell_movers.py: {programs[0]} ask {artifact} {what} ended with {answer.returncode}")
     return answer.stdout.strip()
 
 

@@ -41,7 +41,8 @@ class CellTestCase(OutcomeTestCase):
             robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY, "a ready link")
 
     def launch_robots(self):
-        self.start("roslaunch", "cobot_command", "cell.launch", f"artifact:={self.artifact}", "supervisor:=false", f"time_scale:={self.time_scale}", ends_by=signal.SIGINT)
+        robots = self.start("roslaunch", "cobot_command", "cell.launch", f"artifact:={self.artifact}", "supervisor:=false", f"time_scale:={self.time_scale}", ends_by=signal.SIGINT)
+        self.addCleanup(lambda: self.assertTrue(robots.is_alive(), "the robots ended by themselves:\n" + robots.output()))
 
     def start_supervisor(self):
         return self.start(program("cell_supervisor"), "__ns:=cell", "__name:=cell_supervisor",
