@@ -96,7 +96,7 @@ TEST(ThePageOfSrci, hasEachFunctionWithItsInterfacesAndWhatIsMissing) {
 
 TEST(ThePageOfSrci, namesNoFunctionThatTheCodeDoesNotKnow) {
   for (const auto& [name, row] : rowsOfThePage()) {
-    const auto is_it = [&name = name](const Function& function) { return function.srci == name; };
+    const auto is_it = [&wanted = name](const Function& function) { return function.srci == wanted; };
     EXPECT_TRUE(std::any_of(functions().begin(), functions().end(), is_it))
         << name << " is not in src/capabilities/functions.cpp";
   }
