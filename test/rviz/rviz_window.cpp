@@ -29,7 +29,11 @@ RvizWindow::RvizWindow(int argc, char** argv, bool has_panel)
     : argc_(argc),
       application_(std::make_unique<QApplication>(argc_, argv)),
       rviz_(std::make_unique<rviz::VisualizerApp>()) {
+// Needed by the RViz of Debian 12, deprecated in that of Debian 13.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
   rviz_->setApp(application_.get());
+#pragma GCC diagnostic pop
   if (!rviz_->init(argc, argv)) throw std::runtime_error("RViz does not start");
   const bool there = holdsSoon([this, has_panel] {
     for (QWidget* window : QApplication::topLevelWidgets()) {
