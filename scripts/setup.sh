@@ -6,14 +6,20 @@ readonly build=${COBOT_BUILD_DIR:-$root/build}
 
 say() { printf '\n== %s\n' "$*"; }
 
-# install_missing [list of packages, from the root of the repository]
+# install_missing [list of packages, from the root of the repository]; without one: those of every system, and of this one.
 install_missing() {
-  local list=${1:-scripts/packages.txt} package missing=()
-  say "Looking for the packages of $list"
+  local lists=("$@") package missing=()
+  if [ $# -eq 0 ]; then
+    local codename
+    codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+    lists=(scripts/packages.txt)
+    [ ! -f "$root/scripts/packages-$codename.txt" ] || lists+=("scripts/packages-$codename.txt")
+  fi
+  say "Looking for the packages of ${lists[*]}"
   while read -r package; do
     [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] ||
       missing+=("$package")
-  done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/$list")
+  done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "${lists[@]/#/$root/}")
   if [ ${#missing[@]} -eq 0 ]; then
     echo "all there"
     return

@@ -142,6 +142,7 @@ void CommandRun::act(CommandRunAction action, Instant now) {
     case Do::AskTag:
     case Do::AskTagEarly:
       clock_.ask(action == Do::AskTagEarly);
+      asked_at_ = now;
       context_.link.queryTag(*order_.tag, now);
       return;
     case Do::Extend:

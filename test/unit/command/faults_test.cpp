@@ -202,6 +202,21 @@ TEST_F(Fault, overdueMotionFailedWhenTheRobotStands) {
   expectStopSent();
 }
 
+TEST_F(Fault, overdueMotionIsNotJudgedByAFrameFromBeforeTheQuestion) {
+  const GoalId goal = moving();
+  stream(299500ms, StatusFrames());
+  rig.pass(500ms);
+  rig.takeTagQuery();
+  rig.tag(1, TagState::Incomplete);
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+  rig.status(StatusFrames());
+  stream(2s, StatusFrames());
+  rig.takeTagQuery();
+  rig.tag(1, TagState::Incomplete);
+  expectAborted(rig, goal, motion_error::kMotionFailed, "stands");
+  expectStopSent();
+}
+
 TEST_F(Fault, overdueMotionIsLostWhenTheControllerDoesNotKnowItsTag) {
   const GoalId goal = moving();
   stream(300s, StatusFrames());
