@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Enables the interface with the action `exchange_configuration`, as the page of SRCI's function block does with its steps: shows
-what there is, keeps it enabled for a while, and disables it. The robot does not move. A link that is there already is used, and
-stays; else it makes one, and closes it.
+"""Enables the interface with the action `exchange_configuration`, with the steps of the page of SRCI's function block. Prints what the
+interface offers, keeps it enabled for some seconds, and disables it. The robot does not move.
+Uses an existing link and leaves it open. Otherwise opens a link and closes it at the end.
 
-Exit status: 0 when it was enabled and disabled, 1 with the reason when not.
+Exit status: 0 if the interface was enabled and disabled, 1 with the reason if not.
 """
 import argparse
 import signal
@@ -25,11 +25,11 @@ TIMEOUT_CMD = 6
 
 
 class Failed(Exception):
-    """What did not go as it should."""
+    """The reason why the example failed."""
 
 
 class ExchangeConfiguration:
-    """The block of the page: called in every cycle with what is wanted, it goes through its steps."""
+    """The block of the page. Call it in every cycle with the wanted state: it goes through its steps."""
 
     def __init__(self, client, par_cmd):
         self._client = client
@@ -102,7 +102,7 @@ def client(name, action):
 
 
 def link():
-    """The goal of a link of one's own; None: there is one."""
+    """Opens a link and returns its connect goal; None: a link exists already."""
     status = rospy.wait_for_message("command_status", CommandStatus, LINK_TIMEOUT)
     if status.link_state == CommandStatus.READY:
         return None
@@ -158,8 +158,8 @@ def enable_for_a_while(options):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seconds", type=float, default=2.0, help="how long it stays enabled")
-    parser.add_argument("--life-sign-time-out", type=int, default=300, help="[ms], 10 to 65535")
+    parser.add_argument("--seconds", type=float, default=2.0, help="time for which it stays enabled (default: %(default)s)")
+    parser.add_argument("--life-sign-time-out", type=int, default=300, help="[ms], 10 to 65535 (default: %(default)s)")
     options = parser.parse_args(rospy.myargv()[1:])
     rospy.init_node("exchange_configuration_example", anonymous=True)
     signal.signal(signal.SIGTERM, lambda *_: rospy.signal_shutdown("told to end"))

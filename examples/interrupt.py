@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
-"""Interrupts a motion, moves the robot elsewhere, brings it back, and lets the motion go on: joint 1 turns by some degrees, is
-interrupted on its way, joint 2 moves away by two degrees, `return_to_primary` leads back, `continue` lets joint 1 go on to where
-it was to go. Then joint 1 turns back. A link that is there already is used, and stays; else it makes one, and closes it.
+"""Interrupts a motion, moves the robot away, brings it back, and continues the motion:
 
-Exit status: 0 when all of it went so, 1 with the reason when not.
+1. Joint 1 turns by some degrees, and `interrupt` suspends this motion on its path.
+2. Joint 2 moves away by two degrees.
+3. `return_to_primary` moves the robot back to its path.
+4. `continue` completes the motion of joint 1. Then joint 1 turns back.
+
+Uses an existing link and leaves it open. Otherwise opens a link and closes it at the end.
+
+Exit status: 0 if all steps succeeded, 1 with the reason if not.
 """
 import argparse
 import math
@@ -23,12 +28,12 @@ from cobot_command.srv import Interruption
 LINK_TIMEOUT = 30.0  # [s]
 PATIENCE = 5.0  # [s]
 LONGEST = 120.0  # [s] of a motion
-INTERRUPTED_AT = 1 / 3  # of its way
+INTERRUPTED_AT = 1 / 3  # of the motion
 AWAY = 2.0  # [deg]
 
 
 class Failed(Exception):
-    """What did not go as it should."""
+    """The reason why the example failed."""
 
 
 def client(name, kind):
@@ -39,7 +44,7 @@ def client(name, kind):
 
 
 def link():
-    """The goal of a link of one's own; None: there is one."""
+    """Opens a link and returns its connect goal; None: a link exists already."""
     def state():
         return rospy.wait_for_message("command_status", CommandStatus, LINK_TIMEOUT).link_state
 
@@ -55,7 +60,7 @@ def link():
 
 
 def wait(handle, seconds):
-    """Until it has ended, or for so long."""
+    """Waits until the goal has ended, or for `seconds`. Returns whether it has ended."""
     deadline = rospy.Time.now() + rospy.Duration(seconds)
     while handle.get_comm_state() != CommState.DONE and rospy.Time.now() < deadline:
         if rospy.is_shutdown():
@@ -123,8 +128,8 @@ def run(options):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--degrees", type=float, default=30.0, help="of joint 1")
-    parser.add_argument("--speed", type=int, default=5, help="[%%] of the rated speeds")
+    parser.add_argument("--degrees", type=float, default=30.0, help="turn of joint 1 [deg] (default: %(default)s)")
+    parser.add_argument("--speed", type=int, default=5, help="[%%] of the rated speeds (default: %(default)s)")
     options = parser.parse_args(rospy.myargv()[1:])
     rospy.init_node("interrupt_example", anonymous=True)
     signal.signal(signal.SIGTERM, lambda *_: rospy.signal_shutdown("told to end"))

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Jogs the arm with the action `jog`: for some seconds, in which it publishes keep-alives as somebody who holds a button would, or by
-an increment, and tells why the arm came to rest. A link that is there already is used, and stays; else it makes one, and closes it.
+"""Jogs the arm with the action `jog` for some seconds or by an increment, and prints why the arm came to rest. During the seconds it
+publishes keep-alives, like a button that an operator holds.
+Uses an existing link and leaves it open. Otherwise opens a link and closes it at the end.
 
-Exit status: 0 when the arm came to rest by its own end, 1 with the reason when not.
+Exit status: 0 if the jog ended normally, 1 with the reason if not.
 """
 import argparse
 import signal
@@ -23,7 +24,7 @@ MODES = {"frame": JogGoal.FRAME, "tool": JogGoal.TOOL, "axes": JogGoal.AXES}
 
 
 class Failed(Exception):
-    """What did not go as it should."""
+    """The reason why the example failed."""
 
 
 def client(name, kind):
@@ -34,7 +35,7 @@ def client(name, kind):
 
 
 def link():
-    """The goal of a link of one's own; None: there is one."""
+    """Opens a link and returns its connect goal; None: a link exists already."""
     def state():
         return rospy.wait_for_message("command_status", CommandStatus, LINK_TIMEOUT).link_state
 
@@ -92,11 +93,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--mode", choices=sorted(MODES), default="axes")
     parser.add_argument("--direction", type=int, choices=[-6, -5, -4, -3, -2, -1, 1, 2, 3, 4, 5, 6], default=1,
-                        help="X Y Z RX RY RZ, or J1..J6, as 1..6; negative: the other way")
-    parser.add_argument("--speed", type=float, default=5.0, help="[%%] of the reference")
-    parser.add_argument("--seconds", type=float, default=1.0, help="how long it is held")
-    parser.add_argument("--mm", type=float, default=0.0, help="an increment in place of that")
-    parser.add_argument("--deg", type=float, default=0.0, help="the same of a turn")
+                        help="1..6: X Y Z RX RY RZ, or J1..J6; negative: the opposite direction (default: %(default)s)")
+    parser.add_argument("--speed", type=float, default=5.0, help="[%%] of the reference (default: %(default)s)")
+    parser.add_argument("--seconds", type=float, default=1.0, help="time for which the button is held (default: %(default)s)")
+    parser.add_argument("--mm", type=float, default=0.0, help="increment instead of a time")
+    parser.add_argument("--deg", type=float, default=0.0, help="increment of a turn instead of a time")
     parser.add_argument("--frame", type=int, default=JogGoal.ACTIVE)
     parser.add_argument("--tool", type=int, default=JogGoal.ACTIVE)
     options = parser.parse_args(rospy.myargv()[1:])

@@ -1,10 +1,11 @@
-// A path by the core alone, without ROS: plans it, shows each point with its times and what is sent for it;
-// then drives it on a simulated controller in this program, or on the controller at an address:
+// Runs a path with the core alone, without ROS: plans it, and prints each point with its times and the text
+// that is sent for it. Then drives it on a simulated controller in this program, or on the controller at an
+// address:
 //
 //   load_path [HOST [SCRIPT_PORT STATUS_PORT]]
 //
-// The robot goes to joints 0 0 90 0 90 0, and from there around a box of 100 x 100 mm and back.
-// Ctrl-C, SIGTERM and a closed terminal stop it. Exit status: 0 when the path is done, 1 with the reason when
+// The robot moves to joints 0 0 90 0 90 0, and from there around a box of 100 x 100 mm and back.
+// Ctrl-C, SIGTERM and a closed terminal stop it. Exit status: 0 if the path is done, 1 with the reason if
 // not. The action, in Python: load_path.py.
 
 #include "cobot_command/blocks/load_path.h"
@@ -49,7 +50,7 @@ arm::ArmModel model() {
 
 // --- The path.
 
-/// Blended past, where it has a tolerance [% of a PTP, else mm].
+/// The same point, blended with this tolerance [% of a PTP, else mm].
 PathPoint blended(PathPoint point, double tolerance) {
   point.termination_type = static_cast<int>(path::Termination::Blend);
   point.command_tolerance = tolerance;
@@ -93,7 +94,7 @@ blocks::LoadPathGoal aroundTheBox() {
                  blended(straight(Interpolation::Wrist, {550, -122.3, 361.05, 180, 0, 90}), 20), home()});
 }
 
-/// What the core will make of it: the planner is the same.
+/// Prints the plan. The core uses the same planner.
 void showPlan() {
   const path::PathScene scene{model(), arm::toJointVector({0, 0, 90, 0, 90, 0})};
   const blocks::LoadPathGoal goal = aroundTheBox();
@@ -118,7 +119,7 @@ void showPlan() {
 struct Controller {
   std::string host = "127.0.0.1";
   runtime::SimulatorPorts ports{5890, 5891};
-  std::unique_ptr<runtime::SimulatorRuntime> simulated;  ///< nothing: it is somewhere else
+  std::unique_ptr<runtime::SimulatorRuntime> simulated;  ///< absent: the controller is elsewhere
 };
 
 Controller simulatedController() {
@@ -132,7 +133,7 @@ Controller simulatedController() {
   return controller;
 }
 
-/// The core of one robot. What it tells comes on a thread of its own, and is waited for here.
+/// The core of one robot. Its events arrive on a separate thread; this class waits for them.
 class Robot {
  public:
   explicit Robot(const Controller& controller)
@@ -148,7 +149,7 @@ class Robot {
     wait(ready, "link");
   }
 
-  /// Its outcome, when it is done; an exception when not.
+  /// Returns its outcome when it is done; throws if it fails.
   blocks::Outcome run(blocks::GoalId id, const blocks::LoadPathGoal& goal) {
     std::promise<blocks::Outcome>& promise = id == kHome ? home_ended_ : path_ended_;
     std::future<blocks::Outcome> ended = promise.get_future();
@@ -229,7 +230,7 @@ void drive(const Controller& controller) {
               report.blends_lost.size());
 }
 
-/// 1 to 65535; anything else is an exception.
+/// 1 to 65535; throws on anything else.
 int portOf(const char* text) {
   char* end = nullptr;
   const long port = std::strtol(text, &end, 10);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A path through the action `load_path`: checks it, drives it, and shows each point as planned and as it went; then the same
-points as two goals, of which the second joins the first. The robot goes to joints 0 0 90 0 90 0, and around a box of 200 x 150 mm.
-A link that is there already is used, and stays; else it makes one, and closes it.
+"""Runs a path with the action `load_path`: checks it, drives it, and prints the planned and the actual times of each point. Then it sends
+the same points as two goals; the second one joins the first. The robot moves to joints 0 0 90 0 90 0, and around a box of 200 x 150 mm.
+Uses an existing link and leaves it open. Otherwise opens a link and closes it at the end.
 
-Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 when all goals SUCCEEDED and the first path was driven as it was
-planned, 1 with the reason when not. The planner alone, in C++ and without ROS: load_path.cpp.
+Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 if all goals SUCCEEDED and the first path was driven as
+planned, 1 with the reason if not. The planner alone, in C++ and without ROS: load_path.cpp.
 """
 import argparse
 import collections
@@ -22,8 +22,8 @@ from cobot_command.msg import (CommandStatus, ConnectAction, ConnectGoal, FrameT
                                PathPoint, Transformation)
 
 TIMEOUT = 60.0  # [s]
-CLOSE_TIMEOUT = 5.0  # [s]; a command node that hangs must not hold up who wants to leave
-FRAME_TIMEOUT = 1.0  # [s]; frames are told behind results
+CLOSE_TIMEOUT = 5.0  # [s]; a command node that hangs must not delay the end of this program
+FRAME_TIMEOUT = 1.0  # [s]; frames are published after results
 END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 ROW = "  {:>5} {:>5}  {:<9} {:<12} {:>10} {:>10} {:>10} {:>9}"
 SPEEDS = {True: {"speed": 60, "acceleration": 180, "deceleration": 180},  # PTP [deg/s, deg/s^2]
@@ -32,11 +32,11 @@ SPEEDS = {True: {"speed": 60, "acceleration": 180, "deceleration": 180},  # PTP 
 
 
 class Failed(Exception):
-    """What did not go as it should."""
+    """The reason why the example failed."""
 
 
 def point(interpolation, move_id, tolerance=0.0, pose=None, joints=None, **changes):
-    """Poses are of the flange, in the robot base. Without a tolerance the robot stops on it."""
+    """A point of a path. Poses are of the flange, in the robot base. Without a tolerance the robot stops at the point."""
     values = {"joints": [*joints, 0, 0, 0]} if joints else {
         "target_point_type": PathPoint.CARTESIAN, "pose": Transformation(*pose), "pose_type": PathPoint.FLANGE,
         "ref_frame_type": PathPoint.ROBOT}
@@ -56,7 +56,7 @@ AROUND = [
     point(PathPoint.CP_WRIST, 23, 20, pose=(600, -200, 320, 180, 0, 90)),
     point(PathPoint.CP_LINEAR, 30, 20, pose=(550, -200, 420, 180, 0, 90), profile_type=PathPoint.POLY5),
     point(PathPoint.PTP, 40, joints=(0, 0, 90, 0, 90, 0))]
-# As two goals, of which the first rests on its first point, and blends at its end.
+# As two goals: the first one stops at its first point, and blends at its end.
 CHAIN = [point(PathPoint.PTP, 10, pose=ABOVE, robot_configuration=5), *AROUND[1:]]
 FIRST = 3  # points of the first goal
 NAMES = {PathPoint.PTP: "PTP", PathPoint.CP_LINEAR: "CP_LINEAR", PathPoint.CP_WRIST: "CP_WRIST"}
@@ -67,7 +67,7 @@ class Paths:
         self.limits = limits
         self.connect = client("connect", ConnectAction)
         self.load_path = client("load_path", LoadPathAction)
-        self.link = None  # the goal of one of its own
+        self.link = None  # the connect goal, if this program has opened the link
         self.goals = []
         self.pvts = Pvts()
 
@@ -120,7 +120,7 @@ class Paths:
         print(f"  both were sent as {self.pvts.told(2)}: up to the first point, which is a stop, and all behind it")
 
     def send(self, name, goal, quiet=False):
-        """Waits until it is taken, that is until it may be cancelled."""
+        """Sends a goal and waits until it is accepted, so that it can be cancelled."""
         progress = Progress(name, goal)
         sent = self.load_path.send_goal(goal, feedback_cb=None if quiet else lambda _, feedback: progress.take(feedback))
         self.goals.append(sent)
@@ -135,7 +135,7 @@ class Paths:
         return goal.get_result()
 
     def leave(self):
-        """Leaves a robot that stands, over a link that closes only if it is of this program."""
+        """Stops the robot. Closes the link only if this program has opened it."""
         for goal in self.goals:
             if goal.get_comm_state() != CommState.DONE:
                 goal.cancel()
@@ -147,7 +147,7 @@ class Paths:
 
 
 class Progress:
-    """A line for each point, as soon as it moves the robot."""
+    """Prints a line for each point as soon as it becomes active."""
 
     def __init__(self, name, goal):
         self.name, self.goal, self.told = name, goal, None
@@ -161,7 +161,7 @@ class Progress:
 
 
 class Pvts:
-    """Counts those that go to the controller."""
+    """Counts the PVTs that are sent to the controller."""
 
     def __init__(self):
         self.frames = collections.deque()
@@ -173,7 +173,7 @@ class Pvts:
             self.frames.append(frame)
 
     def told(self, expected):
-        """In words."""
+        """The number of PVTs, in words."""
         deadline = time.monotonic() + FRAME_TIMEOUT
         while len(self.frames) < expected and time.monotonic() < deadline:
             time.sleep(0.01)
@@ -202,7 +202,7 @@ def words(indices):
 
 
 def client(name, kind):
-    # Not a simple one, which would miss an answer that comes at once (doc/actions/README.md).
+    # Not a SimpleActionClient: it would miss an answer that arrives at once (doc/actions/README.md).
     made = actionlib.ActionClient(name, kind)
     if not made.wait_for_server(rospy.Duration(TIMEOUT)):
         raise Failed(f"no action server {rospy.resolve_name(name)}: is the command node running?")
@@ -213,21 +213,21 @@ def failure(action, goal):
     result = goal.get_result()
     if result is None:
         return Failed(f"{action}: no answer")
-    # The ids of load_path from 1000 on are its manual's, which are decimal.
+    # The ids of load_path from 1000 on are those of its manual, which are decimal.
     number = str(result.error_id) if result.error_id >= 1000 else f"16#{result.error_id:X}"
     blamed = f" (point {result.error_index})" if getattr(result, "error_index", -1) >= 0 else ""
     return Failed(f"{action}: {number}{blamed} {result.error_description} -> {result.remedy}")
 
 
 def is_ready():
-    """Commands can be sent."""
-    # Latched: the newest is there at once.
+    """Whether commands can be sent."""
+    # Latched: the latest message is received at once.
     status = rospy.wait_for_message("command_status", CommandStatus, timeout=10)
     return status.link_state == CommandStatus.READY and status.status_stream
 
 
 def wait_for_end(goal, seconds=math.inf):
-    """DONE and not the goal's status: that may come before its result."""
+    """Waits for DONE and not for the status of the goal, because the status may arrive before the result."""
     deadline = time.monotonic() + seconds
     while goal.get_comm_state() != CommState.DONE and time.monotonic() < deadline:
         time.sleep(0.01)
@@ -242,7 +242,7 @@ def wait_until(condition, what):
 
 
 def interrupt(*_):
-    """The first signal begins the end, and nothing disturbs that any more."""
+    """The first signal starts the shutdown; further signals are ignored."""
     for number in END_SIGNALS:
         signal.signal(number, signal.SIG_IGN)
     raise Failed("interrupted")
@@ -252,13 +252,13 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     for name, unit, default in (("joints", "deg", 6.0), ("path", "mm", 0.1), ("lag", "s", 0.1)):
         parser.add_argument(f"--{name}", metavar=unit.upper(), type=float, default=default,
-                            help=f"so far from its plan may the path be driven [{unit}] (default: %(default)s)")
+                            help=f"allowed deviation from the plan [{unit}] (default: %(default)s)")
     return parser.parse_args(rospy.myargv()[1:])
 
 
 def main():
     limits = parse_arguments()
-    # With signals of its own rospy would be shut down before the robot can be told to stop.
+    # With its own signal handlers, rospy would shut down before the robot can be stopped.
     rospy.init_node("load_path", anonymous=True, disable_signals=True)
     for number in END_SIGNALS:
         if signal.getsignal(number) != signal.SIG_IGN:  # nohup ignores SIGHUP

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs pick-and-place cycles through the action `pick_and_place` and prints what became of each step.
-A link that is there already is used, and stays; else it makes one, and closes it.
+"""Runs pick-and-place cycles with the action `pick_and_place` and prints the result of each step.
+Uses an existing link and leaves it open. Otherwise opens a link and closes it at the end.
 
 Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 only if every step is Done, 1 if not, 2 if the command node or the steps
 cannot be used.
@@ -31,12 +31,12 @@ ROW = "{:>5} {:>5}  {:<17} {:<5} {:<4} {:<36} {:>9} {:>9} {:>4}  {}"
 
 def main():
     arguments = parse_arguments()
-    # With signals of its own rospy would be shut down before the robot can be told to stop.
+    # With its own signal handlers, rospy would shut down before the robot can be stopped.
     rospy.init_node("pick_and_place", anonymous=True, disable_signals=True)
     for number in END_SIGNALS:
         if signal.getsignal(number) != signal.SIG_IGN:  # nohup ignores SIGHUP
             signal.signal(number, interrupt)
-    # Not simple ones, which would miss what comes in the first moments (doc/actions/README.md).
+    # Not SimpleActionClients: they would miss messages of the first moments (doc/actions/README.md).
     connect = actionlib.ActionClient("connect", ConnectAction)
     pick_and_place = actionlib.ActionClient("pick_and_place", PickAndPlaceAction)
     for client, name in ((connect, "connect"), (pick_and_place, "pick_and_place")):
@@ -59,7 +59,7 @@ def main():
 
 
 def interrupt(*_):
-    """The first signal begins the end, and nothing disturbs that any more."""
+    """The first signal starts the shutdown; further signals are ignored."""
     for number in END_SIGNALS:
         signal.signal(number, signal.SIG_IGN)
     raise KeyboardInterrupt
@@ -67,17 +67,17 @@ def interrupt(*_):
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--host", default="", help="address of the controller (default: that of the link that is there, else the node's robot_ip)")
-    parser.add_argument("--port", type=int, default=0, help="script port (default: that of the link, else the node's script_port)")
+    parser.add_argument("--host", default="", help="address of the controller (default: that of an existing link, else the node's robot_ip)")
+    parser.add_argument("--port", type=int, default=0, help="script port (default: that of an existing link, else the node's script_port)")
     parser.add_argument("--cycles", type=int, default=1,
-                        help="how many cycles to run; 0: until interrupted (default: %(default)s)")
+                        help="number of cycles; 0: until interrupted (default: %(default)s)")
     parser.add_argument("--steps", default="package://cobot_command/config/pick_and_place.yaml",
                         help="YAML file with the steps, on the command node's machine (default: %(default)s)")
     return parser.parse_args(rospy.myargv()[1:])
 
 
 def is_there(arguments):
-    """A link to the right controller is there already, of another connect goal or of ~auto_connect."""
+    """Whether a link to the right controller exists already, of another connect goal or of ~auto_connect."""
     try:
         status = rospy.wait_for_message("command_status", CommandStatus, timeout=10.0)
     except rospy.ROSException:
@@ -94,7 +94,7 @@ def is_usable(status):
 
 
 def is_ready(link):
-    """Waits until commands can be sent over the link, whose goal stays active; False when it has ended."""
+    """Waits until commands can be sent over the link. Its goal stays active; False if the goal has ended."""
     deadline = rospy.Time.now() + rospy.Duration(CONNECT_TIMEOUT + 5.0)
     while rospy.Time.now() < deadline:
         try:
@@ -135,18 +135,18 @@ def run(client, arguments):
 
 
 def wait_for_end(goal, seconds=math.inf):
-    """DONE and not the goal's status: that may come before its result."""
+    """Waits for DONE and not for the status of the goal, because the status may arrive before the result."""
     deadline = time.monotonic() + seconds
     while goal.get_comm_state() != CommState.DONE and time.monotonic() < deadline:
         time.sleep(0.05)
 
 
 class Table:
-    """One row for each step, as soon as the feedback shows that the next one has begun."""
+    """Prints a row for each step as soon as the feedback shows that the next step has begun."""
 
     def __init__(self, steps_file):
         self.steps = read_steps(steps_file)
-        self.row = None        # (cycle, step) under way
+        self.row = None        # (cycle, step) that is running
         self.planned = self.tag = 0
         self.began = self.stood = None
         print(ROW.format("cycle", "step", "name", "move", "fmt", "target [mm, deg]", "planned", "actual", "tag",
@@ -163,11 +163,11 @@ class Table:
         if feedback.phase in MOVING and feedback.command_id_ack:
             self.began = self.began or now
             self.planned, self.tag = feedback.planned_duration.to_sec(), feedback.command_id_ack
-        elif self.began:  # the output or the dwell behind the move
+        elif self.began:  # the output or the dwell after the move
             self.stood = self.stood or now
 
     def end(self, verdict, now=None):
-        """Prints the row of the step under way. Its actual time is that of the move as the feedback shows it."""
+        """Prints the row of the running step. The actual time is that of the move in the feedback."""
         if self.row is None:
             return
         cycle, step = self.row
@@ -177,7 +177,7 @@ class Table:
         self.row = None
 
     def words(self, step):
-        """Name, move, format and target; blank when the file is not on this machine."""
+        """Name, move, format and target; blank if the file is not on this machine."""
         if step >= len(self.steps):
             return "", "", "", ""
         values = self.steps[step]
@@ -186,7 +186,7 @@ class Table:
 
 
 def read_steps(path):
-    """For the table only: the command node reads the file itself, and is the one who judges it."""
+    """For the table only: the command node reads and checks the file itself."""
     if path.startswith("package://"):
         package, _, rest = path[len("package://"):].partition("/")
         path = f"{rospkg.RosPack().get_path(package)}/{rest}"

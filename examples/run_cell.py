@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Runs all robots of a cell by the action `run_cell`, and prints who goes where, who waits for whom, and for which zone.
+"""Runs all robots of a cell with the action `run_cell`, and prints where each robot goes, and for which zone and which robot it waits.
 
-Ctrl-C, SIGTERM and a closed terminal cancel it, which stops the robots. Exit status: 0 when all cycles were done, and, where the cell has
-a monitor, no two robots came closer than --distance; 1 with the reason when not.
+Ctrl-C, SIGTERM and a closed terminal cancel the action, which stops the robots. Exit status: 0 if all cycles were done and, if the cell
+has a monitor, no two robots came closer than --distance; 1 with the reason if not.
 """
 import argparse
 import signal
@@ -66,7 +66,7 @@ class Teller:
 
 
 class EndAsked:
-    """A signal came. All that its handler does is to say so: one that interrupts another one must find no lock taken."""
+    """Whether a signal was received. The handler only sets a flag, because it might interrupt another handler that holds a lock."""
 
     def __init__(self):
         self._is_so = False
@@ -81,7 +81,7 @@ class EndAsked:
 
 
 def wait_until(condition, end_asked, patience):
-    """False: it was not so within `patience` [s], or the end was asked for first."""
+    """False: the condition was not met within `patience` [s], or the end was requested first."""
     begin = time.monotonic()
     while not condition():
         if end_asked or time.monotonic() - begin > patience:
@@ -109,7 +109,7 @@ def run(arguments):
 
 
 def wait_until_it_has_begun(cell, end_asked):
-    """Nodes that were just started find each other within a moment. What lasts for longer the action refuses, with the reason."""
+    """Waits while nodes that were just started find each other. If that takes longer, the action refuses the goal with the reason."""
     states = []
     subscriber = rospy.Subscriber(f"{cell}/state", CellState, states.append, queue_size=1)
     if not wait_until(lambda: states and states[-1].mode != CellState.STARTING, end_asked, SOON):
@@ -122,7 +122,7 @@ def wait_until_it_has_begun(cell, end_asked):
 
 
 def verdict(handle, distance):
-    """What is wrong; nothing when all is well."""
+    """The reason of the failure; empty on success."""
     result = handle.get_result()
     if handle.get_terminal_state() != GoalStatus.SUCCEEDED:
         return f"16#{result.error_id:X} {result.error_description}. {result.remedy}" if result else \
@@ -141,9 +141,9 @@ def verdict(handle, distance):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cell", default="/cell", help="namespace of the cell (default: %(default)s)")
-    parser.add_argument("--cycles", type=int, default=3, help="of each robot, 1 to 1000000; 0: until it is cancelled (default: %(default)s)")
-    parser.add_argument("--robots", nargs="+", default=[], metavar="NAME", help="only these (default: all of the cell)")
-    parser.add_argument("--distance", type=float, default=20.0, help="[mm] that has to be kept (default: %(default)s)")
+    parser.add_argument("--cycles", type=int, default=3, help="cycles of each robot, 1 to 1000000; 0: until cancelled (default: %(default)s)")
+    parser.add_argument("--robots", nargs="+", default=[], metavar="NAME", help="only these robots (default: all robots of the cell)")
+    parser.add_argument("--distance", type=float, default=20.0, help="minimum distance between robots [mm] (default: %(default)s)")
     arguments = parser.parse_args(rospy.myargv()[1:])
     rospy.init_node("run_cell", anonymous=True, disable_signals=True)
     fault = run(arguments)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a PLC does for a mechanism of a cell: moves it to the `target` that `cell_mechanism` gives, and tells its `position` fifty times a
-second. Both in m, or rad of one that turns. Private parameters: ~start, and ~speed in m/s or rad/s.
+"""Simulates the PLC of a mechanism of a cell: moves the mechanism to the `target` that `cell_mechanism` publishes, and publishes its
+`position` fifty times a second. Both are in m, or in rad if it rotates. Private parameters: ~start (m or rad), ~speed (m/s or rad/s).
 """
 import sys
 

@@ -1,9 +1,10 @@
-// A tour of the actions: connects, checks before it moves, moves in three ways with blending, works in
-// another base with another tool, pauses and resumes, stops, and comes back. Needs about 1 m of free space
-// around the robot. A link that is there already is used, and stays; else the tour makes one, and closes it.
+// A tour of the actions: connects, checks a sequence before it moves, moves in three ways with blending,
+// works in another base with another tool, pauses and resumes, stops, and returns. Needs about 1 m of free
+// space around the robot. Uses an existing link and leaves it open. Otherwise opens a link and closes it at
+// the end.
 //
-// Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 when everything went as it should, 1
-// with the reason when not. The same in Python: tour.py.
+// Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 if all steps succeeded, 1 with the
+// reason if not. The same in Python: tour.py.
 
 #include <csignal>
 #include <cstdio>
@@ -31,7 +32,7 @@ using namespace cobot_command;
 using State = actionlib::SimpleClientGoalState;
 
 const ros::Duration kTimeout(60);
-const ros::Duration kCloseTimeout(5);  // a command node that hangs must not hold up who wants to leave
+const ros::Duration kCloseTimeout(5);  // a command node that hangs must not delay the end
 const ros::Duration kGlance(0.02);
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -41,7 +42,7 @@ void interrupt(int /*signal*/) {
   interrupted = 1;
 }
 
-/// With a handler of its own roscpp would be shut down before the robot can be told to stop.
+/// With its own handler, roscpp would shut down before the robot can be stopped.
 void heedSignals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const auto before = std::signal(signal, interrupt);
@@ -83,7 +84,7 @@ MoveRelativeGoal by(const Transformation& offset, int data_format, int speed) {
   return goal;
 }
 
-/// Done when the controller has accepted it: what comes next begins before the robot stands.
+/// Done when the controller has accepted it: the next motion begins before the robot has stopped.
 MoveRelativeGoal up() {
   MoveRelativeGoal goal = by(six(0, 0, 60), MoveRelativeGoal::CAP, 150);
   goal.blending_enable = true;
@@ -114,7 +115,7 @@ SequenceStep step(const MoveRelativeGoal& move) {
   return checked;
 }
 
-/// The client of one action. A goal that does not end as it should is an exception.
+/// The client of one action. Throws if a goal does not end as expected.
 template <class Action>
 class Client {
  public:
@@ -128,7 +129,7 @@ class Client {
     return expect(State::SUCCEEDED);
   }
 
-  /// Returns when the goal is taken, that is when it may be cancelled.
+  /// Returns when the goal is accepted, so that it can be cancelled.
   void start(const Goal& goal) {
     if (interrupted != 0) throw std::runtime_error("interrupted");
     waitForServer();
@@ -137,7 +138,7 @@ class Client {
     has_moved = has_moved || (name_.rfind("move_", 0) == 0 && client_.getState() != State::REJECTED);
   }
 
-  /// The last goal of all, which nothing interrupts; how it ends changes nothing any more.
+  /// The last goal, which nothing interrupts. Its result is ignored.
   void runLast(const Goal& goal) {
     if (client_.isServerConnected() || client_.waitForServer(kCloseTimeout)) {
       client_.sendGoalAndWait(goal, kCloseTimeout, kCloseTimeout);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A tour of the actions: connects, checks before it moves, moves in three ways with blending, works in another base
-with another tool, pauses and resumes, stops, and comes back. Needs about 1 m of free space around the robot.
-A link that is there already is used, and stays; else the tour makes one, and closes it.
+"""A tour of the actions: connects, checks a sequence before it moves, moves in three ways with blending, works in another
+base with another tool, pauses and resumes, stops, and returns. Needs about 1 m of free space around the robot.
+Uses an existing link and leaves it open. Otherwise opens a link and closes it at the end.
 
-Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 when everything went as it should, 1 with the
-reason when not. The same in C++: tour.cpp.
+Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 if all steps succeeded, 1 with the reason if not.
+The same in C++: tour.cpp.
 """
 import signal
 import sys
@@ -31,18 +31,18 @@ ARC = MoveCircleGoal(data_format=MoveCircleGoal.CAP, arc_point=Transformation(48
 SLOWLY_DOWN = MoveRelativeGoal(movement_command=MoveRelativeGoal.LINE, data_format=MoveRelativeGoal.TAP,
                                target_position=Transformation(z=150), speed=20, accel_time=300)
 TIMEOUT = 60.0  # [s]
-CLOSE_TIMEOUT = 5.0  # [s]; a command node that hangs must not hold up who wants to leave
+CLOSE_TIMEOUT = 5.0  # [s]; a command node that hangs must not delay the end of this program
 END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class Failed(Exception):
-    """What did not go as it should."""
+    """The reason why the example failed."""
 
 
 class Tour:
     def __init__(self):
-        self.clients = {}  # not simple ones, which would miss an answer that comes at once (doc/actions/README.md)
-        self.link = None  # the goal of one of its own
+        self.clients = {}  # not SimpleActionClients, which would miss an answer that arrives at once (doc/actions/README.md)
+        self.link = None  # the connect goal, if this program has opened the link
         self.uses_others_link = False
         self.has_moved = False
 
@@ -102,8 +102,8 @@ class Tour:
         self.expect("connect", self.link, GoalStatus.ACTIVE)
 
     def leave(self):
-        """Leaves a robot that stands: by the normal end of connect, or, over a link of somebody else, by a stop. A robot that
-        was never ours to move, as somebody else moves it, is left alone."""
+        """Stops the robot: by the normal end of connect, or by a stop if another client has opened the link. A robot that
+        this program has not moved is not stopped, because another client may move it."""
         if self.uses_others_link and self.has_moved:
             self.expect("stop", self.start("stop", msg.StopGoal()), GoalStatus.SUCCEEDED, CLOSE_TIMEOUT)
         if self.link and self.link.get_goal_status() == GoalStatus.ACTIVE:
@@ -115,7 +115,7 @@ class Tour:
         return self.expect(action, self.start(action, goal), GoalStatus.SUCCEEDED)
 
     def start(self, action, goal):
-        """Sends a goal and waits until it is taken, that is until it may be cancelled."""
+        """Sends a goal and waits until it is accepted, so that it can be cancelled."""
         sent = self.client(action, getattr(msg, type(goal).__name__.replace("Goal", "Action"))).send_goal(goal)
         wait_until(lambda: sent.get_goal_status() != GoalStatus.PENDING, f"an answer of {action}")
         taken = sent.get_goal_status() != GoalStatus.REJECTED
@@ -139,8 +139,8 @@ class Tour:
 
 
 def is_ready():
-    """Commands can be sent."""
-    # Latched: the newest is there at once.
+    """Whether commands can be sent."""
+    # Latched: the latest message is received at once.
     status = rospy.wait_for_message("command_status", CommandStatus, timeout=10)
     return status.link_state == CommandStatus.READY and status.status_stream
 
@@ -154,14 +154,14 @@ def wait_until(condition, what, timeout=TIMEOUT):
 
 
 def interrupt(*_):
-    """The first signal begins the end, and nothing disturbs that any more."""
+    """The first signal starts the shutdown; further signals are ignored."""
     for number in END_SIGNALS:
         signal.signal(number, signal.SIG_IGN)
     raise Failed("interrupted")
 
 
 def main():
-    # With signals of its own rospy would be shut down before the robot can be told to stop.
+    # With its own signal handlers, rospy would shut down before the robot can be stopped.
     rospy.init_node("tour", anonymous=True, disable_signals=True)
     for number in END_SIGNALS:
         if signal.getsignal(number) != signal.SIG_IGN:  # nohup ignores SIGHUP

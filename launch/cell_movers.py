@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Launches the robots and mechanisms of a cell, which stand in its artifact: cell.launch starts it."""
+"""Launches the robots and mechanisms that are listed in the artifact of a cell. cell.launch starts this program."""
 import argparse
 import os
 import subprocess
@@ -11,18 +11,18 @@ import rospy
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("artifact", help="what tm_cell build has made of the cell's file")
+    parser.add_argument("artifact", help="the artifact that tm_cell build has made of the cell's file")
     parser.add_argument("--time-scale", default="1.0", help="how many times faster than real time the controllers run")
     arguments = parser.parse_args(rospy.myargv()[1:])
     names = {what: ask(arguments.artifact, what) for what in ("robots", "mechanisms")}
-    # In the place of this one, so that whoever ends this one ends that.
+    # Replaces this process, so that a signal that ends this program ends roslaunch.
     os.execvp("roslaunch", ["roslaunch", "--disable-title", "--no-summary", "cobot_command", "cell_movers.launch",
                             f"artifact:={arguments.artifact}", f"time_scale:={arguments.time_scale}",
                             *(f"{what}:={told}" for what, told in names.items() if told)])
 
 
 def ask(artifact, what):
-    """In whichever space it is: roslaunch finds nodes there, too."""
+    """Finds tm_cell in the devel or install space, as roslaunch finds nodes."""
     programs = roslib.packages.find_node("cobot_command", "tm_cell")
     if not programs:
         sys.exit("cell_movers.py: tm_cell is not there: build the package")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws what path_curves prints, as SVG: the same curves give the same bytes.
+"""Draws the curves that path_curves prints, as SVG. The same curves give the same bytes.
 
 Usage: draw_profiles.py path_curves FOLDER
 """

@@ -1,4 +1,4 @@
-"""Makes small files of what scripts/pictures has taken: few colours, one animation of its frames, two views side by side."""
+"""Makes small files of the pictures that scripts/pictures has taken: few colours, one animation of its frames, two views next to each other."""
 import glob
 import os
 import shutil

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Writes the tables of doc/actions/*.md from action/*.action, msg/*.msg and doc/errors.md.
 
-Above its line `<!-- made by ... -->` a page is written by hand, below it by this program. With --check nothing is
-written: exit status 1, and what is wrong, when a page is not what this program would write. Either way a field without
-a comment, a number of a goal without a unit or a range, and an action without a page or an example are faults.
+A page is written by hand above its line `<!-- made by ... -->`, and by this program below it. With --check nothing is
+written; the exit status is 1, with the faults printed, if a page differs from what this program would write. In both
+cases these are faults: a field without a comment, a number in a goal without a unit or a range, an action without a
+page or an example.
 """
 import argparse
 import pathlib

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Prints the coverage of each room, of a report that gcovr has written.
+"""Prints the coverage of each room from a report of gcovr.
 
 Usage: print_coverage.py COVERAGE_JSON [ROOM]
-ROOM: also the places of that room that no test reaches."""
+ROOM: also lists the places of that room that no test reaches."""
 import collections
 import json
 import pathlib

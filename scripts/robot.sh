@@ -1,7 +1,7 @@
-# Shared by the scripts beside it that run a program on a simulated robot: master, simulated controller and command node. To be sourced,
-# behind setup.sh, once the build is in use.
+# Shared by the scripts of this folder that run a program on a simulated robot: master, simulated controller and command node. Source it
+# after setup.sh, when the build is in use.
 
-# start_robot [argument of bringup.launch...]: on free ports; ends with the script, at the latest. `log` is what it has said.
+# start_robot [argument of bringup.launch...]: on free ports; it ends with the script at the latest. `log` is the file of its output.
 start_robot() {
   export ROS_MASTER_URI="http://localhost:$(free_port)" ROS_HOSTNAME=localhost
   log=$(mktemp)
@@ -12,7 +12,7 @@ start_robot() {
   trap end_robot EXIT
 }
 
-# start_cell <file of the cell> <artifact> [argument of cell.launch...]: its robots, its supervisor and its monitor, in the same way.
+# start_cell <file of the cell> <artifact> [argument of cell.launch...]: starts its robots, supervisor and monitor in the same way.
 start_cell() {
   local cell=$1 artifact=$2
   shift 2
@@ -24,13 +24,13 @@ start_cell() {
   trap end_robot EXIT
 }
 
-# Ends it, and waits for that: then a recording is closed.
+# Ends the launch and waits for it, so that a recording is closed.
 end_robot() {
   kill -INT "$launch" 2>/dev/null || true
   wait "$launch" 2>/dev/null || true
 }
 
-# wait_for_robot <command>...: until the command succeeds. As soon as the launch has failed there is nothing to wait for.
+# wait_for_robot <command>...: until the command succeeds. Fails as soon as the launch has failed.
 wait_for_robot() {
   local tries
   for tries in {1..120}; do

@@ -1,15 +1,15 @@
-# Shared by the scripts beside it: builds with sanitizers, in folders of their own. To be sourced behind setup.sh.
+# Shared by the scripts of this folder: builds with sanitizers, each in its own folder. Source it after setup.sh.
 
-# The rooms that read what a peer sent, those that decide what becomes of it, and what they stand on. Their tests run once
-# with every change, watched, in a build of their own; the build of everything leaves them out then. What is quick
-# (corpora) runs in both. Not those that calculate for minutes when they are watched, geometry most of all: they run in
-# the build of everything, and `scripts/test --sanitize address` watches them.
+# The rooms that read the data of a peer, those that process them, and the rooms that these use. Their tests run once with
+# every change, with sanitizers, in their own build; the complete build leaves them out then. Quick tests (corpora) run in
+# both. Rooms that calculate for minutes under a sanitizer, mostly geometry, are not in the list: they run in the complete
+# build, and `scripts/test --sanitize address` checks them.
 readonly core_tests=(allocation automata blocks capabilities cell_agent cell_artifact cell_model cell_monitor cell_program
   cell_supervision command common files kinematics link peers protocol robot script simulator tables tm_script
   dynamics follow_joint_trajectory hostile io_failures paths project_values runtime runtime_parts synchronisation transport)
 core_tests_pattern=$(IFS='|' && echo "^((${core_tests[*]})[.]|fuzz[.]|locale[.](${core_tests[*]})_)")
 readonly core_tests_pattern
-# Both nodes as processes: goals and cancels of four clients at once, connections made and lost, ends and kills.
+# Both nodes as processes: goals and cancels of four clients at once, connections opened and lost, ends and kills.
 readonly node_tests_pattern='^rostest\.(load|ends)$'
 readonly threaded_targets=(test_transport test_runtime test_runtime_parts test_ros command_node simulated_controller_node
   cobot_command_generate_messages_py)
@@ -25,13 +25,13 @@ build_sanitized() {
   watch
 }
 
-# What the address sanitizer does not see by itself. The other checks of undefined behaviour, of each pointer that is
-# followed, cost a third of the time of the compiler, and what they find before it does is left to --sanitize address.
+# Checks that the address sanitizer does not include. The other checks of undefined behaviour, of each dereferenced pointer,
+# cost a third of the compile time; their additional findings are left to --sanitize address.
 readonly core_sanitizers=address,bool,bounds,builtin,enum,integer-divide-by-zero,return,shift,signed-integer-overflow,unreachable
 
-# What ROS could hide shows here: rooms of the core are built without it; and what one compiler lets pass: clang builds
-# this, g++ all but these tests. What precompiled headers hide, clang-tidy shows. Nothing is gained by optimizing the tests
-# themselves, and half of the compiler's time is lost.
+# This build finds faults that ROS could hide, because it builds the rooms of the core without ROS. It also finds faults that one
+# compiler accepts: clang builds this, g++ everything except these tests. Faults that precompiled headers hide are found by
+# clang-tidy. Optimizing the tests themselves would gain nothing and cost half of the compile time.
 build_core() {
   configure "$build/watched" -DCOBOT_CORE_ONLY=ON -DCOBOT_SANITIZE="$core_sanitizers" -DCMAKE_CXX_COMPILER=clang++ \
     -DCOBOT_TEST_OPTIONS=-O0
@@ -39,7 +39,7 @@ build_core() {
   watch
 }
 
-# What the sanitizers are to do, for the programs that are run from now on.
+# Options of the sanitizers for all programs that run from now on.
 watch() {
   export ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1
   export UBSAN_OPTIONS=print_stacktrace=1

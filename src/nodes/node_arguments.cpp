@@ -17,7 +17,7 @@ constexpr std::size_t kReasonLimit = 600;  // [bytes]; roscpp tells types with t
 std::string usageOf(const NodeDescription& node) {
   return fmt::format(
       "usage: {} [name:=value...]\n{}\n"
-      "  _parameter:=value  a private parameter, such as {}; the README has all of them\n"
+      "  _parameter:=value  a private parameter, such as {}; doc/parameters.md lists them\n"
       "  topic:=other       another name for a topic, service or action; __name:= and __ns:= for the node\n",
       node.name, node.purpose, node.example);
 }

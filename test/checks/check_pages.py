@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Fails where a page says otherwise than what it speaks of: which room may use which, how large files of goals may be, where units stand.
+"""Fails where a page disagrees with its subject: which room may use which, how large files of goals may be, which messages show units; where a
+link leads to no file or no heading; and where the README is too long for a first look.
 
 The table of rooms in doc/architecture.md names what a room is built on; what that uses is meant with it. check_layers.py has what may be included."""
+import functools
 import pathlib
 import re
 import sys
@@ -15,6 +17,9 @@ SIZES = {
     "path_file": ("src/ros/files/path_file.cpp", {"doc/ros.md": r"`path_file`: (\d+) MiB", "doc/actions/load_path.md": r"regular file of up to (\d+) MiB"}),
 }
 SIZE = re.compile(r"kMaxFileSize = (\d+) << 20;")
+# What a first look can take: lines, and bytes.
+README_LIMITS = (150, 14_000)
+LINK = re.compile(r"\]\(([^()\s]+)\)")
 SHOWN = re.compile(r"rosmsg show (?:-r )?cobot_command/(\w+)")
 
 
@@ -85,16 +90,55 @@ def faults_of_messages(root):
                 yield f"{page.relative_to(root)}: rosmsg shows no unit of {message}; that of a goal is in its ...Goal, without Action"
 
 
+def pages_of(root):
+    named = [root / "README.md", root / "CONTRIBUTING.md", *root.glob("test/**/README.md"), *root.glob("benchmark/**/README.md")]
+    return [page for page in named if page.is_file()] + sorted((root / "doc").rglob("*.md"))
+
+
+@functools.lru_cache(maxsize=None)
+def anchors_of(text):
+    """As GitHub makes them of headings: without code quotes and punctuation, the second one of a name with -1."""
+    found = set()
+    for heading in re.findall(r"^#+ +(.*?)\s*$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), flags=re.M):
+        plain = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
+        anchor = re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
+        found.add(next(name for name in (anchor, *(f"{anchor}-{n}" for n in range(1, 100))) if name not in found))
+    return found
+
+
+def faults_of_links(root):
+    for page in pages_of(root):
+        text = page.read_text(encoding="utf-8")
+        for link in LINK.findall(re.sub(r"^```.*?^```|`[^`\n]*`", "", text, flags=re.M | re.S)):
+            if re.match(r"[a-z]+:", link):
+                continue
+            name, _, anchor = link.partition("#")
+            target = (page.parent / name).resolve() if name else page
+            if not target.exists():
+                yield f"{page.relative_to(root)}: the link {link} leads to no file"
+            elif anchor and anchor not in anchors_of(target.read_text(encoding="utf-8")):
+                yield f"{page.relative_to(root)}: the link {link} leads to no heading"
+
+
+def faults_of_the_readme(root):
+    text = (root / "README.md").read_text(encoding="utf-8")
+    for found, allowed, what in zip((text.count("\n"), len(text.encode())), README_LIMITS, ("lines", "bytes")):
+        if found > allowed:
+            yield f"README.md has {found} {what}; allowed are {allowed}: move what is reference to doc/"
+
+
 def faults(root):
     page = root / "doc/architecture.md"
     yield from (f"{page.relative_to(root)}: {fault}" for fault in faults_of_rooms(page.read_text(encoding="utf-8")))
     yield from faults_of_sizes(root)
     yield from faults_of_messages(root)
+    yield from faults_of_links(root)
+    yield from faults_of_the_readme(root)
 
 
 def main():
     found = list(faults(pathlib.Path(sys.argv[1])))
-    print("\n".join(found) or "rooms, sizes and units are on the pages as they are")
+    print("\n".join(found) or "rooms, sizes, units and links of the pages are right")
     return 1 if found else 0
 
 

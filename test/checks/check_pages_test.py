@@ -8,9 +8,9 @@ import unittest
 import check_pages
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# What check_pages.py reads.
-PAGES = ("README.md", "doc/architecture.md", "doc/ros.md", "doc/actions/load_path.md", "src/ros/files/pick_and_place_file.cpp",
-         "src/ros/files/path_file.cpp", "action/MoveAbsolute.action")
+# What check_pages.py reads, and what links lead to.
+FILES = ("README.md", "CONTRIBUTING.md", "CHANGELOG.rst", "LICENSE", "src/ros/files/pick_and_place_file.cpp", "src/ros/files/path_file.cpp")
+FOLDERS = ("doc", "action", "msg", "examples", "scripts", "config")
 
 
 class CheckPages(unittest.TestCase):
@@ -18,9 +18,11 @@ class CheckPages(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        for page in PAGES:
-            (self.root / page).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / page, self.root / page)
+        for name in (*FILES, *(str(page.relative_to(ROOT)) for page in ROOT.glob("test/**/*.md"))):
+            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, self.root / name)
+        for name in FOLDERS:
+            shutil.copytree(ROOT / name, self.root / name)
 
     def faults_with(self, page, old, new):
         """What is found where the page says the new in place of the old."""
@@ -51,6 +53,19 @@ class CheckPages(unittest.TestCase):
     def test_finds_a_message_that_shows_no_units(self):
         self.assertIn("README.md: rosmsg shows no unit of MoveAbsoluteActionGoal",
                       self.faults_with("README.md", "rosmsg show -r cobot_command/MoveAbsoluteGoal", "rosmsg show -r cobot_command/MoveAbsoluteActionGoal"))
+
+    def test_finds_a_link_that_leads_nowhere(self):
+        self.assertIn("doc/README.md: the link tables.rst leads to no file", self.faults_with("doc/README.md", "(tables.md)", "(tables.rst)"))
+        self.assertIn("the link ros.md#moveit leads to no heading", self.faults_with("doc/ros.md", "## MoveIt", "## Moving"))
+
+    def test_knows_the_anchors_of_headings(self):
+        self.assertEqual(check_pages.anchors_of("# `a_b`: The end, of it\n## Two [words](x.md)\n```\n# none\n```\n## Two words\n"),
+                         {"a_b-the-end-of-it", "two-words", "two-words-1"})
+
+    def test_finds_a_readme_that_is_too_long(self):
+        with open(self.root / "README.md", "a", encoding="utf-8") as page:
+            page.write("\n" * 150)
+        self.assertIn("allowed are 150", "\n".join(check_pages.faults(self.root)))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that a robot, or the simulator, speaks the protocol of the TM controllers.
 
-Exit status: 0 every check kept its promise (or is known not to, see not_yet.txt), 1 one did not, 2 bad usage.
+Exit status: 0 if every check is kept (or is known not to be, see not_yet.txt), 1 if one is not, 2 on bad usage.
 """
 import argparse
 import concurrent.futures
@@ -19,9 +19,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 WARNING = """
 WARNING: --all makes the robot at {host} MOVE, stop, leave its Listen node, and switch its outputs.
-It comes to the posture 0,0,90,0,90,0 deg from wherever it is, turns J1 by up to 90 deg, some joints to far ends of
-their ranges, and moves at full speed. Nothing is known here of what is mounted on the arm and stands around it.
-Everybody out of its reach? A hand on the emergency stop? Then type the address of the robot again.
+It moves to the posture 0,0,90,0,90,0 deg from its present posture, turns J1 by up to 90 deg and some joints to far
+ends of their ranges, and moves at full speed. The checks do not know what is mounted on the arm or what is around it.
+Is everybody out of its reach? Is a hand on the emergency stop? Then type the address of the robot again.
 """
 
 
@@ -47,21 +47,21 @@ def main():
 
 def parse():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
-    parser.add_argument('--spawn', metavar='PROGRAM', help='start this tm_simulator, anew for each check')
+    parser.add_argument('--spawn', metavar='PROGRAM', help='start this tm_simulator, a new one for each check')
     parser.add_argument('--host', help='check the robot at this address: the safe checks only')
     parser.add_argument('--port', type=int, default=5890, help='its script port (%(default)s)')
     parser.add_argument('--status-port', type=int, default=5891, help='its status port (%(default)s)')
-    parser.add_argument('--tmflow', choices=suite.VERSIONS, help='its version; asked for when not given')
+    parser.add_argument('--tmflow', choices=suite.VERSIONS, help='its version; read from the robot if not given')
     parser.add_argument('--all', action='store_true', help='the unsafe checks too: the robot WILL MOVE')
     parser.add_argument('--only', metavar='ID', action='append', help='only these checks; TM-1.3.* is a pattern')
-    parser.add_argument('--list', action='store_true', help='name the checks, run none')
+    parser.add_argument('--list', action='store_true', help='list the checks, run none')
     parser.add_argument('--markdown', action='store_true', help='with --list: as the table of doc/conformance.md')
     parser.add_argument('--not-yet', metavar='FILE', default=HERE / 'not_yet.txt', type=pathlib.Path,
                         help='checks that the simulator is known to fail, with reasons (%(default)s)')
     parser.add_argument('--jobs', type=int, default=4, help='simulators at a time (%(default)s)')
     parser.add_argument('--json', metavar='FILE', help='write the results there')
     parser.add_argument('--junit', metavar='FILE', help='write the results there')
-    parser.add_argument('--verbose', action='store_true', help='name the checks that pass, too')
+    parser.add_argument('--verbose', action='store_true', help='list the checks that pass, too')
     return parser.parse_args()
 
 

@@ -1,57 +1,41 @@
 #!/usr/bin/env python3
 """Every shell example of doc/actions ends as its page says, and the example clients do what they say."""
 import contextlib
-import pathlib
 import re
 import signal
 import subprocess
 
-import rospkg
-import rospy
 from actionlib_msgs.msg import GoalStatus
 
-import cobot_command.msg
 from cobot_command.msg import CommandStatus
 from cobot_goals import HOME, base, tcp, to_joints
 from cobot_test import program
 from motion_checks import MotionTestCase
+from page_examples import check, examples_of, results_of_all_actions
 
 CLIENT_DEADLINE = 120  # [s]
 # The layer does not know that this controller is five times as fast as it plans.
 ANY_TIME = ["--joints", "1000", "--path", "1000", "--lag", "10"]
 CLIENTS = (["pick_and_place.py", "--cycles", "0"], ["tour.py"], ["tour"], ["load_path.py", *ANY_TIME])
-PACKAGE = pathlib.Path(rospkg.RosPack().get_path("cobot_command"))
-# ```sh example [state [error id]]; the state is SUCCEEDED when it is not given
-EXAMPLE = re.compile(r"^```sh example *(?P<state>\w*) *(?:16#(?P<error_id>\w+)|(?P<decimal>\d+))?\n(?P<command>.*?)^```$", re.M | re.S)
-TARGET = re.compile(r"rostopic pub -1 /(?P<action>\w+)/(?:goal|cancel) ")
-
-
-OF_SUPERVISOR = {"build_cell", "run_cell"}  # there is none here: cell_test.py has their goals
 
 
 class Examples(MotionTestCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.results = {}
-        for path in PACKAGE.glob("action/*.action"):
-            action = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", path.stem).lower()
-            if action in OF_SUPERVISOR:
-                continue
-            cls.results[action] = cls.robot.latest(f"{action}/result",
-                                                   getattr(cobot_command.msg, f"{path.stem}ActionResult"))
+        cls.results = results_of_all_actions(cls.robot)
 
     def test_every_page_has_examples_and_they_end_as_it_says(self):
         with contextlib.ExitStack() as shells:
             for action in sorted(self.results):
-                examples = list(EXAMPLE.finditer((PACKAGE / f"doc/actions/{action}.md").read_text(encoding="utf-8")))
+                examples = examples_of(f"doc/actions/{action}.md")
                 self.assertTrue(examples, action)
                 self.start_afresh()
                 if action == "connect":
                     self.robot.close()
                 for example in examples:
                     with self.subTest(action=action, command=example["command"]):
-                        self.check(example, shells)
+                        check(self, self.robot, self.results, example, shells)
 
     def test_tours_come_to_their_end(self):
         for client in ("tour.py", "tour"):
@@ -153,30 +137,9 @@ class Examples(MotionTestCase):
         self.assertEqual(done.returncode, exit_status, done.stdout + done.stderr)
         return done.stdout
 
-    def check(self, example, shells):
-        results = self.results[TARGET.search(example["command"])["action"]]
-        results.forget()
-        if example["state"] == "ACTIVE":
-            with shell(example["command"]):  # what ends it must not be faster
-                self.robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY and s.status_stream, "a link")
-            return
-        shells.enter_context(shell(example["command"]))
-        # Results of this test's own goals may still come in.
-        end = results.wait_for_any(lambda m: rospy.get_name() not in m.status.goal_id.id, "the result")
-        self.assertEqual(end.status.status, getattr(GoalStatus, example["state"] or "SUCCEEDED"), end)
-        self.assertEqual(hex(end.result.error_id), hex(int(example["decimal"] or 0) or int(example["error_id"] or "0", 16)), end)
-
-
-@contextlib.contextmanager
-def shell(command):
-    """Runs the command beside what follows, and lets it end by itself: what was published once stays for three seconds."""
-    with subprocess.Popen(["bash", "-c", command]) as process:
-        yield
-    if process.returncode != 0:
-        raise AssertionError(f"ended with {process.returncode}: {command}")
-
 
 if __name__ == "__main__":
+    import rospy
     import rostest
 
     rospy.init_node("examples_test")

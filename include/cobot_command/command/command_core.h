@@ -69,7 +69,7 @@ class CommandCore {
   /// Other deadlines, periods and limits from now on, also while connected. A deadline that runs already
   /// stays; a lifesign that would come later than the new period says comes sooner. Limits (tolerances,
   /// misses) count at once. A link that is up keeps its status port; `first_tag` and `planning_budget` stay
-  /// as they were. Precondition: all are in the ranges of the node's parameters (README).
+  /// as they were. Precondition: all are in the ranges of the node's parameters (doc/parameters.md).
   void useSettings(const link::LinkSettings& settings, Instant now);
 
   /// All tables at once, as they were kept; for the start.

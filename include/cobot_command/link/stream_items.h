@@ -1,6 +1,6 @@
 // The items of the status stream that are read here: what each is needed for, and what cannot be done without
-// it. The one place that says so; README, diagnosis, messages and refusals are made from it, or held against
-// it.
+// it. The one place that says so; doc/real-robot.md, diagnosis, messages and refusals are made from it, or
+// held against it.
 #pragma once
 
 #include <string>
@@ -23,7 +23,8 @@ struct StreamItem {
   std::string_view without;  ///< what is so where the data table does not have it, for people
 };
 
-/// In the order of README. Several of one kind, such as inputs, are one row with the name of the first.
+/// In the order of doc/real-robot.md. Several of one kind, such as inputs, are one row with the name of the
+/// first.
 [[nodiscard]] const std::vector<StreamItem>& streamItems();
 
 /// Those that every data table should have, and this frame did not; what it has and cannot be read is no part

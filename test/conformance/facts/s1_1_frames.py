@@ -22,7 +22,7 @@ def damaged(text):
     return b'$%s*%02X\r\n' % (body, checksum(body))
 
 
-@check('TM-1.1.01', '`$TMSTA,2,00,*41` is a frame, and its answer is one', 'M 7.3, 10.5', safe=True)
+@check('TM-1.1.01', '`$TMSTA,2,00,*41` is a valid frame, and so is its answer', 'M 7.3, 10.5', safe=True)
 def a_question_is_answered(robot):
     answers_status(robot, STATUS_QUESTION)
 
@@ -34,7 +34,7 @@ def a_script_is_answered(robot):
     equal(encode('TMSCT', '1,OK'), b'$TMSCT,4,1,OK,*5C\r\n', 'the frame that the client reads as TMSCT,1,OK')
 
 
-@check('TM-1.1.03', 'the status port speaks the same grammar', 'M 10.5', since='1.80', safe=True)
+@check('TM-1.1.03', 'the status port uses the same grammar', 'M 10.5', since='1.80', safe=True)
 def the_status_port_speaks_it_too(robot):
     mode, _ = robot.svr.request(11, b'\x0a\x00Robot_Link')
     equal(mode, 11, 'mode of the answer')
@@ -46,7 +46,7 @@ def the_header_is_case_sensitive(robot):
     equal(robot.listen.exchange(b'$TMsct,25,1,ChangeBase("RobotBase"),*28\r\n'), 'CPERR,03')
 
 
-@check('TM-1.1.05', 'LENGTH counts UTF-8 bytes: `$TMSCT,8,1,達明,*58` is a frame', 'M 7.3', safe=True)
+@check('TM-1.1.05', 'LENGTH counts UTF-8 bytes: `$TMSCT,8,1,達明,*58` is a valid frame', 'M 7.3', safe=True)
 def the_length_counts_bytes(robot):
     answer = robot.listen.exchange('$TMSCT,8,1,達明,*58\r\n'.encode())
     true(answer.startswith('TMSCT,1,'), 'answered with %s' % answer)
@@ -73,7 +73,7 @@ def the_length_has_32_bits(robot):
     equal(robot.listen.exchange(damaged('TMSTA,2147483648,00,')), 'CPERR,01')
 
 
-@check('TM-1.1.10', 'DATA is cut by LENGTH: a whole frame within a script is no frame', 'M 7.3', safe=True)
+@check('TM-1.1.10', 'DATA is cut by LENGTH: a whole frame inside a script is not taken for a frame', 'M 7.3', safe=True)
 def a_frame_within_data_is_data(robot):
     robot.listen.script('1', 'NoSuchFunction()' + STATUS_QUESTION.decode(), ',*5C')
     true(robot.listen.reply('1').startswith('ERROR;'), 'the script is not answered as a faulty one')
@@ -95,19 +95,19 @@ def each_bit_of_the_checksum_counts(robot):
               'bit %d' % bit)
 
 
-@check('TM-1.1.13', 'a checksum in lower case is taken: `$TMSTA,3,00,,*6c`', 'L tm2_ros2 #7', safe=True)
+@check('TM-1.1.13', 'a checksum in lower case is accepted: `$TMSTA,3,00,,*6c`', 'L tm2_ros2 #7', safe=True)
 def the_checksum_may_be_lower_case(robot):
     answers_status(robot, b'$TMSTA,3,00,,*6c\r\n')
 
 
-@check('TM-1.1.14', 'a frame of 200 kB is read whole', 'D: trajectories are sent as one frame of many kB', DERIVED,
+@check('TM-1.1.14', 'a frame of 200 kB is read completely', 'D: trajectories are sent as one frame of many kB', DERIVED,
        safe=True)
 def a_long_frame_is_read(robot):
     lines = ['PTP("JPP",0,0,90,0,90,0,35,200,0,false)'] * 4500
     equal(robot.listen.run('1', *lines, 'NoSuchFunction()'), 'ERROR;4501')
 
 
-@check('TM-1.1.15', 'the script port is 5890, the status port 5891, unless others are asked for', 'M 7.1, 10.1',
+@check('TM-1.1.15', 'the script port is 5890, the status port 5891, unless others are requested', 'M 7.1, 10.1',
        safe=True)
 def the_ports_have_their_numbers(robot):
     equal(robot.default_ports(), (5890, 5891))

@@ -73,7 +73,7 @@ def reentered(robot, seconds):
     return any(str(frame) == 'TMSCT,0,Listen1' for frame in robot.listen.so_far())
 
 
-@check('TM-1.2.08', 'a connection timeout leaves the node by Fail when nobody connects', 'M 7.1',
+@check('TM-1.2.08', 'a connection timeout leaves the node by Fail when no client connects', 'M 7.1',
        connection_timeout=500, reentry_delay=60000)
 def the_connection_timeout_ends_the_node(robot):
     robot.later(2)
@@ -157,7 +157,8 @@ def clients_share_one_order(robot):
     equal(tags[:2], ['TMSTA,01,01,true', 'TMSTA,01,02,true'])
 
 
-@check('TM-1.2.18', 'a question is answered within some ten milliseconds', 'L tmr_ros2 #20', time_scale=1, safe=True)
+@check('TM-1.2.18', 'a question is answered within some tens of milliseconds', 'L tmr_ros2 #20', time_scale=1,
+       safe=True)
 def answers_come_quickly(robot):
     times = []
     for _ in range(20):
@@ -169,7 +170,7 @@ def answers_come_quickly(robot):
         'half of the answers took more than %.0f ms' % (1e3 * statistics.median(times)))
 
 
-@check('TM-1.2.19', 'a motion goes on when its client disconnects', '?', CHOICE, since='1.80')
+@check('TM-1.2.19', 'a motion continues when its client disconnects', '?', CHOICE, since='1.80')
 def a_motion_outlives_its_client(robot):
     watcher = robot.connect_script()
     equal(watcher.in_listen_node(), True, 'in a Listen node')

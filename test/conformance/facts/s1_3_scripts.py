@@ -45,12 +45,12 @@ def a_line_has_one_command(robot):
     robot.refuses('ChangeLoad(1) ChangeLoad(2)')
 
 
-@check('TM-1.3.07', 'a CR LF behind the last line is taken', 'M 7.3')
+@check('TM-1.3.07', 'a CR LF after the last line is accepted', 'M 7.3')
 def the_last_line_may_end(robot):
     equal(robot.listen.run('1', 'ChangeBase("RobotBase")', ''), 'OK')
 
 
-@check('TM-1.3.08', 'an empty first line is taken', 'W')
+@check('TM-1.3.08', 'an empty first line is accepted', 'W')
 def the_first_line_may_be_empty(robot):
     robot.listen.send_bytes(b'$TMSCT,24,1,\r\nStopAndClearBuffer(),*66\r\n')
     equal(robot.listen.reply('1'), 'OK')
@@ -102,7 +102,7 @@ def errors_name_their_lines(robot):
     equal(robot.listen.run('3', FAULTY, FAULTY, FAULTY), 'ERROR;1;2;3')
 
 
-@check('TM-1.3.17', 'with both, only the lines with errors are named', 'T', DERIVED, safe=True)
+@check('TM-1.3.17', 'with both, only the lines with errors are listed', 'T', DERIVED, safe=True)
 def errors_hide_warnings(robot):
     equal(robot.listen.run('1', 'int %s = 1.5' % robot.name(), FAULTY), 'ERROR;2')
 
@@ -115,25 +115,25 @@ def with_an_error_nothing_is_executed(robot):
     equal(robot.listen.ask('01,13'), before, 'tag 13')
 
 
-@check('TM-1.3.19', 'OK comes at once for queued motions', 'M 7.3', since='1.76', time_scale=1)
+@check('TM-1.3.19', 'OK is sent at once for queued motions', 'M 7.3', since='1.76', time_scale=1)
 def a_queued_motion_is_ok_at_once(robot):
     equal(robot.listen.run('1', LONG, 'QueueTag(1)'), 'OK')
     equal(robot.listen.ask('01,01'), '01,01,false', 'the tag behind the motion')
 
 
-@check('TM-1.3.20', 'OK comes behind the wait of QueueTag(n,1), and the tag before it', 'M 8.2', since='1.76')
+@check('TM-1.3.20', 'OK is sent after the wait of QueueTag(n,1), and the tag before OK', 'M 8.2', since='1.76')
 def queue_tag_holds_the_ok(robot):
     robot.listen.script('1', SHORT, 'QueueTag(1,1)')
     equal([str(frame) for frame in robot.listen.until('TMSCT,1,OK')], ['TMSTA,01,01,true', 'TMSCT,1,OK'])
 
 
-@check('TM-1.3.21', 'OK comes behind the wait of WaitQueueTag, and the tag before it', 'M 8.2', since='1.76')
+@check('TM-1.3.21', 'OK is sent after the wait of WaitQueueTag, and the tag before OK', 'M 8.2', since='1.76')
 def wait_queue_tag_holds_the_ok(robot):
     robot.listen.script('1', SHORT, 'QueueTag(1)', 'WaitQueueTag(1)')
     equal([str(frame) for frame in robot.listen.until('TMSCT,1,OK')], ['TMSTA,01,01,true', 'TMSCT,1,OK'])
 
 
-@check('TM-1.3.22', 'an unreachable target is OK; Robot_Error and Error_Code tell later', 'T; FB', DERIVED,
+@check('TM-1.3.22', 'an unreachable target gets OK; Robot_Error and Error_Code report it later', 'T; FB', DERIVED,
        since='1.80')
 def out_of_reach_is_ok(robot):
     equal(robot.listen.run('1', OUT_OF_REACH), 'OK')
@@ -141,14 +141,14 @@ def out_of_reach_is_ok(robot):
     true(robot.value('Error_Code') != 0, 'Error_Code is 0')
 
 
-@check('TM-1.3.23', 'a bad speed is OK; Robot_Error and Error_Code tell later', 'T', DERIVED, since='1.80')
+@check('TM-1.3.23', 'a bad speed gets OK; Robot_Error and Error_Code report it later', 'T', DERIVED, since='1.80')
 def a_bad_speed_is_ok(robot):
     equal(robot.listen.run('1', 'PTP("JPP",10,0,90,0,90,0,-10,200,0,false)'), 'OK')
     robot.wait_for('Robot_Error', True, 2)
     true(robot.value('Error_Code') != 0, 'Error_Code is 0')
 
 
-@check('TM-1.3.24', 'frames behind a script that blocks are buffered and run in order', 'M 7.3', since='1.76')
+@check('TM-1.3.24', 'frames after a script that blocks are buffered and run in order', 'M 7.3', since='1.76')
 def scripts_run_in_order(robot):
     robot.listen.script('1', SHORT, 'QueueTag(1,1)')
     robot.listen.script('2', 'QueueTag(2)')
@@ -159,7 +159,7 @@ def scripts_run_in_order(robot):
     true(seen.index('TMSTA,01,01,true') < seen.index('TMSCT,2,OK'), 'the second script overtook: %s' % seen)
 
 
-@check('TM-1.3.25', 'a buffered script is checked, and answered, at its turn', '?', CHOICE, since='1.76')
+@check('TM-1.3.25', 'a buffered script is checked, and answered, when its turn comes', '?', CHOICE, since='1.76')
 def a_buffered_script_is_answered_at_its_turn(robot):
     robot.listen.script('1', SHORT, 'QueueTag(1,1)')
     robot.listen.script('2', FAULTY)
@@ -232,7 +232,7 @@ def an_unquoted_string_warns(robot):
 # Variables and leaving --------------------------------------------------------------------------
 
 
-@check('TM-1.3.36', 'a local variable lives on in later scripts', 'M 7.3', since='1.76', safe=True)
+@check('TM-1.3.36', 'a local variable exists in later scripts too', 'M 7.3', since='1.76', safe=True)
 def local_variables_live_on(robot):
     name = robot.name()
     equal(robot.listen.run('1', 'int %s = 100' % name), 'OK')
@@ -270,7 +270,7 @@ def script_exit_is_ok(robot):
     equal(str(robot.listen.receive()), 'TMSCT,1,OK')
 
 
-@check('TM-1.3.41', 'lines behind ScriptExit() are not executed', 'M 7.3', since='1.76')
+@check('TM-1.3.41', 'lines after ScriptExit() are not executed', 'M 7.3', since='1.76')
 def script_exit_ends_the_script(robot):
     equal(robot.listen.run('2', 'QueueTag(6)', 'ScriptExit()', 'QueueTag(7)'), 'OK')
     robot.listen.until('TMSCT,0,Listen1')
@@ -279,7 +279,7 @@ def script_exit_ends_the_script(robot):
     true('TMSTA,01,07,true' not in texts, 'the line behind it is executed')
 
 
-@check('TM-1.3.42', 'from ScriptExit() until the node is left, scripts are CPERR F1', 'M 7.3', time_scale=1)
+@check('TM-1.3.42', 'from ScriptExit() until the node is left, scripts get CPERR F1', 'M 7.3', time_scale=1)
 def after_script_exit_scripts_are_refused(robot):
     equal(robot.listen.run('1', LONG, 'ScriptExit()'), 'OK')
     robot.listen.script('2', 'ChangeLoad(1)')
@@ -296,7 +296,7 @@ def outside_the_node_scripts_are_refused(robot):
     near(robot.value('Joint_Angle')[0], 0, 0.001, 'J1')
 
 
-@check('TM-1.3.44', 'scripts buffered behind ScriptExit() are CPERR F1', '?', CHOICE, since='1.76')
+@check('TM-1.3.44', 'scripts buffered after ScriptExit() get CPERR F1', '?', CHOICE, since='1.76')
 def scripts_behind_script_exit_are_refused(robot):
     robot.listen.script('1', SHORT, 'QueueTag(1,1)', 'ScriptExit()')
     robot.listen.script('2', 'ChangeLoad(1)')
@@ -304,24 +304,24 @@ def scripts_behind_script_exit_are_refused(robot):
     equal(str(robot.listen.receive()), 'CPERR,F1')
 
 
-@check('TM-1.3.45', 'speed 0 and pose bits out of range are OK, and a robot error', '?', CHOICE, since='1.80')
+@check('TM-1.3.45', 'speed 0 and pose bits out of range get OK, then a robot error', '?', CHOICE, since='1.80')
 def wrong_numbers_are_robot_errors(robot):
     equal(robot.listen.run('1', 'PTP("CPP",517,-122,461,180,0,90,10,200,0,false,9,9,9)'), 'OK')
     robot.wait_for('Robot_Error', True, 2)
 
 
-@check('TM-1.3.46', 'a motion that fails reports the tags behind it as false', '?', CHOICE, since='1.80')
+@check('TM-1.3.46', 'a motion that fails reports the tags after it as false', '?', CHOICE, since='1.80')
 def tags_of_a_failed_motion_are_false(robot):
     equal(robot.listen.run('1', OUT_OF_REACH, 'QueueTag(4)'), 'OK')
     robot.listen.until('TMSTA,01,04,false')
 
 
-@check('TM-1.3.47', 'all lines with an error are named, whatever the errors are', 'M 7.3', safe=True)
+@check('TM-1.3.47', 'all lines with an error are listed, whatever the errors are', 'M 7.3', safe=True)
 def all_faulty_lines_are_named(robot):
     equal(robot.listen.run('1', 'ChangeBase("NoSuchBase")', FAULTY, 'ChangeLoad(', 'ChangeLoad()'), 'ERROR;1;2;3;4')
 
 
-@check('TM-1.3.48', 'more than 1000 scripts that wait are refused: `ERROR;1`', '?', CHOICE, since='1.76', time_scale=1)
+@check('TM-1.3.48', 'more than 1000 waiting scripts are refused: `ERROR;1`', '?', CHOICE, since='1.76', time_scale=1)
 def waiting_scripts_have_an_end(robot):
     robot.listen.script('first', LONG, 'QueueTag(1,1)')
     for number in range(1100):

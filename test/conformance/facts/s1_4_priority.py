@@ -15,7 +15,7 @@ def stands_still_short_of_the_target(robot):
     true(-80 < turned <= 0, 'J1 stands at %s' % turned)
 
 
-@check('TM-1.4.01', 'StopAndClearBuffer(0) stops the arm at once, though a script blocks', 'M84 8.7', since='1.82',
+@check('TM-1.4.01', 'StopAndClearBuffer(0) stops the arm at once, even while a script blocks', 'M84 8.7', since='1.82',
        time_scale=1)
 def stop_0_stops_the_arm(robot):
     robot.listen.script('1', LONG, 'WaitQueueTag(0,60000)')
@@ -24,7 +24,7 @@ def stop_0_stops_the_arm(robot):
     stands_still_short_of_the_target(robot)
 
 
-@check('TM-1.4.02', 'StopAndClearBuffer(0) does not release a WaitQueueTag(0,…); the script goes on after it',
+@check('TM-1.4.02', 'StopAndClearBuffer(0) does not release a WaitQueueTag(0,…); the script continues after it',
        'M84 8.7', since='1.82')
 def stop_0_does_not_end_the_script(robot):
     robot.listen.script('1', LONG, 'QueueTag(1)', 'WaitQueueTag(0,5000)', 'QueueTag(2)')
@@ -33,7 +33,7 @@ def stop_0_does_not_end_the_script(robot):
     robot.listen.until('TMSTA,01,02,true')
 
 
-@check('TM-1.4.03', 'StopAndClearBuffer(1) also ends the script that runs; the next one starts', 'M84 8.7',
+@check('TM-1.4.03', 'StopAndClearBuffer(1) also ends the running script; the next one starts', 'M84 8.7',
        since='1.82', time_scale=1)
 def stop_1_ends_the_script(robot):
     robot.listen.script('1', *BLOCKING, 'QueueTag(2)')
@@ -92,7 +92,7 @@ def only_the_priority_command_is_executed(robot):
     equal([robot.listen.ask('01,03'), robot.listen.ask('01,04')], ['01,03,none', '01,04,none'])
 
 
-@check('TM-1.4.10', 'ScriptExit beats StopAndClearBuffer in one script', 'M84 8.7', since='1.82')
+@check('TM-1.4.10', 'ScriptExit has priority over StopAndClearBuffer in one script', 'M84 8.7', since='1.82')
 def exit_beats_stop(robot):
     equal(robot.listen.run('1', 'StopAndClearBuffer(0)', 'ScriptExit(1)'), 'OK')
     robot.listen.until('TMSCT,0,Listen1')

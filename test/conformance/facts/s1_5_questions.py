@@ -17,7 +17,7 @@ def the_flow_is_elsewhere(robot):
     equal(robot.listen.exchange(b'$TMSTA,2,00,*41\r\n'), 'TMSTA,00,false,')
 
 
-@check('TM-1.5.03', '`00,`, as the vendor driver asks, is answered the same', 'L', safe=True)
+@check('TM-1.5.03', '`00,`, as the vendor driver sends it, gets the same answer', 'L', safe=True)
 def the_drivers_form_is_taken(robot):
     plain = robot.listen.exchange(b'$TMSTA,2,00,*41\r\n')
     equal(robot.listen.exchange(b'$TMSTA,3,00,,*6c\r\n'), plain)
@@ -45,7 +45,7 @@ def a_completed_tag_is_true(robot):
     equal(robot.listen.ask('01,08'), '01,08,true')
 
 
-@check('TM-1.5.08', 'a tag that completes tells it: `$TMSTA,10,01,08,true,*6D`', 'M 7.4', since='1.76')
+@check('TM-1.5.08', 'a tag that completes is reported: `$TMSTA,10,01,08,true,*6D`', 'M 7.4', since='1.76')
 def a_tag_tells_when_it_completes(robot):
     equal(robot.listen.run('1', SHORT, 'QueueTag(8)'), 'OK')
     equal(encode('TMSTA', robot.listen.receive().data), b'$TMSTA,10,01,08,true,*6D\r\n')
@@ -59,7 +59,7 @@ def tags_have_two_digits(robot):
              'tag %d: %s' % (tag, robot.listen.frames[-2:]))
 
 
-@check('TM-1.5.10', 'only the last four tags can be asked for', 'M 7.4', since='1.76')
+@check('TM-1.5.10', 'only the last four tags can be queried', 'M 7.4', since='1.76')
 def four_tags_are_kept(robot):
     equal(robot.listen.run('1', *('QueueTag(%d,1)' % tag for tag in (1, 2, 3, 4, 5))), 'OK')
     equal([robot.listen.ask('01,%02d' % tag) for tag in (1, 2, 3, 4, 5)],
@@ -75,7 +75,7 @@ def an_invalid_tag_is_none(robot):
         equal(robot.listen.ask('01,' + tag), '01,%s,none' % tag)
 
 
-@check('TM-1.5.12', 'tags can be asked for outside the Listen node', 'M 7.4', since='1.76', time_scale=0.05)
+@check('TM-1.5.12', 'tags can be queried outside the Listen node', 'M 7.4', since='1.76', time_scale=0.05)
 def tags_are_answered_outside_the_node(robot):
     equal(robot.listen.run('1', 'QueueTag(5,1)', 'ScriptExit()'), 'OK')
     equal(robot.listen.ask('00').rstrip(','), '00,false')
@@ -102,7 +102,7 @@ def there_is_no_02_and_03(robot):
         equal(str(robot.listen.receive()), 'CPERR,04', sub)
 
 
-@check('TM-1.5.16', '90 to 99 are no questions', 'M 7.4', DERIVED, safe=True)
+@check('TM-1.5.16', '90 to 99 are not questions', 'M 7.4', DERIVED, safe=True)
 def clients_cannot_ask_for_sent_data(robot):
     for sub in ('90', '99'):
         robot.listen.send('TMSTA', sub)
@@ -116,14 +116,14 @@ def a_frame_has_one_question(robot):
     equal([str(frame) for frame in robot.listen.so_far()], [], 'further answers')
 
 
-@check('TM-1.5.18', 'a tag in one digit, `01,1`, as users of the vendor drivers ask for it, is answered in two', 'D, M 7.4',
-       DERIVED, since='1.76', safe=True)
+@check('TM-1.5.18', 'a tag with one digit, `01,1`, as users of the vendor drivers send it, is answered with two',
+       'D, M 7.4', DERIVED, since='1.76', safe=True)
 def one_digit_is_enough(robot):
     true(re.fullmatch(r'TMSTA,01,01,(none|true|false)', robot.listen.exchange(encode('TMSTA', '01,1'))),
          'another answer')
 
 
-@check('TM-1.5.30', 'a tag in one digit is the tag of this number', 'D, M 7.4', DERIVED, since='1.76')
+@check('TM-1.5.30', 'a tag with one digit is the tag of that number', 'D, M 7.4', DERIVED, since='1.76')
 def one_digit_is_the_number(robot):
     equal(robot.listen.run('1', SHORT, 'QueueTag(3,1)'), 'OK')
     equal(robot.listen.ask('01,3'), '01,03,true')
@@ -177,7 +177,7 @@ def numbers_are_sent(robot):
     equal(robot.sent_by('double %sd = 0.5' % name, 'ListenSend(90,%sd)' % name), [bytes.fromhex('000000000000e03f')])
 
 
-@check('TM-1.5.25', 'ListenSend of a string[] sends its elements one behind the other', 'M 7.4', since='1.76',
+@check('TM-1.5.25', 'ListenSend of a string[] sends its elements one after the other', 'M 7.4', since='1.76',
        safe=True)
 def strings_are_concatenated(robot):
     name = robot.name()

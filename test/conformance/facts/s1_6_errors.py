@@ -57,7 +57,7 @@ def the_status_port_checks_ids(robot):
         robot.svr.until('CPERR,04')
 
 
-@check('TM-1.6.08', 'each error is answered once, and the connection goes on', 'I', DERIVED, safe=True)
+@check('TM-1.6.08', 'each error is answered once, and the connection stays', 'I', DERIVED, safe=True)
 def the_connection_survives_errors(robot):
     for damage in ({'length': '-1'}, {'check': '00'}):
         robot.listen.send('TMSTA', '01,88', **damage)
@@ -73,7 +73,7 @@ def a_wrong_length_is_a_packet_error(robot):
         equal(robot.listen.exchange(QUESTION), ANSWER)
 
 
-@check('TM-1.6.10', 'a LENGTH that is no number is CPERR 01', '?', CHOICE, safe=True)
+@check('TM-1.6.10', 'a LENGTH that is not a number is CPERR 01', '?', CHOICE, safe=True)
 def a_length_is_a_number(robot):
     for length in ('x', '5x', '0xg', '0b2', '5.0', ' 5', '+5', '0x'):
         equal(robot.listen.exchange(with_length(length)), 'CPERR,01', 'length %r' % length)
@@ -86,7 +86,8 @@ def an_empty_length_is_a_packet_error(robot):
     equal(robot.listen.exchange(QUESTION), ANSWER)
 
 
-@check('TM-1.6.12', 'an empty LENGTH is taken when the simulator is set so', 'W', CHOICE, accept_empty_length=True)
+@check('TM-1.6.12', 'an empty LENGTH is accepted when the simulator is configured so', 'W', CHOICE,
+       accept_empty_length=True)
 def an_empty_length_may_be_taken(robot):
     equal(robot.listen.exchange(b'$TMSCT,,1,ScriptExit(),*62\r\n'), 'TMSCT,1,OK')
 
@@ -99,20 +100,20 @@ def a_segment_may_hold_several_frames(robot):
     equal(answers, [ANSWER, 'TMSTA,01,99,none', 'CPERR,04', ANSWER])
 
 
-@check('TM-1.6.14', 'a frame may come byte by byte', 'I; all clients treat it as a byte stream', DERIVED, safe=True)
+@check('TM-1.6.14', 'a frame may arrive byte by byte', 'I; all clients treat it as a byte stream', DERIVED, safe=True)
 def a_frame_may_come_in_pieces(robot):
     for byte in QUESTION:
         robot.listen.send_bytes(bytes([byte]))
     equal(str(robot.listen.receive()), ANSWER)
 
 
-@check('TM-1.6.15', 'bytes before `$` are passed over in silence', '?', CHOICE, safe=True)
+@check('TM-1.6.15', 'bytes before `$` are ignored without an answer', '?', CHOICE, safe=True)
 def garbage_is_passed_over(robot):
     robot.listen.send_bytes(b'\r\n\0garbage,*00\r\n' + QUESTION + b'\r\n' + QUESTION)
     equal([str(robot.listen.receive()), str(robot.listen.receive())], [ANSWER, ANSWER])
 
 
-@check('TM-1.6.16', 'a frame ends with CR LF: without it, it is waited for', '?', CHOICE, safe=True)
+@check('TM-1.6.16', 'a frame ends with CR LF: the robot waits until it arrives', '?', CHOICE, safe=True)
 def the_end_is_waited_for(robot):
     other = robot.connect_script()
     robot.listen.send_bytes(QUESTION[:-2])
@@ -154,13 +155,13 @@ def each_port_has_its_headers(robot):
     equal(str(robot.listen.receive()), 'CPERR,03')
 
 
-@check('TM-1.6.22', 'a checksum that is no hexadecimal number is CPERR 02', '?', CHOICE, safe=True)
+@check('TM-1.6.22', 'a checksum that is not a hexadecimal number is CPERR 02', '?', CHOICE, safe=True)
 def a_checksum_is_hexadecimal(robot):
     for text in ('4G', '0x', '  '):
         equal(robot.listen.exchange(encode('TMSTA', '00', check=text)), 'CPERR,02', text)
 
 
-@check('TM-1.6.23', 'a frame of a negative LENGTH is passed over with all its bytes', '?', CHOICE, safe=True)
+@check('TM-1.6.23', 'a frame with a negative LENGTH is skipped with all its bytes', '?', CHOICE, safe=True)
 def a_refused_frame_leaves_nothing_behind(robot):
     body = b'TMSCT,-5,1,QueueTag(1),'
     robot.listen.send_bytes(b'$' + body + b'*%02X\r\n' % checksum(body) + QUESTION)

@@ -129,7 +129,7 @@ def assignments(robot):
         equal(robot.evaluate(name, 'int %s = 12' % name, '%s %s 5' % (name, operator)), str(expected), operator)
 
 
-@check('TM-2.1.20', 'a declaration may do without a value', 'M chapter 1', safe=True, **SEEN)
+@check('TM-2.1.20', 'a declaration may omit the value', 'M chapter 1', safe=True, **SEEN)
 def declarations_without_a_value(robot):
     name = robot.name()
     equal(robot.evaluate(name, 'int %s' % name, '%s = 3' % name), '3')
@@ -157,7 +157,7 @@ def the_example_of_the_manual(robot):
     near(robot.value('Joint_Angle'), [0, -35, 125, 0, 90, 0], 0.01, 'Joint_Angle')
 
 
-@check('TM-2.1.24', 'variables are immediate: a value is read while the motion queued before is under way', 'M 8',
+@check('TM-2.1.24', 'variables are immediate: a value is read while the motion queued before is running', 'M 8',
        time_scale=1, **SEEN)
 def expressions_are_immediate(robot):
     name = robot.name()
@@ -174,7 +174,7 @@ def changes_are_queued(robot):
     equal(robot.values('TCP_Value', 'Base_Value'), [[0] * 6, [0] * 6], 'TCP and base during the motion')
 
 
-@check('TM-2.1.26', 'queued changes count for the motions behind them', 'M 8', since='1.80')
+@check('TM-2.1.26', 'queued changes apply to the motions after them', 'M 8', since='1.80')
 def changes_count_for_later_motions(robot):
     pose = robot.value('Coord_Robot_Flange')
     robot.move('ChangeTCP(0,0,150,0,0,0)', 'Line("CAP",%s,200,200,0,false)' % text(pose))

@@ -82,7 +82,7 @@ def circle_turns_towards_the_end(robot):
     same_pose(tool(robot), end, 'Coord_Robot_Tool')
 
 
-@check('TM-2.2.47', 'Circle with an angle travels it, and holds the orientation', 'M 8', since='1.80')
+@check('TM-2.2.47', 'Circle with an angle travels that angle, and keeps the orientation', 'M 8', since='1.80')
 def circle_travels_an_angle(robot):
     start = tool(robot)
     end = shifted(start, -100, 0, 0, 0, 0, 20)
@@ -112,7 +112,7 @@ def pline_keeps_its_speed(robot):
 # Relative motion --------------------------------------------------------------------------------
 
 
-@check('TM-2.2.50', 'Move_PTP JPP turns the joints by so much', 'M 8', since='1.80')
+@check('TM-2.2.50', 'Move_PTP JPP turns the joints by the given angles', 'M 8', since='1.80')
 def move_ptp_of_joints(robot):
     joints = robot.value('Joint_Angle')
     robot.move('Move_PTP("JPP",5,-4,3,-2,1,10,100,200,0,false)')
@@ -129,7 +129,7 @@ def moves_in_the_base(robot):
     same_pose(tool(robot), shifted(start, -30, 0, 2), 'after four Move_Line')
 
 
-@check('TM-2.2.52', 'Move_* in C takes the base that is set', 'M 8', since='1.80')
+@check('TM-2.2.52', 'Move_* in C uses the active base', 'M 8', since='1.80')
 def moves_in_another_base(robot):
     start = tool(robot)
     robot.move('ChangeBase(0,0,0,0,0,90)', 'Move_Line("CAP",20,0,0,0,0,0,100,200,0,false)')
@@ -187,7 +187,7 @@ def change_tcp_sets_all(robot):
           [[0, 0, 150, 0, 0, 90], 2, [2, 0.5, 0.25], [0, 0, -80, 0, 0, 0]])
 
 
-@check('TM-2.2.58', 'ChangeTCP and ChangeBase set the name of what they are given by name', 'M 8', since='1.80')
+@check('TM-2.2.58', 'ChangeTCP and ChangeBase by name set the name', 'M 8', since='1.80')
 def names_are_set(robot):
     robot.move('ChangeTCP(0,0,150,0,0,90)', 'ChangeBase(1,2,3,0,0,0)')
     robot.move('ChangeTCP("NOTOOL")', 'ChangeBase("RobotBase")')
@@ -233,7 +233,7 @@ def pvt_is_cubic(robot):
     near(max(abs(frame['Joint_Speed'][0]) for frame in frames), 15, 0.2, 'highest speed of J1')
 
 
-@check('TM-2.2.64', 'QueueTag may stand within PVT', 'W', DERIVED, since='1.80')
+@check('TM-2.2.64', 'QueueTag may be used within PVT', 'W', DERIVED, since='1.80')
 def tags_within_pvt(robot):
     robot.move('PVTEnter(0)', 'PVTPoint(5,0,90,0,90,0,0,0,0,0,0,0,0.5)', 'QueueTag(2)',
                'PVTPoint(0,0,90,0,90,0,0,0,0,0,0,0,0.5)', 'PVTExit()', tag=3)
@@ -241,7 +241,7 @@ def tags_within_pvt(robot):
     equal(seen[:2], ['01,02,true', '01,03,true'])
 
 
-@check('TM-2.2.65', 'PVTPause holds a PVT motion, PVTResume continues it', 'M 8', since='1.80', time_scale=5)
+@check('TM-2.2.65', 'PVTPause pauses a PVT motion, PVTResume continues it', 'M 8', since='1.80', time_scale=5)
 def pvt_pauses(robot):
     robot.later(0)
     equal(robot.listen.run('1', 'PVTEnter(0)', 'PVTPoint(30,0,90,0,90,0,0,0,0,0,0,0,10)', 'PVTExit()', 'QueueTag(1)'),

@@ -22,7 +22,7 @@ def waiting_returns_1(robot):
     equal(robot.evaluate('WaitQueueTag(1,60000)', SHORT, 'QueueTag(1)'), '1')
 
 
-@check('TM-2.2.73', 'WaitQueueTag returns 0 when the time is over', 'M 8', since='1.76')
+@check('TM-2.2.73', 'WaitQueueTag returns 0 at the timeout', 'M 8', since='1.76')
 def waiting_returns_0(robot):
     equal(robot.evaluate('WaitQueueTag(1,100)', LONG, 'QueueTag(1)'), '0')
 
@@ -32,7 +32,7 @@ def waiting_returns_minus_1(robot):
     equal(robot.evaluate('WaitQueueTag(9,100)'), '-1')
 
 
-@check('TM-2.2.75', 'WaitQueueTag lets the script go on when the time is over', 'M 8', since='1.76', time_scale=5)
+@check('TM-2.2.75', 'the script continues after a timeout of WaitQueueTag', 'M 8', since='1.76', time_scale=5)
 def waiting_ends(robot):
     equal(robot.listen.run('1', LONG, 'QueueTag(1)', 'WaitQueueTag(1,200)'), 'OK')
     equal(robot.listen.ask('01,01'), '01,01,false')
@@ -58,14 +58,14 @@ def a_negative_timeout_waits_for_ever(robot):
         robot.move(BACK)
 
 
-@check('TM-2.2.78', 'from 1.82: a timeout of 0 looks once', 'M84 8', since='1.82', time_scale=1)
+@check('TM-2.2.78', 'from 1.82: a timeout of 0 checks once', 'M84 8', since='1.82', time_scale=1)
 def a_timeout_of_0_looks_once(robot):
     robot.listen.script('1', LONG, 'QueueTag(1)', 'WaitQueueTag(1,0)')
     equal(robot.listen.ask('01,01'), '01,01,false')  # at least behind the reply, if the script does not wait
     equal([str(frame) for frame in robot.listen.frames if frame.header == 'TMSCT'], ['TMSCT,1,OK'])
 
 
-@check('TM-2.2.79', 'from 1.82: WaitQueueTag(0,ms) waits for so long', 'M84 8', since='1.82', time_scale=2)
+@check('TM-2.2.79', 'from 1.82: WaitQueueTag(0,ms) waits for that time', 'M84 8', since='1.82', time_scale=2)
 def tag_0_waits(robot):
     before = robot.value('Joint_Angle')[0]
     equal(robot.listen.run('1', 'PTP("JPP",-90,0,90,0,90,0,10,200,0,false)', 'WaitQueueTag(0,2000)'), 'OK')
@@ -73,7 +73,7 @@ def tag_0_waits(robot):
     true(30 < turned < 89, 'J1 turned by %s deg at 18 deg/s in 2 s' % turned)
 
 
-@check('TM-2.2.80', 'Pause stops the motion, and scripts go on', 'M 8', since='1.80', time_scale=5)
+@check('TM-2.2.80', 'Pause stops the motion, and scripts continue', 'M 8', since='1.80', time_scale=5)
 def pause_stops_the_motion(robot):
     equal(robot.listen.run('1', LONG, 'QueueTag(1)', 'Pause()', 'ChangeLoad(1)'), 'OK')
     stands(robot)
@@ -99,7 +99,7 @@ def the_pause_is_shown(robot):
     robot.wait_for('Project_Pause', False, 1)
 
 
-@check('TM-2.2.83', "the Play button of the stick continues, too", 'M 8', since='1.80')
+@check('TM-2.2.83', 'the Play button of the stick continues the motion, too', 'M 8', since='1.80')
 def play_continues(robot):
     equal(robot.listen.run('1', 'PTP("JPP",-90,0,90,0,90,0,10,200,0,false)', 'QueueTag(1)', 'Pause()'), 'OK')
     stands(robot)
@@ -122,7 +122,8 @@ def it_moves_after_a_stop(robot):
     near(robot.value('Joint_Angle')[0], 10, 0.01, 'J1')
 
 
-@check('TM-2.2.86', 'a tag dropped by StopAndClearBuffer is never reported, and unknown', '?', CHOICE, since='1.76')
+@check('TM-2.2.86', 'a tag dropped by StopAndClearBuffer is never reported, and is unknown afterwards', '?', CHOICE,
+       since='1.76')
 def dropped_tags_are_unknown(robot):
     equal(robot.listen.run('1', LONG, 'QueueTag(1)', 'StopAndClearBuffer()'), 'OK')
     robot.move(SHORT)
@@ -139,7 +140,7 @@ def a_stop_does_not_resume(robot):
     robot.listen.until('TMSTA,01,02,true')
 
 
-@check('TM-2.2.88', 'of a tag number that is queued again, the latest is asked about, and each is reported', '?',
+@check('TM-2.2.88', 'if a tag number is queued again, a query returns the latest, and each is reported', '?',
        CHOICE, since='1.76', time_scale=20)
 def tags_may_repeat(robot):
     robot.listen.script('1', SHORT, 'QueueTag(1)', BACK, 'QueueTag(1)', 'QueueTag(2,1)')

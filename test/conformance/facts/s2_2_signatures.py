@@ -167,7 +167,7 @@ def unknown_names(robot):
         equal(robot.listen.run('1', line), 'ERROR;1', line)
 
 
-@check('TM-2.2.23', 'the tools NOTOOL and HandCamera, and the base RobotBase, are there', 'M 8')
+@check('TM-2.2.23', 'the tools NOTOOL and HandCamera, and the base RobotBase, exist', 'M 8')
 def special_names(robot):
     for line in ('ChangeTCP("NOTOOL")', 'ChangeTCP("HandCamera")', 'ChangeBase("RobotBase")'):
         equal(robot.listen.run('1', line), 'OK', line)
@@ -179,7 +179,7 @@ def velocity_needs_a_licence(robot):
                   'SetContinueVLine(10,0,0,0,0,0)', 'StopContinueVmode()', 'SuspendContinueVmode()')
 
 
-@check('TM-2.2.25', 'the velocity commands are there with a licence', 'D, W', DERIVED, licence=True)
+@check('TM-2.2.25', 'the velocity commands exist with a licence', 'D, W', DERIVED, licence=True)
 def velocity_with_a_licence(robot):
     robot.accepts('ContinueVJog()', 'ContinueVLine(5000,10000)', 'SetContinueVJog(1,0,0,0,0,0)',
                   'SetContinueVLine(10,0,0,0,0,0)', 'StopContinueVmode()', 'SuspendContinueVmode()')
@@ -223,7 +223,7 @@ def has_and_lacks(robot, has, lacks):
         robot.refuses(*lines_of(robot, version))
 
 
-@check('TM-2.2.26', '1.68 has ScriptExit, PTP, Line, Circle, PLine, Move_*, Change*, and no more', 'M 8, FB',
+@check('TM-2.2.26', '1.68 has ScriptExit, PTP, Line, Circle, PLine, Move_*, Change*, and nothing else', 'M 8, FB',
        until='1.68')
 def functions_of_1_68(robot):
     has_and_lacks(robot, ('1.68', ), ('1.72', '1.76', '1.82'))
@@ -258,11 +258,11 @@ def functions_of_1_84(robot):
     has_and_lacks(robot, ('1.68', '1.72', '1.76', '1.82'), ())
 
 
-@check('TM-2.2.90', 'from 1.76 on there is socket_send', 'M 8', since='1.76')
+@check('TM-2.2.90', 'socket_send exists from 1.76 on', 'M 8', since='1.76')
 def a_socket_is_sent_to(robot):
     robot.accepts(*SOCKET)
 
 
-@check('TM-2.2.91', 'from 1.82 on there is Vision_*', 'M84 8', since='1.82')
+@check('TM-2.2.91', 'Vision_* exists from 1.82 on', 'M84 8', since='1.82')
 def there_are_cameras(robot):
     robot.accepts(*VISION)

@@ -67,7 +67,7 @@ def conversions_of_numbers(robot):
         near(robot.numbers(text), [expected], 1e-4, text)
 
 
-@check('TM-2.3.10', 'random is a number', 'M: the name', DERIVED, **SEEN)
+@check('TM-2.3.10', 'random returns a number', 'M: the name', DERIVED, **SEEN)
 def random_numbers(robot):
     equal(len(robot.numbers('random()')), 1, 'numbers of random()')
 
@@ -161,7 +161,7 @@ def the_pose_is_asked_for(robot):
     near(found[:3], robot.value('Coord_Robot_Tool')[:3], 0.01, 'CoordRobot')
 
 
-@check('TM-2.3.24', 'GetNow gives a text, Ctrl a control character', 'M: the names', DERIVED, **SEEN)
+@check('TM-2.3.24', 'GetNow returns a text, Ctrl a control character', 'M: the names', DERIVED, **SEEN)
 def time_and_control_characters(robot):
     robot.accepts('string %s = GetNow()' % robot.name())
     equal(robot.sent_by('ListenSend(90,"a" + Ctrl(10) + "b")'), [b'a\nb'])

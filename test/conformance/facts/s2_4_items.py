@@ -76,7 +76,7 @@ def indices_have_ends(robot):
     robot.refuses(BOX + '.DO[16]=1', END + '.DO[4]=1', BOX + '.DO[-1]=1')
 
 
-@check('TM-2.4.11', 'writing an attribute that can only be read is in vain, without an error', 'M', since='1.80')
+@check('TM-2.4.11', 'writing a read-only attribute has no effect, and gives no error', 'M', since='1.80')
 def read_only_attributes(robot):
     before = robot.value('Ctrl_DI0')
     true(robot.listen.run('1', BOX + '.DI[0]=%d' % (1 - before)).startswith('OK'), 'an ERROR')
@@ -89,7 +89,7 @@ def safety_io(robot):
     robot.evaluates(('Length(IO["Safety"].SI)', '5'), ('Length(IO["Safety"].SO)', '5'))
 
 
-@check('TM-2.4.13', 'Robot[0].Joint, CoordRobot, CoordBase: where the arm is', 'M', since='1.80', safe=True)
+@check('TM-2.4.13', 'Robot[0].Joint, CoordRobot, CoordBase: the position of the arm', 'M', since='1.80', safe=True)
 def where_the_robot_is(robot):
     joints, in_robot, in_base = robot.values('Joint_Angle', 'Coord_Robot_Tool', 'Coord_Base_Tool')
     near(robot.numbers('Robot[0].Joint'), joints, 0.01, 'Joint')
@@ -97,7 +97,7 @@ def where_the_robot_is(robot):
     near(robot.numbers('Robot[0].CoordBase')[:3], in_base[:3], 0.01, 'CoordBase')
 
 
-@check('TM-2.4.14', 'Robot[0].BaseName and TCPName: what is set', 'M', since='1.80', safe=True)
+@check('TM-2.4.14', 'Robot[0].BaseName and TCPName: the active base and tool', 'M', since='1.80', safe=True)
 def what_the_robot_uses(robot):
     robot.evaluates(('Robot[0].BaseName', robot.value('Base_Name')), ('Robot[0].TCPName', robot.value('TCP_Name')))
 
@@ -146,7 +146,7 @@ def bases(robot):
     robot.evaluates(('Base["table"].Value', '{4,5,6,0,0,90}'), ('Base["table"].TeachValue', '{1,2,3,0,0,0}'))
 
 
-@check('TM-2.4.21', 'a written base counts for ChangeBase by its name', 'M', DERIVED, since='1.80',
+@check('TM-2.4.21', 'a written base applies to ChangeBase by its name', 'M', DERIVED, since='1.80',
        base='table=1,2,3,0,0,0')
 def a_base_is_used(robot):
     robot.move('ChangeBase("table")')
@@ -166,7 +166,7 @@ def tools(robot):
                     ('TCP["gripper"].MCF', '{0,0,-80,0,0,0}'), ('TCP["gripper"].TeachValue', '{0,0,150,0,0,0}'))
 
 
-@check('TM-2.4.23', 'NOTOOL and HandCamera can only be read', 'M', since='1.76')
+@check('TM-2.4.23', 'NOTOOL and HandCamera are read-only', 'M', since='1.76')
 def fixed_tools(robot):
     for name in ('NOTOOL', 'HandCamera'):
         value = robot.evaluate('TCP["%s"].Value' % name)
@@ -189,14 +189,14 @@ def unknown_items(robot):
     robot.refuses('IO["NoBox"].DO[0]=1', BOX + '.NoSuch[0]=1', 'NoItem["x"].Value={1,2,3,4,5,6}')
 
 
-@check('TM-2.4.26', 'outputs that StopAndClearBuffer drops stay as they are', '?', CHOICE, since='1.80')
+@check('TM-2.4.26', 'outputs that StopAndClearBuffer drops keep their state', '?', CHOICE, since='1.80')
 def dropped_outputs_stay(robot):
     equal(robot.listen.run('1', LONG, BOX + '.DO[4]=1', 'StopAndClearBuffer()', END + '.DO[0]=1'), 'OK')
     robot.wait_for('End_DO0', 1, 5)
     equal(robot.value('Ctrl_DO4'), 0, 'Ctrl_DO4')
 
 
-@check('TM-2.4.27', 'outputs stay as they are when the project stops', '?', CHOICE, since='1.80')
+@check('TM-2.4.27', 'outputs keep their state when the project stops', '?', CHOICE, since='1.80')
 def outputs_outlive_the_project(robot):
     equal(robot.listen.run('1', BOX + '.DO[4]=1'), 'OK')
     robot.wait_for('Ctrl_DO4', 1, 1)
@@ -205,7 +205,8 @@ def outputs_outlive_the_project(robot):
     equal(robot.value('Ctrl_DO4'), 1, 'Ctrl_DO4')
 
 
-@check('TM-2.4.28', 'outputs are written with `IO[ControlBox].DO[0]=1`, as the vendor drivers do: OK with a warning', 'D, M chapter 1',
+@check('TM-2.4.28', 'outputs are written with `IO[ControlBox].DO[0]=1`, as the vendor drivers do: OK with a warning',
+       'D, M chapter 1',
        since='1.80')
 def the_drivers_write_outputs_without_quotes(robot):
     equal(robot.listen.run('io', 'IO[ControlBox].DO[0]=1'), 'OK;1')
@@ -216,7 +217,8 @@ def the_drivers_write_outputs_without_quotes(robot):
     robot.wait_for('Ctrl_AO0', 2.5, 1)
 
 
-@check('TM-2.4.29', 'names without quotes in brackets are names: Base[table], TCP[grip], Point[P1], with a warning', 'M chapter 1',
+@check('TM-2.4.29', 'names without quotes in brackets are names: Base[table], TCP[grip], Point[P1], with a warning',
+       'M chapter 1',
        DERIVED, since='1.80', base='table=1,2,3,0,0,0', tcp='grip=0,0,150,0,0,0', point='P1=0,0,90,0,90,0')
 def names_need_no_quotes(robot):
     for name, attribute, count in (('Base[table]', 'Value', 6), ('TCP[grip]', 'Value', 6), ('Point[P1]', 'Pose', 3)):
@@ -225,6 +227,7 @@ def names_need_no_quotes(robot):
         equal(robot.listen.run('2', '%s=%s' % (item, '{0,2,4}' if count == 3 else '{4,5,6,0,0,0}')), 'OK;1', item)
 
 
-@check('TM-2.4.30', 'a name without quotes that the robot does not have is an ERROR', 'M chapter 1', DERIVED, since='1.76', safe=True)
+@check('TM-2.4.30', 'a name without quotes that the robot does not have is an ERROR', 'M chapter 1', DERIVED,
+       since='1.76', safe=True)
 def unknown_names_without_quotes(robot):
     robot.refuses('IO[ControlBux].DO[0]=1', 'Base[nowhere_at_all].Value={1,2,3,0,0,0}', 'Robot[arm].CameraLight=1')

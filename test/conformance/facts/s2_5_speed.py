@@ -34,7 +34,8 @@ def percent_of_the_joint_speed(robot):
         robot.move(BACK)
 
 
-@check('TM-2.5.02', 'the joint with the longest way sets the pace: its rated speed counts', 'DS', DERIVED, since='1.80')
+@check('TM-2.5.02', 'the joint with the longest travel determines the time: its rated speed applies', 'DS', DERIVED,
+       since='1.80')
 def rated_speeds_differ(robot):
     top = max(speeds(robot.observe('PTP("JPP",0,0,90,0,90,90,20,100,0,false)'), 5))
     near(top, 45, 0.7, 'deg/s of J6, rated 225, at 20 %')
@@ -158,7 +159,8 @@ def motion_is_continuous(robot):
              'deg of J1 between two frames')
 
 
-@check('TM-2.5.17', 'a time to top speed of 0, as off-line programming tools send it, is taken', '?', CHOICE, since='1.80')
+@check('TM-2.5.17', 'a time to top speed of 0, as off-line programming tools send it, is accepted', '?', CHOICE,
+       since='1.80')
 def no_time_to_top_speed(robot):
     found = speeds(robot.observe('PTP("JPP",5,0,90,0,90,0,10,0,0,false)'), 0)
     near(max(found), 18, 0.5, 'deg/s of J1')

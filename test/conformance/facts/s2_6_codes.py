@@ -57,7 +57,7 @@ def singular(robot):
     fails_with(robot, 0x14064, 'Line("CAP",%s,200,200,0,false)' % text(shifted(start, -600)))
 
 
-@check('TM-2.6.08', 'an error is over when the next motion is made', '?', CHOICE, since='1.80')
+@check('TM-2.6.08', 'an error ends when the next motion is made', '?', CHOICE, since='1.80')
 def the_next_motion_clears(robot):
     fails_with(robot, 0x01, OUT_OF_REACH)
     robot.move('PTP("JPP",10,0,90,0,90,0,100,200,0,false)')
@@ -65,14 +65,14 @@ def the_next_motion_clears(robot):
     equal(robot.values('Robot_Error', 'Error_Code'), [False, 0])
 
 
-@check('TM-2.6.09', 'what is queued behind a motion that fails is dropped', '?', CHOICE, since='1.80')
+@check('TM-2.6.09', 'entries queued after a motion that fails are dropped', '?', CHOICE, since='1.80')
 def the_queue_is_dropped(robot):
     fails_with(robot, 0x01, OUT_OF_REACH, 'PTP("JPP",10,0,90,0,90,0,100,200,0,false)')
     robot.later(2)
     near(robot.value('Joint_Angle')[0], 0, 0.01, 'J1')
 
 
-@check('TM-2.6.10', 'Error_Time tells when', 'C: the item', DERIVED, since='1.80')
+@check('TM-2.6.10', 'Error_Time gives the time of the error', 'C: the item', DERIVED, since='1.80')
 def the_error_has_a_time(robot):
     fails_with(robot, 0x01, OUT_OF_REACH)
     true(robot.value('Error_Time'), 'Error_Time is empty')

@@ -11,18 +11,18 @@ READ = {'since': '1.80', 'safe': True}
 # The stream --------------------------------------------------------------------------------------
 
 
-@check('TM-3.0.01', 'the stream is sent without being asked for', 'M 10', safe=True)
+@check('TM-3.0.01', 'the stream is sent without a request', 'M 10', safe=True)
 def the_stream_comes_by_itself(robot):
     true(len(robot.svr.stream_frame()) == 3, 'no frame')
 
 
-@check('TM-3.0.02', 'its ids go round from 0 to 9', 'M 10', safe=True)
+@check('TM-3.0.02', 'its ids cycle from 0 to 9', 'M 10', safe=True)
 def ids_go_round(robot):
     ids = [int(robot.svr.stream_frame()[0]) for _ in range(25)]
     equal(ids, [(ids[0] + step) % 10 for step in range(25)])
 
 
-@check('TM-3.0.03', 'a frame comes each 15 to 16 ms', 'L tmr_ros2 #46', time_scale=1, safe=True)
+@check('TM-3.0.03', 'a frame is sent every 15 to 16 ms', 'L tmr_ros2 #46', time_scale=1, safe=True)
 def the_period(robot):
     robot.svr.stream_frame()
     begin = robot.svr.frames[-1].time
@@ -94,7 +94,7 @@ def string_bools(robot):
     true('\r\nRobot_Error=false\r\n' in streamed_text(robot, 2), 'Robot_Error is not false')
 
 
-@check('TM-3.0.12', 'which items are streamed is set at the robot', 'M 10', stream_items='Robot_Error,Joint_Angle')
+@check('TM-3.0.12', 'the streamed items are set at the robot', 'M 10', stream_items='Robot_Error,Joint_Angle')
 def the_table_is_set(robot):
     names = [name for name, _ in unpack_items(robot.svr.stream_frame()[2])]
     equal(names, ['Robot_Link', 'Robot_Error', 'Joint_Angle'])
@@ -223,7 +223,7 @@ def writing_unknown_items(robot):
     equal(robot.svr.refusal(2, 'Ctrl_DO32=1'), '04,NotExist;Ctrl_DO32')
 
 
-@check('TM-3.0.45', 'an item that can only be read: `05,ReadOnly;Robot_Link`', 'M 10')
+@check('TM-3.0.45', 'a read-only item: `05,ReadOnly;Robot_Link`', 'M 10')
 def writing_read_only_items(robot):
     equal(robot.svr.refusal(2, 'Robot_Link=1'), '05,ReadOnly;Robot_Link')
 
@@ -274,7 +274,7 @@ def all_or_nothing(robot):
     equal(robot.values('Ctrl_DO0', 'Ctrl_DO1'), [0, 0])
 
 
-@check('TM-3.0.53', 'the first offender is named', 'M 10')
+@check('TM-3.0.53', 'the first refused item is named', 'M 10')
 def the_first_offender_is_named(robot):
     equal(robot.svr.refusal(2, 'Ctrl_DO0=1\r\nCtrl_DO33=1\r\nCtrl_DO32=1'), '04,NotExist;Ctrl_DO33')
 
@@ -313,7 +313,7 @@ def strings_are_quoted(robot):
     equal(robot.svr.request(12, 'TCP_Name')[1].decode(), 'TCP_Name="%s"' % robot.value('TCP_Name'))
 
 
-@check('TM-3.0.62', 'a read is answered between the frames of the stream, which goes on', 'M 10', **READ)
+@check('TM-3.0.62', 'a read is answered between the frames of the stream, which continues', 'M 10', **READ)
 def the_stream_goes_on(robot):
     periods = []
     for _ in range(12):

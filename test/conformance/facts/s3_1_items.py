@@ -78,7 +78,8 @@ def torques_of_1_84(robot):
     can_be_read(robot, ['Joint_Torque_Average', 'Joint_Torque_Min', 'Joint_Torque_Max'])
 
 
-@check('TM-3.1.22', 'they are not in 1.80', 'C', DERIVED, since='1.80', until='1.80', safe=True)
+@check('TM-3.1.22', 'Joint_Torque_Average, _Min, _Max are not in 1.80', 'C', DERIVED, since='1.80', until='1.80',
+       safe=True)
 def torques_are_not_in_1_80(robot):
     for name in ('Joint_Torque_Average', 'Joint_Torque_Min', 'Joint_Torque_Max'):
         equal(robot.svr.refusal(11, pack_text(name)), '04,NotExist;' + name)
@@ -91,7 +92,7 @@ def extras_of_1_80(robot):
     equal(can_be_there, [], 'cannot be read')
 
 
-@check('TM-3.1.24', '1.82 and 1.84 do not have them', 'C', since='1.82', safe=True)
+@check('TM-3.1.24', '1.82 and 1.84 have neither the items of TM-3.1.23 nor Error_Content', 'C', since='1.82', safe=True)
 def extras_are_gone(robot):
     for name in ('Ctrl_AO1', 'End_AO0', 'Ext0_DO', 'Robot_Mode', 'Error_Content'):
         equal(robot.svr.refusal(11, pack_text(name)), '04,NotExist;' + name)
@@ -135,7 +136,7 @@ def flange_tool_and_base(robot):
     near(robot.value('Coord_Base_Tool')[:3], [flange[0] - 10, flange[1] - 20, flange[2] - 130], 0.01, 'Coord_Base_Tool')
 
 
-@check('TM-3.1.32', 'Joint_Speed in deg/s and TCP_Speed in mm/s tell the motion', 'C', since='1.80')
+@check('TM-3.1.32', 'Joint_Speed in deg/s and TCP_Speed in mm/s show the motion', 'C', since='1.80')
 def units_of_speeds(robot):
     frames = robot.observe('PTP("JPP",-60,0,90,0,90,0,20,200,0,false)')
     near(max(abs(frame['Joint_Speed'][0]) for frame in frames), 36, 0.5, 'Joint_Speed')
@@ -201,7 +202,7 @@ def emergency_stop(robot):
     equal(robot.values('ESTOP', 'Robot_Light'), [True, 0])
 
 
-@check('TM-3.1.45', 'Safeguard_A tells of the safeguard, and the arm stands', 'C; I', DERIVED, since='1.80',
+@check('TM-3.1.45', 'Safeguard_A shows the open safeguard, and the arm is at standstill', 'C; I', DERIVED, since='1.80',
        operator='safeguard open')
 def safeguard(robot):
     equal(robot.value('Safeguard_A'), True, 'Safeguard_A')
@@ -241,7 +242,7 @@ def the_model(robot):
 # Writing them -----------------------------------------------------------------------------------
 
 
-@check('TM-3.1.50', 'Project_Speed takes multiples of 5 from 5 to 100', 'C')
+@check('TM-3.1.50', 'Project_Speed accepts multiples of 5 from 5 to 100', 'C')
 def project_speeds(robot):
     for percent, answer in ((5, '00,OK'), (50, '00,OK'), (100, '00,OK'), (47, '07,ValueError;Project_Speed'),
                             (0, '07,ValueError;Project_Speed'), (105, '07,ValueError;Project_Speed')):
@@ -267,7 +268,8 @@ def outputs_in_manual_mode(robot):
     equal(robot.values('Ctrl_DO15', 'End_DO3', 'Camera_Light', 'Ctrl_AO0'), [1, 1, 1, 2.5])
 
 
-@check('TM-3.1.53', 'Project_Name, Project_Speed and the stick but Stop are for automatic mode', 'C', operator='manual')
+@check('TM-3.1.53', 'Project_Name, Project_Speed and the stick except Stop can only be written in automatic mode',
+       'C', operator='manual')
 def items_of_automatic_mode(robot):
     for name, value in (('Project_Name', b'x'), ('Project_Speed', struct.pack('<i', 50)), ('Stick_PlayPause', b'\1'),
                         ('Stick_Plus', b'\1'), ('Stick_Minus', b'\1')):
@@ -275,7 +277,7 @@ def items_of_automatic_mode(robot):
     robot.press('Stick_Stop')
 
 
-@check('TM-3.1.54', 'all other items can only be read', 'C')
+@check('TM-3.1.54', 'all other items are read-only', 'C')
 def other_items_can_only_be_read(robot):
     for name in ('Robot_Error', 'Joint_Angle', 'MA_Mode', 'TCP_Value', 'Ctrl_DI0', 'Ctrl_AI0', 'End_DI0', 'Error_Code'):
         equal(robot.svr.refusal(1, pack_items((name, b'\0' * tm_items.size(name)))), '05,ReadOnly;' + name)
@@ -303,7 +305,7 @@ def the_table_of_the_driver(robot):
     equal(sorted(set(tm_items.VENDOR_TABLE) - streamed), [], 'items that are not streamed')
 
 
-@check('TM-3.2.02', 'they have the sizes that the driver takes', 'D', safe=True)
+@check('TM-3.2.02', 'they have the sizes that the driver expects', 'D', safe=True)
 def sizes_of_the_table(robot):
     sizes = {
         name: len(value)

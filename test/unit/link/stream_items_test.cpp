@@ -1,4 +1,4 @@
-// What each item of the status stream is needed for stands in one table; README and doc/ros.md say the same.
+// What each item of the status stream is needed for is in one table; doc/real-robot.md says the same.
 #include "cobot_command/link/stream_items.h"
 
 #include <regex>
@@ -24,9 +24,9 @@ std::string tableOfItems() {
   return table;
 }
 
-/// The names in code quotes between these words of README.
-std::vector<std::string> namesInReadme(const std::string& from, const std::string& to) {
-  const std::string page = test_support::pageAt("README.md");
+/// The names in code quotes between these words of the page.
+std::vector<std::string> namesInPage(const std::string& from, const std::string& to) {
+  const std::string page = test_support::pageAt("doc/real-robot.md");
   const std::size_t begin = page.find(from);
   const std::size_t end = page.find(to, begin);
   EXPECT_NE(begin, std::string::npos) << from;
@@ -48,18 +48,18 @@ std::vector<std::string> namesOfTable(bool by_choice) {
   return names;
 }
 
-TEST(StreamItems, thatEveryDataTableShouldHaveAreTheListOfTheReadme) {
-  EXPECT_EQ(namesInReadme("tick at least", "Beside these"), namesOfTable(false));
+TEST(StreamItems, thatEveryDataTableShouldHaveAreTheListOfThePage) {
+  EXPECT_EQ(namesInPage("tick at least", "Beside these"), namesOfTable(false));
 }
 
-TEST(StreamItems, thatReadmeLeavesToChoiceAreInTheTable) {
-  const auto names = namesInReadme("Beside these", "Run the project");
+TEST(StreamItems, thatThePageLeavesToChoiceAreInTheTable) {
+  const auto names = namesInPage("Beside these", "Run the project");
   EXPECT_FALSE(names.empty());
   EXPECT_THAT(names, IsSubsetOf(namesOfTable(true)));
 }
 
 TEST(StreamItems, areTheTableOfThePage) {
-  EXPECT_THAT(test_support::pageAt("doc/ros.md"), HasSubstr(tableOfItems())) << "doc/ros.md has to have:\n"
+  EXPECT_THAT(test_support::pageAt("doc/real-robot.md"), HasSubstr(tableOfItems())) << "doc/real-robot.md has to have:\n"
                                                                              << tableOfItems();
 }
 

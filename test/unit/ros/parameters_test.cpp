@@ -204,8 +204,8 @@ TEST(Parameters, areWarnedOfWhenTheyAreMisspelt) {
   ASSERT_TRUE(commanding);
   EXPECT_THAT(
       commanding->warnings,
-      ElementsAre("parameter /robot/node/colour is none of this node's, and not used: README.md lists "
-                  "those that it has",
+      ElementsAre("parameter /robot/node/colour is none of this node's, and not used: "
+                  "doc/parameters.md lists its parameters",
                   "parameter /robot/node/scrip_port is none of this node's, and not used: did you mean "
                   "script_port?"));
   const auto simulated = readSimulatorParameters(
@@ -346,8 +346,8 @@ TEST(ParametersOfTheCommandNode, haveSoftwareLimitsOfSomeJoints) {
 TEST(ParametersOfTheCommandNode, areTheTableOfThePage) {
   CommandParameters parameters;
   const std::string table = test_support::tableOf(settingsTable(parameters), false);
-  EXPECT_NE(test_support::pageAt("README.md").find("\n\n" + table + '\n'), std::string::npos)
-      << "README.md has to have this table:\n"
+  EXPECT_NE(test_support::pageAt("doc/parameters.md").find("\n\n" + table + '\n'), std::string::npos)
+      << "doc/parameters.md has to have this table:\n"
       << table;
 }
 

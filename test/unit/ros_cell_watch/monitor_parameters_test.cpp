@@ -77,8 +77,8 @@ TEST(ParametersOfTheMonitor, thatItDoesNotHaveAreNamedInAWarning) {
 TEST(ParametersOfTheMonitor, areTheTableOfThePage) {
   MonitorParameters parameters;
   const std::string table = test_support::tableOf(settingsTable(parameters), false);
-  EXPECT_NE(test_support::pageAt("README.md").find("\n\n" + table + '\n'), std::string::npos)
-      << "README.md has to have this table:\n"
+  EXPECT_NE(test_support::pageAt("doc/parameters.md").find("\n\n" + table + '\n'), std::string::npos)
+      << "doc/parameters.md has to have this table:\n"
       << table;
 }
 
