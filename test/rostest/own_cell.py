@@ -7,6 +7,7 @@ import xmlrpc.client
 import actionlib
 import rosgraph
 import rospy
+from actionlib_msgs.msg import GoalStatus
 from std_srvs.srv import SetBool, Trigger
 
 from cobot_command.msg import BuildCellAction, CellRobot, CellState, CommandStatus, RunCellAction, RunProgramGoal
@@ -84,7 +85,11 @@ class CellTestCase(OutcomeTestCase):
         return Sent(self.client("build_cell", BuildCellAction), goal)
 
     def send_programs(self, cycles):
-        return {name: robot.send(RunProgramGoal(cycles=cycles)) for name, robot in self.robots.items()}
+        sent = {name: robot.send(RunProgramGoal(cycles=cycles)) for name, robot in self.robots.items()}
+        for name, goal in sent.items():
+            if goal.wait_until_active().state() not in (GoalStatus.ACTIVE, GoalStatus.SUCCEEDED):
+                self.fail(f"{name} did not begin: {goal.finish()}")
+        return sent
 
     def recover_all(self):
         """Each that was stopped goes on from where it is."""
