@@ -41,6 +41,10 @@ class Latest:
         self._count = 0  # of all that came
         self._subscriber = rospy.Subscriber(topic, kind, self._take, queue_size=100)
 
+    def close(self):
+        """Receives no more: others that publish on the topic count who is connected."""
+        self._subscriber.unregister()
+
     def _take(self, message):
         with self._changed:
             self.message = message

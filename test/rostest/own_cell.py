@@ -33,7 +33,7 @@ class CellTestCase(OutcomeTestCase):
         self.folder = folder.name
         self.journal = os.path.join(folder.name, "cell.journal")
         self.state = Latest("/cell/state", CellState)
-        self.reports = Latest("/cell/reports", CellReport)
+        reports = Latest("/cell/reports", CellReport)
         self.launch_robots()
         self.supervisor = self.start_supervisor()
         self.robots = {name: Robot("/" + name) for name in self.names}
@@ -43,8 +43,9 @@ class CellTestCase(OutcomeTestCase):
             robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY, "a ready link")
         # The supervisor may receive from a robot before the robot receives from it; a program ends without a supervisor.
         for name in self.names:
-            self.reports.wait_for(lambda m, name=name: m.robot == name and m.instance == self.state.message.instance,
-                                  f"a report of {name} that follows the supervisor")
+            reports.wait_for(lambda m, name=name: m.robot == name and m.instance == self.state.message.instance,
+                             f"a report of {name} that follows the supervisor")
+        reports.close()
 
     def launch_robots(self):
         robots = self.start("roslaunch", "cobot_command", "cell.launch", f"artifact:={self.artifact}", "supervisor:=false", f"time_scale:={self.time_scale}", ends_by=signal.SIGINT)
