@@ -126,9 +126,9 @@ constexpr ItemRow identityRow(std::string_view name) {
       [](const RobotStatus& status) { return (status.identity.*Member).has_value(); }};
 }
 
-// What each is called, and what is so without it: doc/real-robot.md has this table, and the names of those that
-// every data table should have. Error_Content is streamed by TMflow 1.76 and older only, which do not have
-// Joint_Speed (TM 3.1).
+// What each is called, and what is so without it: doc/real-robot.md has this table, and the names of those
+// that every data table should have. Error_Content is streamed by TMflow 1.76 and older only, which do not
+// have Joint_Speed (TM 3.1).
 constexpr ItemRow kItems[] = {
     row<&RobotStatus::error, readBool>("Robot_Error", ItemNeed::Ready,
                                        "errors of the controller are not seen: what fails by them says only "

@@ -86,8 +86,8 @@ std::vector<std::string> warningsOfUnknown(const GivenParameters& given, const S
     if (is_namespace && isSpaceOf(table, unknown.name)) continue;
     if (isBelowAnother(table, unknown.name)) continue;
     if (std::find(others.begin(), others.end(), unknown.name) != others.end()) continue;
-    const std::string hint =
-        unknown.meant.empty() ? "doc/parameters.md lists its parameters" : "did you mean " + unknown.meant + "?";
+    const std::string hint = unknown.meant.empty() ? "doc/parameters.md lists its parameters"
+                                                   : "did you mean " + unknown.meant + "?";
     warnings.push_back(fmt::format("parameter {}/{} is none of this node's, and not used: {}", given.space,
                                    foreignText(unknown.name), hint));
   }

@@ -59,8 +59,9 @@ TEST(StreamItems, thatThePageLeavesToChoiceAreInTheTable) {
 }
 
 TEST(StreamItems, areTheTableOfThePage) {
-  EXPECT_THAT(test_support::pageAt("doc/real-robot.md"), HasSubstr(tableOfItems())) << "doc/real-robot.md has to have:\n"
-                                                                             << tableOfItems();
+  EXPECT_THAT(test_support::pageAt("doc/real-robot.md"), HasSubstr(tableOfItems()))
+      << "doc/real-robot.md has to have:\n"
+      << tableOfItems();
 }
 
 TEST(StreamItems, areEachInTheTableOnce) {
