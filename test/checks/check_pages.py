@@ -69,6 +69,11 @@ def faults_of_sizes(root):
                        f" {source} has {size[1] if size else 'none'} MiB (kMaxFileSize)")
 
 
+def pages_of(root):
+    named = [root / "README.md", root / "CONTRIBUTING.md", *root.glob("test/**/README.md"), *root.glob("benchmark/**/README.md")]
+    return [page for page in named if page.is_file()] + sorted((root / "doc").rglob("*.md"))
+
+
 def definition_of(root, message):
     """The words of a message, as rosmsg show -r has them; nothing of one that is made of others without words."""
     file = root / "msg" / f"{message}.msg"
@@ -83,16 +88,11 @@ def definition_of(root, message):
 
 
 def faults_of_messages(root):
-    for page in (root / "README.md", *sorted((root / "doc").rglob("*.md"))):
+    for page in pages_of(root):
         for message in SHOWN.findall(page.read_text(encoding="utf-8")):
             text = definition_of(root, message)
             if text is None or not re.search(r"#.*(\[(mm|deg)|%|\bmm\b)", text):
                 yield f"{page.relative_to(root)}: rosmsg shows no unit of {message}; that of a goal is in its ...Goal, without Action"
-
-
-def pages_of(root):
-    named = [root / "README.md", root / "CONTRIBUTING.md", *root.glob("test/**/README.md"), *root.glob("benchmark/**/README.md")]
-    return [page for page in named if page.is_file()] + sorted((root / "doc").rglob("*.md"))
 
 
 @functools.lru_cache(maxsize=None)

@@ -1,4 +1,4 @@
-// A goal for a move of the first joint, as those who stop it send it.
+// Goals for moves of the first joint, for the tests that stop them.
 #pragma once
 
 #include "cobot_command/MoveAbsoluteActionGoal.h"
@@ -17,7 +17,7 @@ namespace cobot_command::testing {
   return goal;
 }
 
-/// The same, behind those that are under way.
+/// The same, queued after the running ones.
 [[nodiscard]] inline cobot_command::MoveAbsoluteActionGoal bufferedMoveOf(double joint) {
   auto goal = moveOf(joint);
   goal.goal.buffer_mode = 1;
