@@ -29,8 +29,8 @@ class Asker {
             keep(action);
           }
         }) {
-    const auto link = submit(blocks::ConnectGoal{"127.0.0.1", ports.script, 60, {}});
-    EXPECT_TRUE(reaches(link, Phase::Connected));
+    link_ = submit(blocks::ConnectGoal{"127.0.0.1", ports.script, 60, {}});
+    EXPECT_TRUE(reaches(link_, Phase::Connected));
   }
 
   blocks::GoalId submit(const blocks::Goal& goal) {
@@ -45,6 +45,13 @@ class Asker {
       });
     });
   }
+  /// Why the link ended; empty while it stands.
+  [[nodiscard]] std::string endOfTheLink() const {
+    for (const auto& event : goals_.events()) {
+      if (event.goal == link_ && event.ended) return event.description;
+    }
+    return {};
+  }
   [[nodiscard]] bool ends(blocks::GoalId goal) {
     return goals_.waitUntil([&](const auto& events) {
       return std::any_of(events.begin(), events.end(),
@@ -57,23 +64,27 @@ class Asker {
     blocks::GoalId goal = 0;
     Phase phase{};
     bool ended = false;
+    std::string description;
   };
   static link::LinkSettings settingsFor(SimulatorPorts ports) {
     link::LinkSettings settings;
     settings.status_port = ports.status;
-    settings.reply_timeout = std::chrono::minutes(1);  // behind a flood an answer is late, and no flood lasts
+    // After a flood an answer is late, to a script and to a lifesign; no flood lasts.
+    settings.reply_timeout = std::chrono::minutes(1);
+    settings.supervision_period = std::chrono::minutes(1);
     return settings;
   }
   void keep(const command::Action& action) {
     if (const auto* const ended = std::get_if<command::GoalEnded>(&action)) {
-      goals_.add({ended->goal, {}, true});
+      goals_.add({ended->goal, {}, true, ended->outcome.error_description});
     } else if (const auto* const progressed = std::get_if<command::GoalProgressed>(&action)) {
-      goals_.add({progressed->goal, progressed->progress.phase, false});
+      goals_.add({progressed->goal, progressed->progress.phase, false, {}});
     }
   }
 
   testing::EventLog<Event> goals_;
   blocks::GoalId last_goal_ = 0;
+  blocks::GoalId link_ = 0;
   CommandRuntime runtime_;
 };
 
@@ -129,6 +140,7 @@ void measureStops(Reader reader, testing::Figure& figure, const Ask& ask) {
   for (int i = 0; i < testing::quickOrThorough(2, 100); ++i) {
     const auto round = static_cast<std::size_t>(i);
     const auto first = queueHundredMoves(asker, peer, round);
+    ASSERT_EQ(asker.endOfTheLink(), "");
     const auto check = reader == Reader::Planning ? asker.submit(longSequence()) : 0;
     if (reader == Reader::Flooded) {
       ASSERT_TRUE(peer.floods());
