@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <future>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "figure.h"
@@ -45,12 +47,12 @@ class Asker {
       });
     });
   }
-  /// Why the link ended; empty while it stands.
-  [[nodiscard]] std::string endOfTheLink() const {
+  /// Why the link ended; nothing while it stands.
+  [[nodiscard]] std::optional<std::string> endOfTheLink() const {
     for (const auto& event : goals_.events()) {
       if (event.goal == link_ && event.ended) return event.description;
     }
-    return {};
+    return std::nullopt;
   }
   [[nodiscard]] bool ends(blocks::GoalId goal) {
     return goals_.waitUntil([&](const auto& events) {
@@ -140,7 +142,7 @@ void measureStops(Reader reader, testing::Figure& figure, const Ask& ask) {
   for (int i = 0; i < testing::quickOrThorough(2, 100); ++i) {
     const auto round = static_cast<std::size_t>(i);
     const auto first = queueHundredMoves(asker, peer, round);
-    ASSERT_EQ(asker.endOfTheLink(), "");
+    ASSERT_EQ(asker.endOfTheLink(), std::nullopt);
     const auto check = reader == Reader::Planning ? asker.submit(longSequence()) : 0;
     if (reader == Reader::Flooded) {
       ASSERT_TRUE(peer.floods());
@@ -149,7 +151,7 @@ void measureStops(Reader reader, testing::Figure& figure, const Ask& ask) {
     ask(asker, first);
     const auto heard = peer.timeOf(kStop, round);
     peer.endFlood();
-    ASSERT_TRUE(heard.has_value());
+    ASSERT_TRUE(heard.has_value()) << asker.endOfTheLink().value_or("the link stands");
     figure.add(*heard - start);
     asker.cancel(check);
     ASSERT_TRUE(asker.ends(first));
