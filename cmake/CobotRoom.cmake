@@ -5,7 +5,7 @@ add_library(cobot_warnings INTERFACE)
 target_compile_options(cobot_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
                                                 $<$<BOOL:${COBOT_WARNINGS_AS_ERRORS}>:-Werror>)
 
-# For all that is compiled here, and nothing that an installed library asks of those who use it.
+# For everything that is compiled here, and nothing that an installed library asks of those who use it.
 if(COBOT_SANITIZE)
   add_compile_options(-fsanitize=${COBOT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   # g++ loses sight of what is initialized between the checks that sanitizers put in, and says so of itself.
@@ -18,6 +18,14 @@ if(COBOT_SANITIZE)
     # and its unlock are then of one kind.
     add_compile_options(-fvisibility-inlines-hidden)
   endif()
+endif()
+# For the rooms of the core alone. Nodes, tests and what ROS generates are compiled as always, in half of the time; programs
+# are linked with the sanitizers. RViz loads the panel into a process without them, so the rooms that the panel uses are
+# made a second time, as cobot_<name>_plain.
+if(COBOT_WATCH)
+  set(cobot_watched_definition COBOT_WATCHED)  # for tests
+  set(watched -fsanitize=${COBOT_WATCH} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(cobot_warnings INTERFACE "$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-fsanitize=${COBOT_WATCH}>")
 endif()
 if(COBOT_COVERAGE)
   add_compile_options(--coverage -fprofile-update=atomic)
@@ -40,26 +48,35 @@ include(CobotPrecompiled)
 if(COBOT_PRECOMPILE)
   cobot_precompiled_headers(cobot_room_headers HEADERS ${cobot_room_headers} USES Eigen3::Eigen fmt::fmt tl::expected)
   set_target_properties(cobot_room_headers PROPERTIES POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
+  if(COBOT_WATCH)
+    cobot_precompiled_headers(cobot_watched_headers HEADERS ${cobot_room_headers} USES Eigen3::Eigen fmt::fmt tl::expected)
+    set_target_properties(cobot_watched_headers PROPERTIES POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
+    target_compile_options(cobot_watched_headers PRIVATE ${watched})
+  endif()
 endif()
 
-# cobot_add_room(<name> SOURCES <file>... [ALONE <file>...] [USES <target>...] [PRIVATELY_USES <target>...] [FOR_NODES])
+# cobot_add_room(<name> SOURCES <file>... [ALONE <file>...] [USES <target>...] [PRIVATELY_USES <target>...] [FOR_NODES]
+#                [UNWATCHED] [IN_RVIZ | ONLY_IN_RVIZ])
 # Makes the library cobot_<name>, known to the others, and to other projects, as cobot_command::<name>. FOR_NODES: to ours
-# only, as it is nothing but a part of the nodes.
+# only, as it is nothing but a part of the nodes. UNWATCHED: COBOT_WATCH does not instrument it, because its geometry would
+# calculate for minutes then, and a simulated controller would answer too late. IN_RVIZ: RViz loads it, as nodes do;
+# ONLY_IN_RVIZ: nobody else does.
 function(cobot_add_room name)
-  cmake_parse_arguments(ROOM "FOR_NODES" "" "SOURCES;ALONE;USES;PRIVATELY_USES" ${ARGN})
-  add_library(cobot_${name} ${ROOM_SOURCES})
+  cmake_parse_arguments(ROOM "FOR_NODES;UNWATCHED;IN_RVIZ;ONLY_IN_RVIZ" "" "SOURCES;ALONE;USES;PRIVATELY_USES" ${ARGN})
+  set(headers cobot_room_headers)
+  set(is_watched FALSE)
+  if(COBOT_WATCH AND NOT ROOM_FOR_NODES AND NOT ROOM_UNWATCHED)
+    set(headers cobot_watched_headers)
+    set(is_watched TRUE)
+  endif()
+  if(COBOT_WATCH AND ROOM_ONLY_IN_RVIZ)
+    cobot_plain(ROOM_USES)
+    cobot_plain(ROOM_PRIVATELY_USES)
+  endif()
+  cobot_make_room(cobot_${name} ${headers})
   add_library(cobot_command::${name} ALIAS cobot_${name})
-  target_compile_features(cobot_${name} PUBLIC cxx_std_17)
-  target_include_directories(
-    cobot_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
-  target_link_libraries(
-    cobot_${name}
-    PUBLIC ${ROOM_USES}
-    PRIVATE ${ROOM_PRIVATELY_USES})
-  target_compile_options(cobot_${name} PRIVATE $<TARGET_PROPERTY:cobot_warnings,INTERFACE_COMPILE_OPTIONS>)
-  cobot_use_unity(cobot_${name} ALONE ${ROOM_ALONE})
-  if(fmt::fmt IN_LIST ROOM_PRIVATELY_USES)
-    cobot_use_precompiled(cobot_${name} cobot_room_headers)
+  if(is_watched)
+    target_compile_options(cobot_${name} PRIVATE ${watched})
   endif()
   set_target_properties(cobot_${name} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH $ORIGIN)
   if(ROOM_FOR_NODES)
@@ -67,6 +84,47 @@ function(cobot_add_room name)
   else()
     set_property(GLOBAL APPEND PROPERTY COBOT_EXPORTED_LIBRARIES cobot_${name})
   endif()
+  if(COBOT_WATCH AND ROOM_IN_RVIZ)
+    cobot_plain(ROOM_USES)
+    cobot_plain(ROOM_PRIVATELY_USES)
+    cobot_make_room(cobot_${name}_plain cobot_room_headers)
+    # What the room's own list adds.
+    target_include_directories(cobot_${name}_plain PRIVATE $<TARGET_PROPERTY:cobot_${name},INCLUDE_DIRECTORIES>)
+    target_include_directories(cobot_${name}_plain SYSTEM
+                               PUBLIC $<TARGET_PROPERTY:cobot_${name},INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
+    add_dependencies(cobot_${name}_plain cobot_${name})
+  endif()
+endfunction()
+
+# The library itself, of the ROOM_... of cobot_add_room.
+function(cobot_make_room target headers)
+  add_library(${target} ${ROOM_SOURCES})
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_include_directories(
+    ${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(
+    ${target}
+    PUBLIC ${ROOM_USES}
+    PRIVATE ${ROOM_PRIVATELY_USES})
+  target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:cobot_warnings,INTERFACE_COMPILE_OPTIONS>)
+  cobot_use_unity(${target} ALONE ${ROOM_ALONE})
+  if(fmt::fmt IN_LIST ROOM_PRIVATELY_USES)
+    cobot_use_precompiled(${target} ${headers})
+  endif()
+endfunction()
+
+# Puts the libraries without sanitizers in the place of those that have some.
+function(cobot_plain list)
+  set(plain)
+  foreach(used IN LISTS ${list})
+    string(REGEX REPLACE "^cobot_command::" "cobot_" target "${used}")
+    if(TARGET ${target}_plain)
+      list(APPEND plain ${target}_plain)
+    else()
+      list(APPEND plain ${used})
+    endif()
+  endforeach()
+  set(${list} ${plain} PARENT_SCOPE)
 endfunction()
 
 # cobot_add_program(<name> SOURCES <file>... USES <target>...)
@@ -78,33 +136,64 @@ function(cobot_add_program name)
   set_property(GLOBAL APPEND PROPERTY COBOT_INSTALLED_PROGRAMS ${name})
 endfunction()
 
+# The system's, whatever else is first on the PATH.
+set(PYTHON_FOR_TESTS /usr/bin/python3)
 set(COBOT_TEST_OPTIONS "" CACHE STRING "Compiler options of the test programs, behind those of everything")
 
-# cobot_add_test(<name> SOURCES <file>... [ALONE <file>...] USES <target>... [TIMEOUT <seconds>])
-# Makes one GoogleTest program; each of its tests is a CTest entry of its own, named <name>.<Suite>.<test>, that may take
-# 120 s or the time that is given, and under a sanitizer five times as long. One that COBOT_TESTED_ELSEWHERE names is made
-# only when it is asked for.
+# cobot_add_test(<name> SOURCES <file>... [ALONE <file>...] [PROPERTIES <file>...] USES <target>... [TIMEOUT <seconds>] [SHARDS <number>] [EACH])
+# Makes one GoogleTest program. Its tests run in one process, <name>.all for CTest, or in as many processes as there are
+# shards, <name>.1of3 and so on; EACH: each test in a process of its own, for those that change their process.
+# test/support/run_gtest.py runs them, and reports each test by its name, <name>.<Suite>.<test>. A test may take 120 s or
+# the time that is given, and with a sanitizer five times as long. PROPERTIES: sources that need RapidCheck, and are left
+# out if it is missing; other sources may ask for COBOT_HAS_RAPIDCHECK.
+# A program that COBOT_TESTED_ELSEWHERE names is made only on demand, and its tests are not run.
 set(COBOT_TESTED_ELSEWHERE "" CACHE STRING "Test programs that another build makes and runs: names as in cobot_add_test")
+find_package(rapidcheck QUIET)
+if(COBOT_BUILD_TESTS AND NOT rapidcheck_FOUND)
+  message(STATUS "Tests of properties are left out: librapidcheck-dev is missing")
+endif()
 function(cobot_add_test name)
-  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;ALONE;USES" ${ARGN})
+  cmake_parse_arguments(TEST "EACH" "TIMEOUT;SHARDS" "SOURCES;ALONE;PROPERTIES;USES" ${ARGN})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 120)
   endif()
-  if(COBOT_SANITIZE)
+  if(COBOT_SANITIZE OR COBOT_WATCH)
     math(EXPR TEST_TIMEOUT "5 * ${TEST_TIMEOUT}")
   endif()
   add_executable(test_${name} ${TEST_SOURCES})
+  if(rapidcheck_FOUND)
+    target_sources(test_${name} PRIVATE ${TEST_PROPERTIES})
+    target_link_libraries(test_${name} PRIVATE rapidcheck rapidcheck_gtest)
+    target_compile_definitions(test_${name} PRIVATE COBOT_HAS_RAPIDCHECK)
+  endif()
   # Not where catkin puts programs: rosrun and roslaunch look there.
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test/support)
   target_link_libraries(test_${name} PRIVATE ${TEST_USES} cobot_source_tree GTest::gmock GTest::gtest_main cobot_warnings)
   target_compile_options(test_${name} PRIVATE ${COBOT_TEST_OPTIONS})
+  target_compile_definitions(test_${name} PRIVATE ${cobot_watched_definition})
   cobot_use_unity(test_${name} ALONE ${TEST_ALONE})
   cobot_use_precompiled(test_${name} cobot_test_headers)
   if(name IN_LIST COBOT_TESTED_ELSEWHERE)
     set_target_properties(test_${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)
     return()
   endif()
-  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT ${TEST_TIMEOUT})
+  set(each)
+  if(TEST_EACH)
+    set(each --each)
+  endif()
+  if(NOT TEST_SHARDS)
+    set(TEST_SHARDS 1)
+  endif()
+  foreach(shard RANGE 1 ${TEST_SHARDS})
+    set(entry ${name}.${shard}of${TEST_SHARDS})
+    if(TEST_SHARDS EQUAL 1)
+      set(entry ${name}.all)
+    endif()
+    add_test(NAME ${entry}
+             COMMAND ${PYTHON_FOR_TESTS} ${PROJECT_SOURCE_DIR}/test/support/run_gtest.py --shard ${shard}/${TEST_SHARDS} ${each}
+                     --timeout ${TEST_TIMEOUT} --report ${CMAKE_BINARY_DIR}/reports/${entry}.xml ${name} $<TARGET_FILE:test_${name}>)
+    # The runner watches over each test; this is for all of them.
+    set_tests_properties(${entry} PROPERTIES TIMEOUT 3000 SKIP_RETURN_CODE 77 LABELS gtest)
+  endforeach()
 endfunction()

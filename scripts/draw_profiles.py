@@ -76,7 +76,7 @@ def save(figure, file):
     size = file.stat().st_size
     print(f"{file}: {size} bytes")
     if size > MOST_BYTES:
-        raise SystemExit(f"{file} has {size} bytes, and {MOST_BYTES} are allowed: let path_curves print fewer points")
+        raise SystemExit(f"{file} has {size} bytes, but at most {MOST_BYTES} are allowed: let path_curves print fewer points")
 
 
 def main():

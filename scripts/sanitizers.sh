@@ -2,8 +2,7 @@
 
 # The rooms that read the data of a peer, those that process them, and the rooms that these use. Their tests run once with
 # every change, with sanitizers, in their own build; the complete build leaves them out then. Quick tests (corpora) run in
-# both. Rooms that calculate for minutes under a sanitizer, mostly geometry, are not in the list: they run in the complete
-# build, and `scripts/test --sanitize address` checks them.
+# both.
 readonly core_tests=(allocation automata blocks capabilities cell_agent cell_artifact cell_model cell_monitor cell_program
   cell_supervision command common files kinematics link peers protocol robot script simulator tables tm_script
   dynamics follow_joint_trajectory hostile io_failures paths project_values runtime runtime_parts synchronisation transport)
@@ -22,6 +21,7 @@ build_sanitized() {
   [ "$kind" = address ] && flags=address,undefined
   configure "$build/$kind" -DCOBOT_SANITIZE="$flags"
   ninja -C "$build/$kind" "$@"
+  use_build "$build/$kind"
   watch
 }
 
@@ -31,9 +31,9 @@ readonly core_sanitizers=address,bool,bounds,builtin,enum,integer-divide-by-zero
 
 # This build finds faults that ROS could hide, because it builds the rooms of the core without ROS. It also finds faults that one
 # compiler accepts: clang builds this, g++ everything except these tests. Faults that precompiled headers hide are found by
-# clang-tidy. Optimizing the tests themselves would gain nothing and cost half of the compile time.
+# clang-tidy. The rooms are instrumented, their tests are not: optimizing these would gain nothing and cost half of the compile time.
 build_core() {
-  configure "$build/watched" -DCOBOT_CORE_ONLY=ON -DCOBOT_SANITIZE="$core_sanitizers" -DCMAKE_CXX_COMPILER=clang++ \
+  configure "$build/watched" -DCOBOT_CORE_ONLY=ON -DCOBOT_WATCH="$core_sanitizers" -DCMAKE_CXX_COMPILER=clang++ \
     -DCOBOT_TEST_OPTIONS=-O0
   ninja -C "$build/watched" fuzz_corpora cobot_german_locale cobot_german_locale_files "${core_tests[@]/#/test_}"
   watch

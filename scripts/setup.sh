@@ -1,4 +1,4 @@
-# Shared by the scripts beside it: says what it does, installs what is missing, builds. To be sourced.
+# Shared by the scripts of this folder: prints the current step, installs missing packages, builds. Source it.
 
 set -euo pipefail
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -21,7 +21,7 @@ install_missing() {
       missing+=("$package")
   done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "${lists[@]/#/$root/}")
   if [ ${#missing[@]} -eq 0 ]; then
-    echo "all there"
+    echo "all installed"
     return
   fi
   echo "installing: ${missing[*]}"
@@ -35,13 +35,13 @@ install_missing() {
     >/dev/null
 }
 
-# Into the build folder, where CTest looks for them. The only thing that does not come from Debian: without it the tests
-# that need it are skipped, and say so.
+# Into the build folder, where CTest looks for them. They are the only packages that are not from Debian. Without them the
+# tests that need them are skipped, with a message.
 install_python_packages() {
   local folder=$build/python-packages list=$root/scripts/python-packages.txt
   say "Looking for the packages of scripts/python-packages.txt"
   if cmp -s "$list" "$folder/installed.txt"; then
-    echo "all there"
+    echo "all installed"
     return
   fi
   rm -rf "$folder"
@@ -54,24 +54,24 @@ install_python_packages() {
 }
 
 # configure <build folder> <cmake option>...
-# For work on the project: assertions are on, and what debuggers and optimizers could add is left out where it costs
-# compile time (a third with full debug information, as much again with -O2). Every build of the scripts has the same
-# options, so that each finds in the compiler cache what another one has compiled.
+# For work on the project: assertions are on; debug information and optimization are reduced to save compile time (a third
+# with full debug information, as much again with -O2). Every build of the scripts has the same options, so that they share
+# the compiler cache.
 configure() {
   local folder=$1
   shift
   mkdir -p "$folder"
-  # Paths relative to the repository, so that every clone on a machine shares what one has compiled.
+  # Paths relative to the repository, so that all clones on a machine share the compiler cache.
   export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
-  # What ccache wants to be told where headers are precompiled.
+  # ccache needs this for precompiled headers.
   export CCACHE_SLOPPINESS=pch_defines,time_macros
-  # Of our messages only what is used here: nothing speaks Lisp.
+  # Generate our messages only for the languages that are used here, so not for Lisp.
   export ROS_LANG_DISABLE=genlisp
-  # The ROS tools belong to the system's Python, whatever else stands first on the PATH.
+  # The ROS tools need the system's Python, even if another one is first on the PATH.
   cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
-    -DBUILD_SHARED_LIBS=ON -DCOBOT_WARNINGS_AS_ERRORS=ON -DCOBOT_PRECOMPILE=ON -DCOBOT_UNITY=ON \
+    -DBUILD_SHARED_LIBS=ON -DCMAKE_LINK_DEPENDS_NO_SHARED=ON -DCOBOT_WARNINGS_AS_ERRORS=ON -DCOBOT_PRECOMPILE=ON -DCOBOT_UNITY=ON \
     -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
-    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >"$folder/configure.log" 2>&1 ||
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCOBOT_PYTHON_PACKAGES="$build/python-packages" "$@" >"$folder/configure.log" 2>&1 ||
     { cat "$folder/configure.log" >&2; exit 1; }
 }
 
@@ -84,9 +84,9 @@ build_with() {
 # use_build [build folder]: its messages, programs and packages, in this shell.
 use_build() {
   local folder=${1:-$build}
-  # For the same reason: our own Python programs ask for the first python3 on the PATH.
+  # For the same reason: our own Python programs use the first python3 on the PATH.
   export PATH="/usr/bin:$PATH"
-  # ROS's own set-up script reads variables that may not be set.
+  # ROS's own set-up script reads variables that might not be set.
   set +u
   # shellcheck disable=SC1091
   source "$folder/devel/setup.bash"
@@ -97,8 +97,8 @@ free_port() {
   /usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
 
-# run_rostest <name> [argument:=value...]: test/rostest/<name>.test, with all that it prints. rostest itself ends with 0
-# whatever came out when it prints (--text): the verdict of the test program counts, and there has to be one.
+# run_rostest <name> [argument:=value...]: runs test/rostest/<name>.test and prints its output. With --text, rostest itself always
+# ends with 0. Therefore the verdict of the test program counts, and a missing verdict is a failure.
 run_rostest() {
   local name=$1 log
   shift

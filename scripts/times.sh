@@ -1,25 +1,34 @@
-# Shared by the scripts beside it: says what took how long. To be sourced behind setup.sh.
+# Shared by the scripts of this folder: says what is done and what remains, and at the end what took how long, and the verdict.
+# Source it after setup.sh.
 
 phases=$(mktemp)
 readonly phases
-tested_folders=()
+reports=()
 
-# phase <what begins now>
+# phases <number of phases that are announced>
+phases() {
+  number_of_phases=$1
+}
+
+# phase <name of the phase that begins now>
 phase() {
-  say "$*"
+  local begun
+  begun=$(wc -l <"$phases")
+  say "[$((begun + 1))/${number_of_phases:-?}] $*"
   printf '%s\t%s\n' "$(date +%s.%N)" "$*" >>"$phases"
 }
 
-# times_of_tests <build folder>: its times.xml is new when ctest has run.
-times_of_tests() {
-  rm -f "$1/times.xml"
-  tested_folders+=("$1")
+# new_report <build folder>: sets report, the JUnit file for ctest to write. Reports of an earlier run of the script are removed.
+new_report() {
+  [[ " ${reports[*]} " = *" $1/"* ]] || rm -rf "$1/reports" "$1"/report-*.xml
+  report=$1/report-$((${#reports[@]} + 1)).xml
+  reports+=("$report")
 }
 
-# To be run at the end, whatever the outcome.
-print_times() {
+# Run it at the end, whatever the outcome.
+print_summary() {
   local outcome=$?
-  /usr/bin/python3 "$root/scripts/print_times.py" "$phases" "$build" "${tested_folders[@]}" || true
+  /usr/bin/python3 "$root/scripts/print_summary.py" --outcome "$outcome" "$phases" "$build" "${reports[@]}" || true
   rm -f "$phases"
   return $outcome
 }

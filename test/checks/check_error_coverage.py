@@ -20,7 +20,7 @@ TOO_LONG_FOR_A_TEST = {("retrace", 0x20C)}
 
 # What a cell has against its robots is shown in the core (catalogue_rows_test), where a gate can be closed by each reason.
 OF_CELLS = "run_program"
-ONLY_PROGRAMS = "the node has a ~cell: what else moves the robot"
+ONLY_PROGRAMS = "the node has a ~cell: any other command that moves the robot"
 
 
 def number(error_id):

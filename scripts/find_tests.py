@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""Prints the CTest entries, as a regular expression, that contain tests whose name matches.
+
+find_tests.py BUILD_FOLDER REGEX
+
+An entry matches by its own name, or, if it is a GoogleTest program (test/support/run_gtest.py), by the name of one of its tests:
+NAME.Suite.test. Run CTest with COBOT_TEST_PATTERN=REGEX in the environment, so that such a program runs only these tests.
+Exit status: 0 found, 1 no test matches."""
+import concurrent.futures
+import json
+import os
+import re
+import subprocess
+import sys
+
+RUNNER = "run_gtest.py"
+
+
+def matches(test, pattern, regex):
+    command = test.get("command", [])
+    runner = next((number for number, word in enumerate(command) if word.endswith(RUNNER)), None)
+    if runner is None:
+        return regex.search(test["name"]) is not None
+    listing = subprocess.run([*command[:runner + 1], "--list", *command[runner + 1:]], env=dict(os.environ, COBOT_TEST_PATTERN=pattern),
+                             capture_output=True, text=True, check=False)
+    return bool(listing.stdout.strip())
+
+
+def main():
+    folder, pattern = sys.argv[1:]
+    shown = subprocess.run(["ctest", "--test-dir", folder, "--show-only=json-v1"], capture_output=True, text=True, check=True)
+    tests = json.loads(shown.stdout)["tests"]
+    regex = re.compile(pattern)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = [test["name"] for test, is_one in zip(tests, pool.map(lambda test: matches(test, pattern, regex), tests)) if is_one]
+    if not found:
+        print(f"no test matches {pattern}", file=sys.stderr)
+        return 1
+    print("^(" + "|".join(re.escape(name) for name in found) + ")$")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
